@@ -490,6 +490,8 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
   *scene = hsr_scene_new(name);
   enum hsr_status status = plain && *scene ? HSR_OK : hsr_fail_nomem(err);
   bool alone = !status && part && is_made_by_parts(plain);
+  if (!status && import)
+    (*scene)->threads = import->threads;
   if (!status)
     status = alone ? make_part(*scene, plain, part, err)
                    : open_plain(*scene, plain, import, err);

@@ -29,12 +29,14 @@ tap_programs = \
   %D%/unit/core/outline_test \
   %D%/unit/core/quotient_test \
   %D%/unit/files/plot_test \
+  %D%/unit/algorithms/prepare_test \
   %D%/unit/algorithms/pyramid_test \
   %D%/unit/algorithms/setup_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
+  %D%/unit/core/share_test \
   %D%/unit/core/shadow_test \
   %D%/unit/core/depth_test \
   %D%/unit/core/surfaces_test \
@@ -161,6 +163,7 @@ quick_units = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
   %D%/unit/algorithms/masks_test \
+  %D%/unit/algorithms/prepare_test \
   %D%/unit/algorithms/pyramid_test \
   %D%/unit/algorithms/setup_test \
   %D%/unit/algorithms/variant_test \
@@ -176,6 +179,7 @@ quick_units = \
   %D%/unit/core/octree_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
+  %D%/unit/core/share_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \

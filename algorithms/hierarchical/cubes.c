@@ -6,7 +6,7 @@
  * reach + |m_k|). What lies between vertices is off by no more, as the same
  * convex combination. Bounds are grown by twice that.
  * Where an instance is exact (common/trees/grain.h), a plane stays one. */
-#include "algorithms/hierarchical/cubes.h"
+#include "algorithms/hierarchical/cube_cells.h"
 #include "common/trees/grain.h"
 #include "common/exact/predicates.h"
 
@@ -16,16 +16,6 @@
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
-
-static struct hsr_loop object_loop(const struct hsr_object *object,
-                                   uint32_t f) {
-  return (struct hsr_loop){object->xyz,
-                           object->xyz + 1,
-                           object->xyz + 2,
-                           3,
-                           object->vertex + object->start[f],
-                           object->start[f + 1] - object->start[f]};
-}
 
 /* --- Which faces are loose ------------------------------------------------ */
 
@@ -45,7 +35,7 @@ static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
                                 cubes->object[o].reach);
   }
   for (uint32_t f = 0; f < n; f++) {
-    struct hsr_loop loop = object_loop(object, f);
+    struct hsr_loop loop = hsr_object_loop(object, f);
     if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory)))
       into[kept++] = f;
     else
@@ -64,7 +54,7 @@ struct faces {
 
 static struct hsr_box face_bounds(const void *context, uint32_t k) {
   const struct faces *faces = context;
-  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
   struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
                         {-INFINITY, -INFINITY, -INFINITY}};
   for (uint32_t c = 0; c < loop.n; c++)
@@ -91,7 +81,7 @@ static void face_normal(const struct hsr_loop *loop, double normal[3]) {
 
 static double face_area(const void *context, uint32_t k) {
   const struct faces *faces = context;
-  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
   double n[3];
   face_normal(&loop, n);
   return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -101,7 +91,7 @@ static double face_area(const void *context, uint32_t k) {
 static bool face_meets(const void *context, uint32_t k,
                        const struct hsr_box *cube) {
   const struct faces *faces = context;
-  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
   double n[3];
   face_normal(&loop, n);
   return hsr_box_meets_polygon(cube, loop, n, 0);
@@ -122,119 +112,7 @@ static double longest_side(const struct hsr_box *box) {
               fmax(box->hi[1] - box->lo[1], box->hi[2] - box->lo[2]));
 }
 
-/* --- Cells ---------------------------------------------------------------- */
-
-/* Where the next cell begins, and the cell's number of an object's vertex, good
- * where mark[] is the stamp. */
-struct hsr_cell_maker {
-  const struct hsr_object *object;
-  struct hsr_cubes_object *c;
-  uint32_t *number, *mark, stamp;
-  uint32_t n_faces, n_starts, n_corners, n_vertices;
-  bool writes; /* otherwise it only counts */
-
-  /* Of cells that are made one by one: how much has room. */
-  uint32_t cell_room, face_room, start_room, corner_room, vertex_room;
-};
-
-static uint32_t cell_vertex(struct hsr_cell_maker *m, struct hsr_cell *cell,
-                            uint32_t v) {
-  if (m->mark[v] != m->stamp) {
-    const double *p = m->object->xyz + 3 * (size_t)v;
-    m->mark[v] = m->stamp;
-    m->number[v] = cell->n_vertices++;
-    if (m->writes) {
-      m->c->x[m->n_vertices] = p[0];
-      m->c->y[m->n_vertices] = p[1];
-      m->c->z[m->n_vertices] = p[2];
-    }
-    m->n_vertices++;
-  }
-  return m->number[v];
-}
-
-static void add_face(struct hsr_cell_maker *m, struct hsr_cell *cell,
-                     uint32_t f) {
-  struct hsr_loop loop = object_loop(m->object, f);
-  for (uint32_t k = 0; k < loop.n; k++) {
-    uint32_t v = cell_vertex(m, cell, loop.vertex[k]);
-    if (m->writes)
-      m->c->vertex[m->n_corners] = v;
-    m->n_corners++;
-  }
-  if (m->writes) {
-    m->c->face[m->n_faces] = f;
-    m->c->start[m->n_starts] = m->n_corners - cell->first_corner;
-  }
-  m->n_faces++;
-  m->n_starts++;
-}
-
-/* The n faces number[item[k]]. */
-static void make_cell(struct hsr_cell_maker *m, uint32_t place,
-                      const uint32_t *number, const uint32_t *item,
-                      uint32_t n) {
-  struct hsr_cell *cell = &m->c->cell[place];
-  *cell = (struct hsr_cell){.first_face = m->n_faces,
-                            .n_faces = n,
-                            .first_vertex = m->n_vertices,
-                            .first_corner = m->n_corners,
-                            .first_start = m->n_starts};
-  m->stamp++;
-  if (m->writes)
-    m->c->start[m->n_starts] = 0;
-  m->n_starts++;
-  for (int triangles = 1; triangles >= 0; triangles--)
-    for (uint32_t k = 0; k < n; k++) {
-      uint32_t f = number[item[k]];
-      uint32_t size = m->object->start[f + 1] - m->object->start[f];
-      if ((size == 3) != triangles)
-        continue;
-      add_face(m, cell, f);
-      cell->n_triangles += (uint32_t)triangles;
-    }
-}
-
-static void make_cells(struct hsr_cell_maker *m, const uint32_t *number) {
-  const struct hsr_octree *octree = &m->c->octree;
-  m->n_faces = m->n_starts = m->n_corners = m->n_vertices = 0;
-  for (uint32_t k = 0; k < octree->n_nodes; k++) {
-    const struct hsr_octree_node *node = &octree->node[k];
-    make_cell(m, k, number, node->n ? octree->item + node->first : NULL,
-              node->n);
-  }
-}
-
-static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
-                                     const uint32_t *number) {
-  const struct hsr_object *object = &cubes->scene->objects[o];
-  struct hsr_cubes_object *c = &cubes->object[o];
-  struct hsr_arena *arena = &cubes->arena;
-  struct hsr_cell_maker m = {
-      .object = object,
-      .c = c,
-      .number = malloc(object->n_vertices * sizeof *m.number),
-      .mark = calloc(object->n_vertices, sizeof *m.mark)};
-  c->cell = HSR_NEW(arena, struct hsr_cell, c->octree.n_nodes);
-  bool good = m.number && m.mark && c->cell;
-  if (good) {
-    make_cells(&m, number);
-    c->face = HSR_NEW(arena, uint32_t, m.n_faces);
-    c->start = HSR_NEW(arena, uint32_t, m.n_starts);
-    c->vertex = HSR_NEW(arena, uint32_t, m.n_corners);
-    c->x = HSR_NEW(arena, double, m.n_vertices);
-    c->y = HSR_NEW(arena, double, m.n_vertices);
-    c->z = HSR_NEW(arena, double, m.n_vertices);
-    good = c->face && c->start && c->vertex && c->x && c->y && c->z;
-  }
-  if (good) {
-    m.writes = true;
-    make_cells(&m, number);
-  }
-  free(m.number);
-  free(m.mark);
-  return good ? HSR_OK : HSR_E_NOMEM;
-}
+/* --- An octree with its cells ----------------------------------------------- */
 
 static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
@@ -268,87 +146,18 @@ static enum hsr_status make_octree(struct hsr_cubes *cubes, uint32_t o,
   struct hsr_cubes_object *c = &cubes->object[o];
   struct faces faces;
   struct hsr_primitives primitives = primitives_of(cubes, o, &faces, n_placed);
-  enum hsr_status status =
-      hsr_octree_init(&c->octree, &primitives, rule, c->bounds.lo,
-                      longest_side(&c->bounds), &cubes->arena);
+  enum hsr_status status = hsr_octree_init(
+      &c->octree, &primitives, rule, c->bounds.lo, longest_side(&c->bounds),
+      cubes->scene->threads, &cubes->arena);
   if (!status)
-    status = lay_out_cells(cubes, o, c->number);
+    status = hsr_cells_make(c, &cubes->scene->objects[o], cubes->scene->threads,
+                            &cubes->arena);
   if (!status)
     find_largest_cell(cubes, c);
   return status;
 }
 
-/* --- Cells one by one ----------------------------------------------------- */
-
-/* Makes room for `more` items behind those of an array. */
-static void *widen(struct hsr_arena *arena, const void *array, uint32_t used,
-                   uint32_t more, uint32_t room, size_t size) {
-  if (array && used + more <= room)
-    return (void *)(uintptr_t)array;
-  void *made = hsr_arena_array(arena, 2 * (size_t)(used + more), size);
-  if (made && used)
-    memcpy(made, array, used * size);
-  return made;
-}
-
-static void grow_room(uint32_t *room, uint32_t used, uint32_t more) {
-  if (used + more > *room)
-    *room = 2 * (used + more);
-}
-
-/* Makes room for the cell that `counted` has counted after *m. */
-static bool make_room(struct hsr_cell_maker *m,
-                      const struct hsr_cell_maker *counted,
-                      struct hsr_arena *arena) {
-  struct hsr_cubes_object *c = m->c;
-  uint32_t faces = counted->n_faces - m->n_faces;
-  uint32_t starts = counted->n_starts - m->n_starts;
-  uint32_t corners = counted->n_corners - m->n_corners;
-  uint32_t vertices = counted->n_vertices - m->n_vertices;
-  c->face =
-      widen(arena, c->face, m->n_faces, faces, m->face_room, sizeof *c->face);
-  c->start = widen(arena, c->start, m->n_starts, starts, m->start_room,
-                   sizeof *c->start);
-  c->vertex = widen(arena, c->vertex, m->n_corners, corners, m->corner_room,
-                    sizeof *c->vertex);
-  double **xyz[3] = {&c->x, &c->y, &c->z};
-  for (int k = 0; k < 3; k++)
-    *xyz[k] = widen(arena, *xyz[k], m->n_vertices, vertices, m->vertex_room,
-                    sizeof **xyz[k]);
-  grow_room(&m->face_room, m->n_faces, faces);
-  grow_room(&m->start_room, m->n_starts, starts);
-  grow_room(&m->corner_room, m->n_corners, corners);
-  grow_room(&m->vertex_room, m->n_vertices, vertices);
-  return c->face && c->start && c->vertex && c->x && c->y && c->z;
-}
-
-/* Cells for new cubes, which are empty. */
-static bool make_empty_cells(struct hsr_cell_maker *m, uint32_t from,
-                             struct hsr_arena *arena) {
-  struct hsr_cubes_object *c = m->c;
-  uint32_t more = c->octree.n_nodes - from;
-  c->cell = widen(arena, c->cell, from, more, m->cell_room, sizeof *c->cell);
-  grow_room(&m->cell_room, from, more);
-  if (c->cell)
-    memset(c->cell + from, 0, more * sizeof *c->cell);
-  return c->cell;
-}
-
-static bool make_one_cell(struct hsr_cell_maker *m, uint32_t k,
-                          struct hsr_arena *arena) {
-  struct hsr_cubes_object *c = m->c;
-  const struct hsr_octree_node *node = &c->octree.node[k];
-  const uint32_t *item = c->octree.item + node->first;
-  struct hsr_cell_maker counting = *m;
-  make_cell(&counting, k, c->number, item, node->n);
-  m->stamp = counting.stamp;
-  if (!make_room(m, &counting, arena))
-    return false;
-  m->writes = true;
-  make_cell(m, k, c->number, item, node->n);
-  m->writes = false;
-  return true;
-}
+/* --- Bit by bit ------------------------------------------------------------ */
 
 bool hsr_cubes_divide(struct hsr_cubes *cubes, uint32_t o, uint32_t k,
                       enum hsr_status *status) {
@@ -358,8 +167,8 @@ bool hsr_cubes_divide(struct hsr_cubes *cubes, uint32_t o, uint32_t k,
   uint32_t before = c->octree.n_nodes;
   bool good = !hsr_octree_divide(c->lazy, k);
   c->octree = c->lazy->octree;
-  if (!good || !make_empty_cells(c->maker, before, &cubes->arena) ||
-      !make_one_cell(c->maker, k, &cubes->arena))
+  if (!good || !hsr_cells_make_empty(c->maker, before, &cubes->arena) ||
+      !hsr_cells_make_one(c->maker, k, &cubes->arena))
     *status = HSR_E_NOMEM;
   return true;
 }
@@ -390,7 +199,7 @@ static enum hsr_status begin_octree(struct hsr_cubes *cubes, uint32_t o,
   cubes->most_vertices = larger(cubes->most_vertices, object->n_vertices);
   cubes->most_corners =
       larger(cubes->most_corners, object->start[object->n_faces]);
-  return make_empty_cells(c->maker, 0, arena) ? HSR_OK : HSR_E_NOMEM;
+  return hsr_cells_make_empty(c->maker, 0, arena) ? HSR_OK : HSR_E_NOMEM;
 }
 
 static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
@@ -515,7 +324,7 @@ static enum hsr_status place_still(struct hsr_cubes *cubes,
     *octree = cubes->lazy->octree;
     cubes->still = still->instance;
   } else if (hsr_octree_init(octree, &primitives, &rule, all->lo, side,
-                             &cubes->arena)) {
+                             cubes->scene->threads, &cubes->arena)) {
     return HSR_E_NOMEM;
   }
   for (uint32_t k = 0; k < octree->n_items && !cubes->lazy; k++)

@@ -33,5 +33,7 @@ libhsr_a_SOURCES += \
   %D%/bounded/shape.h \
   %D%/bounded/surface.cc \
   %D%/bounded/surface.h \
+  %D%/cube_cells.c \
+  %D%/cube_cells.h \
   %D%/cubes.c \
   %D%/cubes.h

@@ -204,7 +204,7 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   enum hsr_status status =
       stage_open(&run.stage, request->scene,
                  peer->outlines != OUTLINES_ONLY ? HSR_MOST_LAID_OUT : 0,
-                 request->view, request->m, request->n, err);
+                 request->view, request->m, request->n, request->threads, err);
   if (!status && is_drawn_by_objects(&run))
     status = lay_out_objects(&run, err);
   if (!status) {

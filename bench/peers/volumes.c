@@ -373,7 +373,7 @@ static enum hsr_status run_request(const struct request *request,
   struct run run = {.request = *request};
   enum hsr_status status =
       stage_open(&run.stage, request->scene, 0, request->view, request->m,
-                 request->n, err);
+                 request->n, 1, err);
   if (!status)
     status = compare(&run, err);
   close_run(&run);

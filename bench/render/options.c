@@ -202,6 +202,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'J':
     if (!parse_count(arg, 1, 64, &o->threads))
       return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
+    o->scene.import.threads = (int)o->threads;
     return 0;
   case 'S':
   case SHADE:

@@ -499,7 +499,7 @@ static enum hsr_status open_sheet(struct sheet *s, struct hsr_error *err) {
   size_of(s, &m, &n);
   enum hsr_status status = stage_open(
       &s->stage, results_text(s->subject->view, "scene"), HSR_MOST_LAID_OUT,
-      results_number(s->subject->view, "view"), m, n, err);
+      results_number(s->subject->view, "view"), m, n, 1, err);
   if (!status && hsr_is_outline(&s->stage.world))
     status = hsr_fail(err, HSR_E_REFUSED, "too many faces");
   if (status)

@@ -2,12 +2,13 @@
 #include "bench/run/stage.h"
 
 #include "bench/command.h"
+#include "common/base/share.h"
 
 enum hsr_status stage_open(struct stage *stage, const char *scene,
-                           uint32_t most, long view, int m, int n,
+                           uint32_t most, long view, int m, int n, long threads,
                            struct hsr_error *err) {
   *stage = (struct stage){.scene = NULL};
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.threads = hsr_threads(threads)};
   double begin = seconds_now();
   enum hsr_status status = hsr_scene_open(scene, &import, &stage->scene, err);
   if (!status)

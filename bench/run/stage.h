@@ -17,10 +17,10 @@ struct stage {
 
 /* Opens the scene that a user names, and its view number `view`, from 1. A
  * scene that has fewer views gets further ones on an orbit. Its faces are laid
- * out as hsr_world_open says. *stage is to be closed also after a failure.
+ * out as hsr_world_open says, by so many threads. *stage is to be closed also after a failure.
  * Fails with whatever hsr_scene_open and hsr_view_init fail with. */
 enum hsr_status stage_open(struct stage *stage, const char *scene,
-                           uint32_t most, long view, int m, int n,
+                           uint32_t most, long view, int m, int n, long threads,
                            struct hsr_error *err);
 void stage_close(struct stage *stage);
 

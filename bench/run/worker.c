@@ -82,7 +82,7 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   uint32_t most = hsr_most_laid_out(variant.listed->plain);
   status =
       stage_open(&stage, request.scene, most, request.view + request.walk - 1,
-                 request.m, request.n, err);
+                 request.m, request.n, request.threads, err);
   if (!status) {
     long before = memory_kb();
     struct hsr_setup setup;

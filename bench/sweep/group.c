@@ -663,8 +663,9 @@ static enum hsr_status choose_views(struct place_run *run,
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
-  enum hsr_status status = stage_open(&run->stage, p->scene, most_laid_out(run),
-                                      p->view + p->walk - 1, p->m, p->n, err);
+  enum hsr_status status =
+      stage_open(&run->stage, p->scene, most_laid_out(run),
+                 p->view + p->walk - 1, p->m, p->n, 1, err);
   if (!status)
     status = choose_views(run, err);
   if (status)

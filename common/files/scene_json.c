@@ -619,7 +619,8 @@ read_object(struct reader *reader, const struct place *place, json_t *value,
   if (!status && one_sided)
     return read_bool(reader, &(struct place){place, "one_sided", 0}, one_sided,
                      &object->one_sided);
-  if (!status && !is_mesh && hsr_object_is_solid(object, &object->one_sided))
+  if (!status && !is_mesh &&
+      hsr_object_is_solid(object, reader->import.threads, &object->one_sided))
     return hsr_fail_nomem(reader->err);
   return status;
 }
@@ -1155,7 +1156,8 @@ static enum hsr_status read_with(const struct reader *with,
   if (import)
     reader.import =
         (struct hsr_import){.drop_degenerate = import->drop_degenerate,
-                            .two_sided = import->two_sided};
+                            .two_sided = import->two_sided,
+                            .threads = import->threads};
   enum hsr_status status = read_file(&reader, read_scene);
   free(reader.corners);
   forget_meshes(&reader);

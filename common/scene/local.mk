@@ -14,6 +14,7 @@ libhsr_a_SOURCES += \
   %D%/outline.c \
   %D%/part.c \
   %D%/pieces.c \
+  %D%/plane_classes.c \
   %D%/planes.c \
   %D%/planes.h \
   %D%/scene.c \

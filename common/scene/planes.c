@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The planes of a world's faces, and which of them are equal.
+/* The planes of a world's faces.
  *
  * Source      Newell's plane equation: Sutherland et al. 1974, eq. 6.
  * Notation    u = 2^-53; a hat marks a computed value; d_i = V_i - V_0.
@@ -26,11 +26,11 @@
  * quadrilateral, it decides whether the four vertices are coplanar. */
 #include "common/scene/planes.h"
 #include "common/base/numbers.h"
-#include "common/base/vector.h"
+#include "common/base/share.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stdatomic.h>
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
@@ -156,184 +156,62 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
              : largest;
 }
 
-static double largest_normal(const struct hsr_world *world, uint32_t f) {
-  return hsr_max(fabs(world->mesh.nx[f]),
-                 hsr_max(fabs(world->mesh.ny[f]), fabs(world->mesh.nz[f])));
-}
-
-/* Checks that the faces of every instance are still valid. */
-static enum hsr_status check(const struct hsr_world *world,
-                             struct hsr_error *err) {
-  for (uint32_t v = 0; v < world->mesh.n_vertices; v++)
-    if (!(fabs(world->mesh.x[v]) <= 1e30 && fabs(world->mesh.y[v]) <= 1e30 &&
-          fabs(world->mesh.z[v]) <= 1e30))
+static enum hsr_status check_vertices(const struct hsr_mesh *mesh,
+                                      struct hsr_error *err) {
+  for (uint32_t v = 0; v < mesh->n_vertices; v++)
+    if (!(fabs(mesh->x[v]) <= 1e30 && fabs(mesh->y[v]) <= 1e30 &&
+          fabs(mesh->z[v]) <= 1e30))
       return hsr_fail(err, HSR_E_INPUT,
                       "an instance takes a vertex out of range (above 1e30)");
-  bool out_of_memory = false;
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    if (largest_normal(world, f) <= world->mesh.n_error[f] &&
-        !hsr_exact_has_normal(hsr_face_loop(world, f), &out_of_memory))
-      return hsr_fail(
-          err, HSR_E_INPUT,
-          "object %s: an instance takes the area of face id %u to zero",
-          world->outline.scene->objects[world->mesh.object[f]].name, f);
-  return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+  return HSR_OK;
 }
 
-/* --- Equal planes --------------------------------------------------------- */
-
-/* A number that equal planes share: the absolute value of a fixed linear form
- * in the unit normal and the distance. That of face f lies in [lo[f], hi[f]].
- *
- * Each component of the unit normal is off by at most 2 sqrt(3) n_error/|N| +
- * 4u. The distance is off by that times the anchor's size, plus the anchor's
- * error and three roundings. The form's coefficients are below 1. All is
- * doubled. If the normal is unknown the error is not finite, and the face is
- * compared with all. */
-HSR_VECTOR static void find_keys(const struct hsr_mesh *mesh, uint32_t n_faces,
-                                 double *restrict lo, double *restrict hi) {
-  const double *restrict x = mesh->nx, *restrict y = mesh->ny,
-                         *restrict z = mesh->nz, *restrict px = mesh->px,
-                         *restrict py = mesh->py, *restrict pz = mesh->pz,
-                         *restrict n_error = mesh->n_error,
-                         *restrict anchor_error = mesh->anchor_error;
-  for (uint32_t f = 0; f < n_faces; f++) {
-    double scale = hsr_max(fabs(x[f]), hsr_max(fabs(y[f]), fabs(z[f])));
-    double nx = x[f] / scale, ny = y[f] / scale, nz = z[f] / scale;
-    double length = sqrt(nx * nx + ny * ny + nz * nz);
-    double reach = fabs(px[f]) + fabs(py[f]) + fabs(pz[f]);
-    double d = (nx * px[f] + ny * py[f] + nz * pz[f]) / length;
-    double key =
-        fabs((0.5432 * nx + 0.8107 * ny + 0.3219 * nz) / length + 0.6173 * d);
-    double turn = 4 * (n_error[f] / (scale * length)) + 8 * U;
-    double error =
-        8 * (turn * (1 + reach) + anchor_error[f]) + 16 * U * (1 + key);
-    bool known = error < INFINITY;
-    lo[f] = known ? key - error : -INFINITY;
-    hi[f] = known ? key + error : INFINITY;
-  }
+/* Whether an instance takes the area of face f, whose plane is found, to zero. */
+static bool has_no_area(const struct hsr_world *world, uint32_t f,
+                        bool *out_of_memory) {
+  return hsr_largest_normal(&world->mesh, f) <= world->mesh.n_error[f] &&
+         !hsr_exact_has_normal(hsr_face_loop(world, f), out_of_memory);
 }
 
-/* A face, to be sorted by the lower end of its key. */
-struct sorted_face {
-  uint64_t lo; /* as a whole number, in the same order */
-  uint32_t face;
+enum { RANGE = 4096 }; /* faces that a thread takes at a time */
+struct finding {
+  struct hsr_world *world;
+  atomic_bool out_of_memory;
 };
 
-/* The order of whole numbers is that of the doubles: a negative one has all its
- * bits turned, any other one the highest. */
-static uint64_t whole_in_order(double x) {
-  uint64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  return bits >> 63 ? ~bits : bits | UINT64_C(1) << 63;
-}
-
-/* One pass of a radix sort, by the eight bits from `shift` on. Whoever is equal
- * keeps its order. False: all have the same bits there, and nothing is
- * moved. */
-static bool sort_pass(const struct sorted_face *from, struct sorted_face *to,
-                      uint32_t n, int shift) {
-  uint32_t start[257] = {0};
-  for (uint32_t k = 0; k < n; k++)
-    start[(from[k].lo >> shift & 255) + 1]++;
-  for (int digit = 1; digit <= 256; digit++)
-    if (start[digit] == n)
-      return false;
-  for (int digit = 1; digit <= 256; digit++)
-    start[digit] += start[digit - 1];
-  for (uint32_t k = 0; k < n; k++)
-    to[start[from[k].lo >> shift & 255]++] = from[k];
-  return true;
-}
-
-/* Sorts n faces by the lower ends of their keys, then by number. The caller
- * frees the list; NULL: no memory. */
-static struct sorted_face *sort_faces(const double *lo, uint32_t n) {
-  struct sorted_face *from = malloc(((size_t)n + 1) * sizeof *from);
-  struct sorted_face *to = malloc(((size_t)n + 1) * sizeof *to);
-  for (uint32_t f = 0; from && to && f < n; f++)
-    from[f] = (struct sorted_face){whole_in_order(lo[f]), f};
-  for (int shift = 0; from && to && shift < 64; shift += 8)
-    if (sort_pass(from, to, n, shift)) {
-      struct sorted_face *moved = to;
-      to = from;
-      from = moved;
-    }
-  bool all = from && to;
-  free(to);
-  if (!all) {
-    free(from);
-    return NULL;
-  }
-  return from;
-}
-
-/* Whether the normals may be parallel: a cheap test. No is certain. */
-static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
-                           uint32_t g) {
-  double a[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
-  double b[3] = {world->mesh.nx[g], world->mesh.ny[g], world->mesh.nz[g]};
-  double fa = largest_normal(world, f), fb = largest_normal(world, g);
-  double error =
-      4 * (fa * world->mesh.n_error[g] + fb * world->mesh.n_error[f] +
-           world->mesh.n_error[f] * world->mesh.n_error[g]) +
-      8 * U * fa * fb;
-  for (int i = 0, j = 1; i < 3; i++, j = (j + 1) % 3)
-    if (fabs(a[i] * b[j] - a[j] * b[i]) > error)
-      return false;
-  return true;
-}
-
-/* One representative of a class that the sweep has not left behind. */
-struct open_class {
-  double hi;
-  uint32_t face;
-};
-
-/* Sweeps over the keys. A plane is compared with the planes whose key intervals
- * overlap its own, one representative of each class. */
-static bool sweep(struct hsr_world *world, const double *lo, const double *hi,
-                  const struct sorted_face *sorted, struct open_class *open) {
-  uint32_t n = world->n_faces, n_open = 0;
+/* Finds the planes of some faces. The first of no area, or `to`. */
+static uint32_t find_range(void *context, uint32_t from, uint32_t to) {
+  struct finding *finding = context;
   bool out_of_memory = false;
-  world->mesh.n_planes = 0;
-  for (uint32_t i = 0; i < n && !out_of_memory; i++) {
-    uint32_t f = sorted[i].face, kept = 0, found = UINT32_MAX;
-    for (uint32_t o = 0; o < n_open; o++) {
-      if (open[o].hi < lo[f])
-        continue; /* behind the sweep for good */
-      open[kept] = open[o];
-      uint32_t g = open[kept++].face;
-      if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
-          hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
-                               &out_of_memory))
-        found = world->mesh.plane[g];
-    }
-    n_open = kept;
-    if (found == UINT32_MAX) {
-      found = world->mesh.n_planes++;
-      open[n_open++] = (struct open_class){hi[f], f};
-    }
-    world->mesh.plane[f] = found;
+  uint32_t bad = to;
+  for (uint32_t f = from; f < to; f++) {
+    hsr_world_find_plane(finding->world, f, &out_of_memory);
+    if (bad == to && has_no_area(finding->world, f, &out_of_memory))
+      bad = f;
   }
-  return !out_of_memory;
+  if (out_of_memory)
+    atomic_store(&finding->out_of_memory, true);
+  return bad;
 }
 
-static enum hsr_status classify_planes(struct hsr_world *world) {
-  size_t n = world->n_faces;
-  double *lo = malloc((n + 1) * sizeof *lo), *hi = malloc((n + 1) * sizeof *hi);
-  struct open_class *open = malloc((n + 1) * sizeof *open);
-  struct sorted_face *sorted = NULL;
-  if (lo && hi && open) {
-    find_keys(&world->mesh, world->n_faces, lo, hi);
-    sorted = sort_faces(lo, world->n_faces);
-  }
-  bool done = sorted && sweep(world, lo, hi, sorted, open);
-  free(sorted);
-  free(open);
-  free(hi);
-  free(lo);
-  return done ? HSR_OK : HSR_E_NOMEM;
+/* Finds the planes of all faces, and checks that those of every instance are
+ * still valid. */
+static enum hsr_status find_all(struct hsr_world *world,
+                                struct hsr_error *err) {
+  struct finding finding = {.world = world};
+  const struct hsr_scene *scene = world->outline.scene;
+  enum hsr_status status = check_vertices(&world->mesh, err);
+  if (status)
+    return status;
+  uint32_t f = hsr_share_search(scene->threads, world->n_faces, RANGE,
+                                find_range, &finding);
+  if (atomic_load(&finding.out_of_memory))
+    return hsr_fail_nomem(err);
+  if (f == world->n_faces)
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_INPUT,
+                  "object %s: an instance takes the area of face id %u to zero",
+                  scene->objects[world->mesh.object[f]].name, f);
 }
 
 void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
@@ -344,13 +222,8 @@ void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
 
 enum hsr_status hsr_world_find_planes(struct hsr_world *world,
                                       struct hsr_error *err) {
-  bool out_of_memory = false;
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    hsr_world_find_plane(world, f, &out_of_memory);
-  if (out_of_memory)
-    return hsr_fail_nomem(err);
-  enum hsr_status status = check(world, err);
+  enum hsr_status status = find_all(world, err);
   if (status)
     return status;
-  return classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
+  return hsr_world_classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
 }

@@ -3,7 +3,10 @@
 #ifndef HSR_COMMON_SCENE_PLANES_H
 #define HSR_COMMON_SCENE_PLANES_H
 
+#include "common/base/numbers.h"
 #include "common/scene/world.h"
+
+#include <math.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,6 +29,16 @@ void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]);
 
 /* Whether the normal of a face is certainly not zero, by doubles. */
 bool hsr_has_normal_for_certain(const struct hsr_loop *face);
+
+/* The largest component of a face's normal, made positive. */
+static inline double hsr_largest_normal(const struct hsr_mesh *mesh,
+                                        uint32_t f) {
+  return hsr_max(fabs(mesh->nx[f]),
+                 hsr_max(fabs(mesh->ny[f]), fabs(mesh->nz[f])));
+}
+
+/* Finds which faces, whose planes are found, lie on equal ones. HSR_E_NOMEM. */
+enum hsr_status hsr_world_classify_planes(struct hsr_world *world);
 
 /* Finds the planes of all faces, which are laid out, and their plane classes.
  * Checks that every instance left its faces valid. HSR_E_NOMEM; HSR_E_INPUT as

@@ -2,12 +2,14 @@
 #include "common/scene/scene.h"
 #include "common/polygon/polygon.h"
 #include "common/base/numbers.h"
+#include "common/base/share.h"
 #include "common/scene/grid_object.h"
 #include "common/scene/motion.h"
 #include "common/scene/part.h"
 #include "common/scene/planes.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -425,27 +427,50 @@ enum hsr_status hsr_scene_add_orbit_around(struct hsr_scene *scene,
   return HSR_OK;
 }
 
+struct checking {
+  const struct hsr_object *object;
+  atomic_bool out_of_memory;
+};
+
+/* The first of some faces that has no area, or `to`. */
+static uint32_t check_faces(void *context, uint32_t from, uint32_t to) {
+  struct checking *checking = context;
+  const struct hsr_object *object = checking->object;
+  bool out_of_memory = false, good = true;
+  uint32_t f = from;
+  while (f < to && good) {
+    uint32_t start = object->start[f];
+    struct hsr_loop loop = {
+        object->xyz, object->xyz + 1,        object->xyz + 2,
+        3,           object->vertex + start, object->start[f + 1] - start};
+    good = hsr_has_normal_for_certain(&loop) ||
+           hsr_exact_has_normal(loop, &out_of_memory);
+    f += good;
+  }
+  if (out_of_memory)
+    atomic_store(&checking->out_of_memory, true);
+  return f;
+}
+
 static enum hsr_status check_object(const struct hsr_object *object,
-                                    struct hsr_error *err) {
-  bool out_of_memory = false;
+                                    int threads, struct hsr_error *err) {
   for (uint32_t v = 0; v < object->n_vertices; v++)
     if (!all_finite(object->xyz + 3 * (size_t)v, 3))
       return hsr_fail(err, HSR_E_INPUT,
                       "object %s: vertex %u has a coordinate above %g",
                       object->name, v, LARGEST_COORDINATE);
-  for (uint32_t f = 0; f < object->n_faces; f++) {
-    uint32_t start = object->start[f];
-    struct hsr_loop loop = {
-        object->xyz, object->xyz + 1,        object->xyz + 2,
-        3,           object->vertex + start, object->start[f + 1] - start};
-    if (!hsr_has_normal_for_certain(&loop) &&
-        !hsr_exact_has_normal(loop, &out_of_memory))
-      return hsr_fail(err, HSR_E_INPUT,
-                      "object %s: face %u has no area (its normal is zero); "
-                      "--drop-degenerate leaves such faces out",
-                      object->name, f);
-  }
-  return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+  enum { RANGE = 4096 }; /* faces that a thread takes at a time */
+  struct checking checking = {.object = object};
+  uint32_t f =
+      hsr_share_search(threads, object->n_faces, RANGE, check_faces, &checking);
+  if (atomic_load(&checking.out_of_memory))
+    return hsr_fail_nomem(err);
+  if (f < object->n_faces)
+    return hsr_fail(err, HSR_E_INPUT,
+                    "object %s: face %u has no area (its normal is zero); "
+                    "--drop-degenerate leaves such faces out",
+                    object->name, f);
+  return HSR_OK;
 }
 
 static enum hsr_status check_grid(const struct hsr_grid *grid,
@@ -495,7 +520,7 @@ enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
   if (scene->grid)
     status = check_grid(scene->grid, err);
   for (uint32_t o = 0; o < scene->n_objects && !status; o++)
-    status = check_object(&scene->objects[o], err);
+    status = check_object(&scene->objects[o], scene->threads, err);
   if (status)
     return status;
   if (!scene->n_views) {

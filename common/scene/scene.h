@@ -91,6 +91,8 @@ struct hsr_scene {
   uint32_t cap_objects, cap_instances, cap_views;
   int enlarged; /* it is 2^enlarged times as large as it was given */
   struct hsr_motions *motions; /* what is known of them; NULL: nothing */
+  int threads; /* by so many it is checked, laid out, and prepared for
+                  algorithms (common/base/share.h); 0 as 1 */
 };
 
 /* An empty scene, which hsr_scene_delete frees. `name` is copied. NULL: out of

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Laying out a scene: every instance expanded. */
+#include "common/base/share.h"
 #include "common/scene/planes.h"
+
+#include <stdlib.h>
 
 enum hsr_status hsr_world_allocate(struct hsr_world *world,
                                    struct hsr_arena *arena) {
@@ -56,41 +59,94 @@ static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* Puts instance i at vertex v, face f, corner c of the arrays. */
-static void expand_instance(struct hsr_world *world, uint32_t i, uint32_t v,
-                            uint32_t f, uint32_t c) {
-  const struct hsr_instance *instance = &world->outline.scene->instances[i];
-  const struct hsr_object *object =
-      &world->outline.scene->objects[instance->object];
-  for (uint32_t k = 0; k < object->n_vertices; k++) {
-    double p[3];
-    hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)k, p);
-    world->mesh.x[v + k] = p[0];
-    world->mesh.y[v + k] = p[1];
-    world->mesh.z[v + k] = p[2];
-  }
-  for (uint32_t k = 0; k < object->n_faces; k++) {
-    world->mesh.start[f + k] = c + object->start[k];
-    world->mesh.object[f + k] = instance->object;
-    world->mesh.instance[f + k] = i;
-    world->mesh.one_sided[f + k] = object->one_sided;
-  }
-  for (uint32_t k = 0; k < object->start[object->n_faces]; k++)
-    world->mesh.vertex[c + k] = v + object->vertex[k];
+/* Instances are expanded in parts of so many vertices, faces and corners. */
+enum { RANGE = 16384 };
+
+/* Where an instance begins in the arrays, and which is its first part. */
+struct place {
+  uint32_t v, f, c, part;
+};
+
+struct expanding {
+  struct hsr_world *world;
+  struct place *place; /* n_instances + 1 */
+};
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
 }
 
-static void expand(struct hsr_world *world) {
-  const struct hsr_scene *scene = world->outline.scene;
-  uint32_t v = 0, f = 0, c = 0;
+static void find_places(const struct hsr_scene *scene, struct place *place) {
+  place[0] = (struct place){0, 0, 0, 0};
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
-    expand_instance(world, i, v, f, c);
-    v += object->n_vertices;
-    f += object->n_faces;
-    c += object->start[object->n_faces];
+    uint32_t nv = object->n_vertices, nf = object->n_faces,
+             nc = object->start[nf];
+    place[i + 1] = (struct place){
+        place[i].v + nv, place[i].f + nf, place[i].c + nc,
+        place[i].part + hsr_n_ranges(larger(nv, larger(nf, nc)), RANGE)};
   }
-  world->mesh.start[f] = c;
+}
+
+static uint32_t instance_of_part(const struct expanding *e, uint32_t part) {
+  uint32_t lo = 0, hi = e->world->outline.scene->n_instances;
+  while (hi - lo > 1) { /* place[lo].part <= part < place[hi].part */
+    uint32_t middle = lo + (hi - lo) / 2;
+    if (e->place[middle].part <= part)
+      lo = middle;
+    else
+      hi = middle;
+  }
+  return lo;
+}
+
+/* The part of n things that range `part` has; none, perhaps. */
+static struct hsr_range clipped(uint32_t n, uint32_t part) {
+  return part < hsr_n_ranges(n, RANGE) ? hsr_range_of(n, RANGE, part)
+                                       : (struct hsr_range){0, 0};
+}
+
+static void expand_part(void *context, uint32_t part, int thread) {
+  const struct expanding *e = context;
+  uint32_t i = instance_of_part(e, part);
+  const struct place at = e->place[i];
+  struct hsr_mesh *mesh = &e->world->mesh;
+  const struct hsr_instance *instance = &e->world->outline.scene->instances[i];
+  const struct hsr_object *object =
+      &e->world->outline.scene->objects[instance->object];
+  struct hsr_range r = clipped(object->n_vertices, part - at.part);
+  (void)thread;
+  for (uint32_t k = r.from; k < r.to; k++) {
+    double p[3];
+    hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)k, p);
+    mesh->x[at.v + k] = p[0];
+    mesh->y[at.v + k] = p[1];
+    mesh->z[at.v + k] = p[2];
+  }
+  r = clipped(object->n_faces, part - at.part);
+  for (uint32_t k = r.from; k < r.to; k++) {
+    mesh->start[at.f + k] = at.c + object->start[k];
+    mesh->object[at.f + k] = instance->object;
+    mesh->instance[at.f + k] = i;
+    mesh->one_sided[at.f + k] = object->one_sided;
+  }
+  r = clipped(object->start[object->n_faces], part - at.part);
+  for (uint32_t k = r.from; k < r.to; k++)
+    mesh->vertex[at.c + k] = at.v + object->vertex[k];
+}
+
+static enum hsr_status expand(struct hsr_world *world) {
+  const struct hsr_scene *scene = world->outline.scene;
+  uint32_t n = scene->n_instances;
+  struct expanding e = {world, malloc((n + (size_t)1) * sizeof *e.place)};
+  if (!e.place)
+    return HSR_E_NOMEM;
+  find_places(scene, e.place);
+  hsr_share(scene->threads, e.place[n].part, expand_part, &e);
+  world->mesh.start[e.place[n].f] = e.place[n].c;
+  free(e.place);
+  return HSR_OK;
 }
 
 enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
@@ -102,9 +158,8 @@ enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
     status = measure(world, err);
   if (status)
     return status;
-  if (hsr_world_allocate(world, &world->arena))
+  if (hsr_world_allocate(world, &world->arena) || expand(world))
     return hsr_fail_nomem(err);
-  expand(world);
   return hsr_world_find_planes(world, err);
 }
 

@@ -8,4 +8,6 @@ libhsr_a_SOURCES += \
   %D%/grain.c \
   %D%/grain.h \
   %D%/octree.c \
+  %D%/octree_build.h \
+  %D%/octree_shared.c \
   %D%/octree.h

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/trees/octree.h"
+#include "common/trees/octree_build.h"
 #include "common/base/numbers.h"
 
 #include <math.h>
@@ -8,28 +8,12 @@
 
 const unsigned char hsr_octant_order[8] = {0, 1, 2, 4, 3, 5, 6, 7};
 
-/* Limits of division. Primitives that share a point are never separated, and
- * dividing does not help where most primitives meet most octants. COPIES_IN_ALL
- * is for bundles of long slivers: each division doubles them, down to cubes as
- * small as the distance between two of them. */
-enum { DEEPEST = 32, MOST_COPIES = 3, COPIES_IN_ALL = 64 };
+/* Limits of division, besides those of octree_build.h. Primitives that share a
+ * point are never separated, and dividing does not help where most primitives
+ * meet most octants. */
+enum { DEEPEST = HSR_OCTREE_DEEPEST, MOST_COPIES = 3 };
 
-struct list {
-  uint32_t *k;
-  uint32_t n, room;
-};
-
-struct builder {
-  const struct hsr_primitives *primitives;
-  const struct hsr_octree_rule *rule;
-  struct hsr_box *bounds; /* a primitive */
-  double *area;
-  uint32_t *mark; /* a primitive: 1 + the node whose own it is known to be */
-  struct hsr_growing node, item;
-  struct hsr_arena *arena;
-};
-
-static bool append(struct list *list, uint32_t k) {
+static bool append(struct hsr_octree_list *list, uint32_t k) {
   if (list->n == list->room) {
     uint32_t room = list->room ? 2 * list->room : 32;
     uint32_t *grown = realloc(list->k, room * sizeof *grown);
@@ -65,8 +49,9 @@ int hsr_octant_that_holds(const struct hsr_octree_node *cube,
 }
 
 /* Puts a primitive into every octant that it meets. */
-static bool push(const struct builder *b, const struct hsr_octree_node *cube,
-                 uint32_t k, struct list *octants) {
+static bool push(const struct hsr_octree_builder *b,
+                 const struct hsr_octree_node *cube, uint32_t k,
+                 struct hsr_octree_list *octants) {
   const struct hsr_primitives *p = b->primitives;
   for (int o = 0; o < 8; o++) {
     struct hsr_octree_node child = hsr_octree_octant(cube, o);
@@ -78,10 +63,11 @@ static bool push(const struct builder *b, const struct hsr_octree_node *cube,
   return true;
 }
 
-/* Divides a cube's primitives into its own and those of the octants. */
-static bool part(const struct builder *b, const struct hsr_octree_node *cube,
-                 const struct list *list, struct list *own,
-                 struct list *octants) {
+bool hsr_octree_part(const struct hsr_octree_builder *b,
+                     const struct hsr_octree_node *cube,
+                     const struct hsr_octree_list *list,
+                     struct hsr_octree_list *own,
+                     struct hsr_octree_list octants[8]) {
   double small = b->rule->small * 4 * cube->half * cube->half;
   for (uint32_t i = 0; i < list->n; i++) {
     uint32_t k = list->k[i];
@@ -95,40 +81,42 @@ static bool part(const struct builder *b, const struct hsr_octree_node *cube,
   return true;
 }
 
-static uint64_t count_all(const struct list *own, const struct list *octants) {
+uint64_t hsr_octree_count(const struct hsr_octree_list *own,
+                          const struct hsr_octree_list octants[8]) {
   uint64_t n = own->n;
   for (int o = 0; o < 8; o++)
     n += octants[o].n;
   return n;
 }
 
-/* Octants of too few primitives give them back; all octants do if dividing does
- * not help, or if it makes more than `copies` of each. */
-static bool give_back(const struct builder *b, uint32_t node, uint32_t n,
-                      double copies, struct list *own, struct list *octants) {
+/* What is a cube's own already is in no octant. */
+bool hsr_octree_give_back(const struct hsr_octree_builder *b, uint32_t stamp,
+                          uint32_t n, double copies,
+                          struct hsr_octree_list *own,
+                          struct hsr_octree_list octants[8]) {
   double most = copies < MOST_COPIES ? copies : MOST_COPIES;
-  bool helps = (double)count_all(own, octants) <= most * n;
-  for (uint32_t i = 0; i < own->n; i++)
-    b->mark[own->k[i]] = node + 1;
+  bool helps = (double)hsr_octree_count(own, octants) <= most * n;
   for (int o = 0; o < 8; o++) {
     if (helps && octants[o].n >= b->rule->least)
       continue;
     for (uint32_t i = 0; i < octants[o].n; i++) {
       uint32_t k = octants[o].k[i];
-      if (b->mark[k] != node + 1 && !append(own, k))
+      if (b->mark[k] != stamp && !append(own, k))
         return false;
-      b->mark[k] = node + 1;
+      b->mark[k] = stamp;
     }
     octants[o].n = 0;
   }
   return true;
 }
 
-static struct hsr_octree_node *node_at(const struct builder *b, uint32_t node) {
+static struct hsr_octree_node *node_at(const struct hsr_octree_builder *b,
+                                       uint32_t node) {
   return (struct hsr_octree_node *)b->node.items + node;
 }
 
-static bool keep_own(struct builder *b, uint32_t node, const struct list *own) {
+static bool keep_own(struct hsr_octree_builder *b, uint32_t node,
+                     const struct hsr_octree_list *own) {
   node_at(b, node)->first = (uint32_t)b->item.n;
   node_at(b, node)->n = own->n;
   for (uint32_t i = 0; i < own->n; i++) {
@@ -139,26 +127,22 @@ static bool keep_own(struct builder *b, uint32_t node, const struct list *own) {
   return true;
 }
 
-/* Builds the tree of a cube, which may hold `copies` times the primitives of the
- * list. */
-static bool build(struct builder *b, const struct hsr_octree_node *cube,
-                  const struct list *list, double copies, int depth,
-                  uint32_t *made);
-
-static bool divide(struct builder *b, uint32_t node,
-                   const struct hsr_octree_node *cube, const struct list *list,
-                   double copies, int depth) {
-  struct list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
-  bool good = part(b, cube, list, &own, octants) &&
-              give_back(b, node, list->n, copies, &own, octants) &&
-              keep_own(b, node, &own);
-  double left = copies * list->n / (double)count_all(&own, octants);
+static bool divide(struct hsr_octree_builder *b, uint32_t node,
+                   const struct hsr_octree_node *cube,
+                   const struct hsr_octree_list *list, double copies,
+                   int depth) {
+  struct hsr_octree_list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
+  bool good =
+      hsr_octree_part(b, cube, list, &own, octants) &&
+      hsr_octree_give_back(b, node + 1, list->n, copies, &own, octants) &&
+      keep_own(b, node, &own);
+  double left = copies * list->n / (double)hsr_octree_count(&own, octants);
   free(own.k);
   for (int o = 0; o < 8; o++) {
     if (good && octants[o].n) {
       struct hsr_octree_node child = hsr_octree_octant(cube, o);
       uint32_t made;
-      good = build(b, &child, &octants[o], left, depth + 1, &made);
+      good = hsr_octree_build(b, &child, &octants[o], left, depth + 1, &made);
       if (good)
         node_at(b, node)->child[o] = made;
     }
@@ -167,9 +151,10 @@ static bool divide(struct builder *b, uint32_t node,
   return good;
 }
 
-static bool build(struct builder *b, const struct hsr_octree_node *cube,
-                  const struct list *list, double copies, int depth,
-                  uint32_t *made) {
+bool hsr_octree_build(struct hsr_octree_builder *b,
+                      const struct hsr_octree_node *cube,
+                      const struct hsr_octree_list *list, double copies,
+                      int depth, uint32_t *made) {
   if (!hsr_arena_grow(b->arena, &b->node, sizeof *cube))
     return false;
   *made = (uint32_t)b->node.n - 1;
@@ -179,15 +164,16 @@ static bool build(struct builder *b, const struct hsr_octree_node *cube,
              : divide(b, *made, cube, list, copies, depth);
 }
 
-static void look_at_primitives(struct builder *b) {
+void hsr_octree_look(struct hsr_octree_builder *b, uint32_t from, uint32_t to) {
   const struct hsr_primitives *p = b->primitives;
-  for (uint32_t k = 0; k < p->n; k++) {
+  for (uint32_t k = from; k < to; k++) {
     b->bounds[k] = p->bounds(p->context, k);
     b->area[k] = p->area(p->context, k);
   }
 }
 
-static bool list_primitives(const struct builder *b, struct list *all) {
+static bool list_primitives(const struct hsr_octree_builder *b,
+                            struct hsr_octree_list *all) {
   bool good = true;
   for (uint32_t k = 0; k < b->primitives->n && good; k++)
     good = append(all, k);
@@ -196,12 +182,13 @@ static bool list_primitives(const struct builder *b, struct list *all) {
 
 /* Rounding may leave a part of the primitives out of the root's cube. Then makes
  * another cube, around their middle and twice as large as they need. */
-static void enclose(const struct builder *b, struct hsr_octree_node *root) {
+void hsr_octree_enclose(struct hsr_octree_node *root,
+                        const struct hsr_box *bounds, uint32_t n) {
   struct hsr_box cube = hsr_cube_box(root), all = cube;
-  for (uint32_t k = 0; k < b->primitives->n; k++)
+  for (uint32_t k = 0; k < n; k++)
     for (int a = 0; a < 3; a++) {
-      all.lo[a] = hsr_min(all.lo[a], b->bounds[k].lo[a]);
-      all.hi[a] = hsr_max(all.hi[a], b->bounds[k].hi[a]);
+      all.lo[a] = hsr_min(all.lo[a], bounds[k].lo[a]);
+      all.hi[a] = hsr_max(all.hi[a], bounds[k].hi[a]);
     }
   if (hsr_box_holds(&cube, &all))
     return;
@@ -237,29 +224,26 @@ static void set_tight(struct hsr_octree_node *node, struct hsr_box *tight) {
   }
 }
 
-static void add_own(const struct builder *b, const struct hsr_octree_node *node,
-                    struct hsr_box *tight) {
+static void add_own(const uint32_t *item, const struct hsr_octree_node *node,
+                    const struct hsr_box *bounds, struct hsr_box *tight) {
   struct hsr_box cube = hsr_cube_box(node);
-  const uint32_t *item = b->item.items;
   *tight = nothing;
   for (uint32_t i = 0; i < node->n; i++)
-    add_box(tight, &cube, &b->bounds[item[node->first + i]]);
+    add_box(tight, &cube, &bounds[item[node->first + i]]);
 }
 
-/* Finds the tight boxes, from children to parents. */
-static void tighten(const struct builder *b, struct hsr_box *tight) {
-  for (uint32_t k = (uint32_t)b->node.n; k--;) {
-    struct hsr_octree_node *node = node_at(b, k);
-    struct hsr_box cube = hsr_cube_box(node);
-    add_own(b, node, &tight[k]);
-    for (int o = 0; o < 8; o++)
-      if (node->child[o] != HSR_NO_NODE)
-        add_box(&tight[k], &cube, &tight[node->child[o]]);
-    set_tight(node, &tight[k]);
-  }
+void hsr_octree_tighten(const struct hsr_octree *octree, uint32_t k,
+                        const struct hsr_box *bounds, struct hsr_box *tight) {
+  struct hsr_octree_node *node = &octree->node[k];
+  struct hsr_box cube = hsr_cube_box(node);
+  add_own(octree->item, node, bounds, &tight[k]);
+  for (int o = 0; o < 8; o++)
+    if (node->child[o] != HSR_NO_NODE)
+      add_box(&tight[k], &cube, &tight[node->child[o]]);
+  set_tight(node, &tight[k]);
 }
 
-static struct hsr_octree_node make_root(const double lo[3], double side) {
+struct hsr_octree_node hsr_octree_root(const double lo[3], double side) {
   struct hsr_octree_node root = {.half = side / 2};
   for (int k = 0; k < 3; k++)
     root.centre[k] = lo[k] + side / 2;
@@ -267,59 +251,27 @@ static struct hsr_octree_node make_root(const double lo[3], double side) {
   return root;
 }
 
-static struct hsr_octree octree_of(const struct builder *b) {
+static struct hsr_octree octree_of(const struct hsr_octree_builder *b) {
   return (struct hsr_octree){b->node.items, b->item.items, (uint32_t)b->node.n,
                              (uint32_t)b->item.n};
 }
 
-enum hsr_status hsr_octree_init(struct hsr_octree *octree,
-                                const struct hsr_primitives *primitives,
-                                const struct hsr_octree_rule *rule,
-                                const double lo[3], double side,
-                                struct hsr_arena *arena) {
-  size_t n = primitives->n;
-  struct builder b = {.primitives = primitives,
-                      .rule = rule,
-                      .bounds = malloc((n + 1) * sizeof *b.bounds),
-                      .area = malloc((n + 1) * sizeof *b.area),
-                      .mark = calloc(n + 1, sizeof *b.mark),
-                      .arena = arena};
-  struct hsr_octree_node root = make_root(lo, side);
-  struct list all = {NULL, 0, 0};
-  uint32_t made;
-  bool good = b.bounds && b.area && b.mark && list_primitives(&b, &all);
-  if (good) {
-    look_at_primitives(&b);
-    enclose(&b, &root);
-  }
-  good = good && build(&b, &root, &all, COPIES_IN_ALL, 0, &made);
-  struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
-  good = tight;
-  if (good)
-    tighten(&b, tight);
-  free(tight);
-  free(all.k);
-  free(b.bounds);
-  free(b.area);
-  free(b.mark);
-  *octree = octree_of(&b);
-  return good ? HSR_OK : HSR_E_NOMEM;
-}
-
 /* --- Bit by bit ----------------------------------------------------------- */
 
-static struct builder builder_of(const struct hsr_lazy_octree *lazy) {
-  return (struct builder){.primitives = &lazy->primitives,
-                          .rule = &lazy->rule,
-                          .bounds = lazy->bounds,
-                          .area = lazy->area,
-                          .mark = lazy->mark,
-                          .node = lazy->node,
-                          .item = lazy->item,
-                          .arena = lazy->arena};
+static struct hsr_octree_builder
+builder_of(const struct hsr_lazy_octree *lazy) {
+  return (struct hsr_octree_builder){.primitives = &lazy->primitives,
+                                     .rule = &lazy->rule,
+                                     .bounds = lazy->bounds,
+                                     .area = lazy->area,
+                                     .mark = lazy->mark,
+                                     .node = lazy->node,
+                                     .item = lazy->item,
+                                     .arena = lazy->arena};
 }
 
-static void take_back(struct hsr_lazy_octree *lazy, const struct builder *b) {
+static void take_back(struct hsr_lazy_octree *lazy,
+                      const struct hsr_octree_builder *b) {
   lazy->node = b->node;
   lazy->item = b->item;
   lazy->octree = octree_of(b);
@@ -327,9 +279,11 @@ static void take_back(struct hsr_lazy_octree *lazy, const struct builder *b) {
 
 /* A cube that is not divided, of a list that may be divided into `copies` times
  * as many. */
-static bool hand_down(struct hsr_lazy_octree *lazy, struct builder *b,
+static bool hand_down(struct hsr_lazy_octree *lazy,
+                      struct hsr_octree_builder *b,
                       const struct hsr_octree_node *cube,
-                      const struct list *list, double copies, int depth) {
+                      const struct hsr_octree_list *list, double copies,
+                      int depth) {
   struct hsr_box tight;
   if (!hsr_arena_grow(b->arena, &b->node, sizeof *cube) ||
       !hsr_arena_grow(b->arena, &lazy->state, sizeof(struct hsr_lazy_node)))
@@ -339,7 +293,7 @@ static bool hand_down(struct hsr_lazy_octree *lazy, struct builder *b,
   *node = *cube;
   if (!keep_own(b, k, list))
     return false;
-  add_own(b, node, &tight);
+  add_own(b->item.items, node, b->bounds, &tight);
   set_tight(node, &tight);
   ((struct hsr_lazy_node *)lazy->state.items)[k] = (struct hsr_lazy_node){
       .first = node->first, .n = node->n, .copies = copies, .depth = depth};
@@ -358,22 +312,22 @@ enum hsr_status hsr_octree_begin(struct hsr_lazy_octree *lazy,
                                    .area = HSR_NEW(arena, double, n),
                                    .mark = HSR_NEW_ZEROED(arena, uint32_t, n),
                                    .arena = arena};
-  struct builder b = builder_of(lazy);
-  struct hsr_octree_node root = make_root(lo, side);
-  struct list all = {NULL, 0, 0};
+  struct hsr_octree_builder b = builder_of(lazy);
+  struct hsr_octree_node root = hsr_octree_root(lo, side);
+  struct hsr_octree_list all = {NULL, 0, 0};
   bool good = b.bounds && b.area && b.mark && list_primitives(&b, &all);
   if (good) {
-    look_at_primitives(&b);
-    enclose(&b, &root);
+    hsr_octree_look(&b, 0, n);
+    hsr_octree_enclose(&root, b.bounds, n);
   }
-  good = good && hand_down(lazy, &b, &root, &all, COPIES_IN_ALL, 0);
+  good = good && hand_down(lazy, &b, &root, &all, HSR_OCTREE_COPIES, 0);
   free(all.k);
   take_back(lazy, &b);
   return good ? HSR_OK : HSR_E_NOMEM;
 }
 
 enum hsr_status hsr_octree_divide(struct hsr_lazy_octree *lazy, uint32_t k) {
-  struct builder b = builder_of(lazy);
+  struct hsr_octree_builder b = builder_of(lazy);
   struct hsr_lazy_node *state = (struct hsr_lazy_node *)lazy->state.items + k;
   struct hsr_octree_node cube = *node_at(&b, k);
   double copies = state->copies;
@@ -381,12 +335,13 @@ enum hsr_status hsr_octree_divide(struct hsr_lazy_octree *lazy, uint32_t k) {
   state->divided = true;
   if (cube.n <= b.rule->most || depth == DEEPEST)
     return HSR_OK;
-  struct list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
-  struct list list = {(uint32_t *)b.item.items + cube.first, cube.n, cube.n};
-  bool good = part(&b, &cube, &list, &own, octants) &&
-              give_back(&b, k, list.n, copies, &own, octants) &&
+  struct hsr_octree_list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
+  struct hsr_octree_list list = {(uint32_t *)b.item.items + cube.first, cube.n,
+                                 cube.n};
+  bool good = hsr_octree_part(&b, &cube, &list, &own, octants) &&
+              hsr_octree_give_back(&b, k + 1, list.n, copies, &own, octants) &&
               keep_own(&b, k, &own);
-  double left = copies * list.n / (double)count_all(&own, octants);
+  double left = copies * list.n / (double)hsr_octree_count(&own, octants);
   free(own.k);
   for (int o = 0; o < 8; o++) {
     if (good && octants[o].n) {

@@ -37,8 +37,10 @@ struct hsr_octree_node {
 
 struct hsr_octree {
   struct hsr_octree_node *node; /* the first is the root; parents before
-                                   children */
-  uint32_t *item;               /* numbers of primitives */
+                                   children, and each before all that is in the
+                                   next octant, unless it is divided bit by
+                                   bit */
+  uint32_t *item;               /* numbers of primitives, node by node */
   uint32_t n_nodes, n_items;
 };
 
@@ -61,11 +63,13 @@ struct hsr_octree_rule {
 };
 
 /* The cube with lower corner lo and edges of length `side` must hold all
- * primitives. The arrays are in the arena. HSR_E_NOMEM. */
+ * primitives. The arrays are in the arena. So many threads make it, all of
+ * which call the primitives' functions; it is the same for any number.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const struct hsr_primitives *primitives,
                                 const struct hsr_octree_rule *rule,
-                                const double lo[3], double side,
+                                const double lo[3], double side, int threads,
                                 struct hsr_arena *arena);
 
 /* --- An octree that is divided bit by bit ---------------------------------- */

@@ -10,7 +10,6 @@
 //             bytes a vertex; a text, a search tree of about 80.
 //             Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
-#include "common/base/exact.h"
 #include "common/files/mesh/mesh_file.h"
 
 #include <CGAL/IO/OBJ.h>
@@ -21,7 +20,6 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -269,7 +267,8 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   Mesh_file file = hsr::load_mesh_file(path);
   const char *name = file_name(path);
   Workshop workshop(std::string(name, suffix_of(name)));
-  Mesh_builder builder(workshop.object, path, drop);
+  Mesh_builder builder(workshop.object, path, drop,
+                       import ? import->threads : 1);
   suffix.reader(file, drop, builder);
   file.memory.reset();
   if (!builder.n_given())
@@ -278,7 +277,7 @@ void mesh_read(struct hsr_scene *scene, const char *path,
     file.refuse(0, "all of its %llu faces are degenerate",
                 static_cast<unsigned long long>(builder.n_given()));
   bool solid = false;
-  if (hsr_object_is_solid(workshop.object, &solid))
+  if (hsr_object_is_solid(workshop.object, builder.threads(), &solid))
     throw std::bad_alloc();
   workshop.object->one_sided = solid && !(import && import->two_sided);
   workshop.deliver(scene);
@@ -287,95 +286,6 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   import->n_dropped = builder.n_dropped();
   for (const std::string &note : builder.notes())
     add_note(import, std::string(hsr::shown_path(path)) + ": " + note + "\n");
-}
-
-/* ---- Solids ---- */
-
-/* Whether every edge is run exactly once in each direction. end[at[v] .. at[v +
- * 1]) holds the ends of the edges that leave v. It is enough to ask for each
- * edge how often its reverse is run: an edge that is run twice is found when
- * its reverse is looked at. */
-bool is_closed_and_oriented(const struct hsr_object &object) {
-  const uint32_t n_edges = object.start[object.n_faces];
-  const uint32_t *vertex = object.vertex;
-  std::vector<uint32_t> at(size_t{object.n_vertices} + 2), end(n_edges);
-  for (uint32_t c = 0; c < n_edges; c++)
-    at[size_t{vertex[c]} + 2]++;
-  for (size_t v = 2; v < at.size(); v++)
-    at[v] += at[v - 1];
-  for (uint32_t f = 0; f < object.n_faces; f++)
-    for (uint32_t c = object.start[f], last = object.start[f + 1]; c < last;
-         c++)
-      end[at[size_t{vertex[c]} + 1]++] =
-          vertex[c + 1 < last ? c + 1 : object.start[f]];
-  for (uint32_t v = 0; v < object.n_vertices; v++)
-    std::sort(end.begin() + at[v], end.begin() + at[v + 1]);
-  const auto runs = [&](uint32_t a,
-                        uint32_t b) { /* how often a to b is run */
-                                      const auto range = std::equal_range(
-                                          end.begin() + at[a],
-                                          end.begin() + at[a + 1], b);
-                                      return range.second - range.first;
-  };
-  for (uint32_t v = 0; v < object.n_vertices; v++)
-    for (uint32_t e = at[v]; e < at[v + 1]; e++)
-      if (runs(end[e], v) != 1)
-        return false;
-  return true;
-}
-
-template <class Number> struct Volume {
-  Number sum = 0;       /* six times the volume */
-  Number magnitude = 0; /* the products that were added, all made positive */
-};
-
-/* Of a closed object: the sum, over the triangles a b c of a fan in each face,
- * of det(a - o, b - o, c - o), which does not depend on o. */
-template <class Number, class Size>
-Volume<Number> volume(const struct hsr_object &object, Size size) {
-  Volume<Number> result;
-  std::array<Number, 3> corner[3];
-  const double *origin = object.xyz + 3 * size_t{object.vertex[0]};
-  const auto take = [&](std::array<Number, 3> &to, uint32_t v) {
-    for (size_t k = 0; k < 3; k++)
-      to[k] = Number(object.xyz[3 * size_t{v} + k]) - Number(origin[k]);
-  };
-  for (uint32_t f = 0; f < object.n_faces; f++) {
-    const uint32_t *face = object.vertex + object.start[f];
-    const uint32_t n = object.start[f + 1] - object.start[f];
-    take(corner[0], face[0]);
-    take(corner[2], face[1]);
-    for (uint32_t i = 2; i < n; i++) {
-      corner[1] = corner[2];
-      take(corner[2], face[i]);
-      for (size_t k = 0; k < 3; k++) {
-        const size_t l = (k + 1) % 3, m = (k + 2) % 3;
-        const Number left = corner[0][k] * corner[1][l] * corner[2][m];
-        const Number right = corner[0][k] * corner[1][m] * corner[2][l];
-        result.sum += left - right;
-        result.magnitude += size(left) + size(right);
-      }
-    }
-  }
-  return result;
-}
-
-/* In doubles if they can tell the sign, else exactly. A product has a relative
- * error of less than 6 u (three differences, two multiplications). The sum of n
- * differences of products adds n + 1 times u, relative to the magnitude. Taking
- * 2 u = DBL_EPSILON for u leaves room for the higher orders, and for the
- * rounding of the magnitude itself. */
-bool is_outward(const struct hsr_object &object) {
-  const Volume<double> rough =
-      volume<double>(object, [](double x) { return std::fabs(x); });
-  const double n = 3.0 * object.start[object.n_faces];
-  const double bound = (n + 8) * DBL_EPSILON * rough.magnitude;
-  const bool in_range = rough.magnitude < DBL_MAX && bound > n * DBL_MIN;
-  if (in_range && std::fabs(rough.sum) > bound)
-    return rough.sum > 0;
-  using hsr::Exact;
-  return volume<Exact>(object, [](const Exact &) { return Exact(0); }).sum >
-         Exact(0);
 }
 
 /* Runs `body`; what it throws becomes a status. */
@@ -408,12 +318,4 @@ enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
   if (import)
     import->n_dropped = 0;
   return guarded(path, err, [&] { mesh_read(scene, path, import); });
-}
-
-enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
-                                    bool *answer) {
-  return guarded("", nullptr, [&] {
-    *answer = object->n_faces && is_closed_and_oriented(*object) &&
-              is_outward(*object);
-  });
 }

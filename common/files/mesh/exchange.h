@@ -25,6 +25,7 @@ struct hsr_import {
                            rather than refuse the file */
   bool two_sided;       /* a mesh has the faces that turn their backs to the eye
                            even if it is closed */
+  int threads;          /* by so many, which the scene gets, too; 0 as 1 */
   uint64_t n_dropped;   /* out: how many were left out */
   char notes[1000];     /* out: what else was passed over, a line for each sort;
                            what has no room is left out */
@@ -45,9 +46,10 @@ enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
 
 /* Whether an object is closed (every edge has exactly two faces), consistently
  * oriented (they run along it in opposite directions) and outward (its signed
- * volume is positive). *answer is written on HSR_OK only. HSR_E_NOMEM. */
+ * volume is positive), as so many threads find. *answer is written on HSR_OK
+ * only. HSR_E_NOMEM. */
 enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
-                                    bool *answer);
+                                    int threads, bool *answer);
 
 /* Writes a drawing in world space as lines, one for each interval, in the
  * drawing's order. The cell data are invisibility, edge_a, edge_b, edge_part

@@ -147,6 +147,11 @@ void Mesh_builder::reserve(size_t n_vertices, size_t n_faces) {
     throw std::bad_alloc();
 }
 
+double *Mesh_builder::vertices(size_t n) {
+  reserve(n, 0);
+  return object_->xyz;
+}
+
 void Mesh_builder::forget_colours() {
   hsr_object_uncolour(object_);
 }

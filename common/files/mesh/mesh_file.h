@@ -104,11 +104,17 @@ Mesh_extent scan_vtp(Mesh_file &file); /* in a build with VTK */
  * before it. */
 class Mesh_builder {
 public:
-  Mesh_builder(struct hsr_object *object, const char *path, bool drop)
-      : object_(object), path_(path), drop_(drop) {}
+  Mesh_builder(struct hsr_object *object, const char *path, bool drop,
+               int threads)
+      : object_(object), path_(path), drop_(drop), threads_(threads) {}
+  /* By so many a file may be read (common/base/share.h). */
+  int threads() const { return threads_; }
   /* Room for so many; the numbers are checked by the caller. */
   void reserve(size_t n_vertices, size_t n_faces);
   void vertex(double x, double y, double z);
+  /* Room for n vertices, which are the first; and all of them are there. */
+  double *vertices(size_t n);
+  void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
   void face(const uint32_t *vertices, size_t n, const float *rgb);
   /* Takes away the colours given so far. No more will be given. */
   void forget_colours();
@@ -124,6 +130,7 @@ private:
   struct hsr_object *object_;
   const char *path_;
   bool drop_;
+  int threads_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
   std::vector<std::string> notes_;
 };

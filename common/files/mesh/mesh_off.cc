@@ -220,6 +220,11 @@ bool Off_reader::colour(size_t f, float rgb[3]) {
 void Off_reader::read() {
   header();
   builder_.reserve(n_vertices_, n_faces_);
+  if (builder_.threads() > 1 && !homogeneous_ && !has_normal_ &&
+      !has_texture_ &&
+      off_read_plain(lines_.rest_of_file(), file_.end, n_vertices_, n_faces_,
+                     builder_))
+    return;
   for (size_t v = 0; v < n_vertices_; v++)
     vertex(v);
   for (size_t f = 0; f < n_faces_; f++)

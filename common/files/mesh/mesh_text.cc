@@ -129,40 +129,46 @@ const char *take_number(const char *at, const char *end, Number &number) {
              : nullptr;
 }
 
+/* Past a line that has nothing more; NULL: it has. */
+const char *past_end_of_line(const char *at, const char *end) {
+  at = past_spaces(at, end);
+  return at == end ? end : *at == '\n' ? at + 1 : nullptr;
+}
+
 } // namespace
 
-/* If the line has nothing more, it is taken. */
-bool Lines::go_on_at(const char *end_of_plain_line) {
-  const char *end = past_spaces(end_of_plain_line, file_.end);
-  if (end != file_.end && *end != '\n')
+const char *past_plain_line(const char *at, const char *end, double *number,
+                            size_t n) {
+  for (size_t k = 0; k < n; k++) {
+    at = take_number(at, end, number[k]);
+    if (!at || !std::isfinite(number[k]))
+      return nullptr;
+  }
+  return past_end_of_line(at, end);
+}
+
+const char *past_plain_list(const char *at, const char *end, uint32_t *number,
+                            size_t &n, size_t most) {
+  at = take_number(at, end, n);
+  if (!at || n > most)
+    return nullptr;
+  for (size_t k = 0; k < n; k++) {
+    at = take_number(at, end, number[k]);
+    if (!at)
+      return nullptr;
+  }
+  return past_end_of_line(at, end);
+}
+
+/* Goes on after a line that is read; NULL: it is not. */
+bool Lines::go_on_at(const char *next) {
+  if (!next)
     return false;
-  at_ = end_ = next_ + (end - next_);
-  next_ = end == file_.end ? end_ : end_ + 1;
+  next_ += next - next_;
+  at_ = end_ = next_;
   number_ += 1 + n_joined_;
   n_joined_ = 0;
   return true;
-}
-
-bool Lines::next_plain_line(double *number, size_t n) {
-  const char *at = next_;
-  for (size_t k = 0; k < n; k++) {
-    at = take_number(at, file_.end, number[k]);
-    if (!at || !std::isfinite(number[k]))
-      return false;
-  }
-  return go_on_at(at);
-}
-
-bool Lines::next_plain_list(uint32_t *number, size_t &n, size_t most) {
-  const char *at = take_number(next_, file_.end, n);
-  if (!at || n > most)
-    return false;
-  for (size_t k = 0; k < n; k++) {
-    at = take_number(at, file_.end, number[k]);
-    if (!at)
-      return false;
-  }
-  return go_on_at(at);
 }
 
 Word Lines::word() {

@@ -23,6 +23,15 @@ constexpr long long MOST_ELEMENTS = INT_MAX / 4;
 
 bool read_integer(Word word, long long &number);
 
+/* Past a line that holds nothing but n numbers, each plain and finite, between
+ * spaces; NULL: it holds something else, or less. For the many lines of a large
+ * file that are so. */
+const char *past_plain_line(const char *at, const char *end, double *number,
+                            size_t n);
+/* The same of a number n of at most `most`, and n numbers. */
+const char *past_plain_list(const char *at, const char *end, uint32_t *number,
+                            size_t &n, size_t most);
+
 /* A text may start with a byte order mark: moves file.begin past it. */
 void skip_byte_order_mark(Mesh_file &file);
 
@@ -72,12 +81,13 @@ public:
 
   /* Goes to the next line that holds a word; false at the end of the file. */
   bool next_line();
-  /* Goes to the next line if it holds nothing but n numbers, each plain and
-   * finite, between spaces; else stays where it is. For the many lines of a
-   * large file that are so. */
-  bool next_plain_line(double *number, size_t n);
-  /* The same of a number n of at most `most`, and n numbers. */
-  bool next_plain_list(uint32_t *number, size_t &n, size_t most);
+  /* Goes to the next line if it is plain; else stays where it is. */
+  bool next_plain_line(double *number, size_t n) {
+    return go_on_at(past_plain_line(next_, file_.end, number, n));
+  }
+  bool next_plain_list(uint32_t *number, size_t &n, size_t most) {
+    return go_on_at(past_plain_list(next_, file_.end, number, n, most));
+  }
   /* Takes the next word of the line, empty at its end. */
   Word word();
   /* Takes the next word of the file, empty at its end. */
@@ -108,7 +118,7 @@ public:
 private:
   bool is_continued(char *start) const;
   void tidy();
-  bool go_on_at(const char *end_of_plain_line);
+  bool go_on_at(const char *next);
 
   const Mesh_file &file_;
   Style style_;
@@ -117,6 +127,12 @@ private:
   size_t number_ = 0, n_joined_ = 0;
   Number_reader read_;
 };
+
+/* Reads what follows the header of an .off file, if every line of it is a plain
+ * vertex or a face that needs no word about it. If not, returns false, and
+ * nothing is given. std::bad_alloc. */
+bool off_read_plain(const char *begin, const char *end, size_t n_vertices,
+                    size_t n_faces, Mesh_builder &builder);
 
 /* Judges a face by its vertex numbers alone. */
 class Face_checker {

@@ -128,7 +128,7 @@ static struct hsr_octree build(const struct hsr_octree_rule *rule,
                                struct hsr_arena *arena) {
   static const double lo[3] = {0, 0, 0};
   struct hsr_octree octree;
-  if (hsr_octree_init(&octree, primitives, rule, lo, SIDE, arena)) {
+  if (hsr_octree_init(&octree, primitives, rule, lo, SIDE, 1, arena)) {
     printf("Bail out! out of memory\n");
     exit(99);
   }
@@ -470,8 +470,8 @@ static void test_scales(struct tap *tap) {
   struct hsr_octree octree;
   two.n = 2;
   memcpy(corner, of_two, sizeof of_two);
-  bool good =
-      !hsr_octree_init(&octree, &two, &rule, lo, 1.0009765625 * 6e20, &arena);
+  bool good = !hsr_octree_init(&octree, &two, &rule, lo, 1.0009765625 * 6e20, 1,
+                               &arena);
   struct hsr_box root = hsr_cube_box(&octree.node[0]);
   for (uint32_t k = 0; k < 2; k++) {
     struct hsr_box box = bounds_of(NULL, k);
