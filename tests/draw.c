@@ -90,6 +90,27 @@ void draw_lines(const struct hsr_algorithm *algorithm,
        (struct hsr_job){.view = view, .tally = tally, .drawing = drawing});
 }
 
+long compare_answers(const struct hsr_view *view, const struct hsr_answer *got,
+                     const struct hsr_answer *wanted, char *text, size_t size) {
+  const struct hsr_window *w = &view->window;
+  size_t n = 0, most = (size_t)view->m * (size_t)view->n;
+  uint32_t *place = malloc(most * sizeof *place);
+  if (!place) {
+    printf("Bail out! no memory for a comparison\n");
+    exit(99);
+  }
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++)
+      place[n++] = (uint32_t)(j * view->m + i);
+  const struct hsr_comparison c = {
+      .view = view, .got = got, .wanted = wanted, .place = place, .n = n};
+  struct hsr_difference found = {.differing = 0};
+  got->form.type->compare(&c, &found);
+  snprintf(text, size, "%s", found.first);
+  free(place);
+  return (long)found.differing;
+}
+
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b) {
   const struct hsr_window *w = &view->window;
@@ -207,6 +228,19 @@ const struct hsr_algorithm *find_counting(const char *name) {
       return l->counting;
   printf("Bail out! no %s\n", name);
   exit(99);
+}
+
+int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
+  for (int k = 0; algorithm->counters[k].name; k++)
+    if (!strcmp(algorithm->counters[k].name, name))
+      return k;
+  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
+  exit(99);
+}
+
+uint64_t counted(const struct hsr_algorithm *algorithm,
+                 const struct hsr_tally *tally, const char *name) {
+  return tally->count[counter_of(algorithm, name)];
 }
 
 static void for_each_of_kind(const struct hsr_answer_type *kind,

@@ -45,6 +45,11 @@ bool draw_chosen(const struct hsr_algorithm *algorithm,
 struct hsr_choice choose_also(const struct hsr_algorithm *algorithm,
                               const struct hsr_answer_type *type);
 
+/* How many of the window's samples differ between two answers of one kind. The
+ * first of them is told in words, in text[size], if any does. */
+long compare_answers(const struct hsr_view *view, const struct hsr_answer *got,
+                     const struct hsr_answer *wanted, char *text, size_t size);
+
 /* The number of samples in the window that differ. */
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
@@ -57,6 +62,12 @@ const struct hsr_listed *all_listed(void);
 /* One of these, in the counting build. Ends the test program if there is none.
  */
 const struct hsr_algorithm *find_counting(const char *name);
+
+/* The number of an algorithm's counter; and of a run's tally, what it counted.
+ * End the test program if there is none of this name. */
+int counter_of(const struct hsr_algorithm *algorithm, const char *name);
+uint64_t counted(const struct hsr_algorithm *algorithm,
+                 const struct hsr_tally *tally, const char *name);
 
 /* A named scene, both laid out as a world and as an outline. Opening aborts the
  * test program on failure. */

@@ -21,22 +21,6 @@ static void fail(const char *name, const struct hsr_error *err) {
   exit(99);
 }
 
-static long compare(const struct hsr_view *view, const struct hsr_answer *got,
-                    const struct hsr_answer *wanted, char *first, size_t size) {
-  const struct hsr_window *w = &view->window;
-  static uint32_t place[LARGEST * LARGEST];
-  size_t n = 0;
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      place[n++] = (uint32_t)(j * view->m + i);
-  const struct hsr_comparison c = {
-      .view = view, .got = got, .wanted = wanted, .place = place, .n = n};
-  struct hsr_difference found = {.differing = 0};
-  got->form.type->compare(&c, &found);
-  snprintf(first, size, "%s", found.first);
-  return (long)found.differing;
-}
-
 /* By one build of an algorithm. */
 static long check_build(const struct hsr_algorithm *a, enum hsr_mix rule,
                         const char *name, const struct hsr_world *world,
@@ -48,7 +32,7 @@ static long check_build(const struct hsr_algorithm *a, enum hsr_mix rule,
   char first[200];
   long differing = 0;
   if (draw_chosen(a, &choice, world, view, &got, NULL))
-    differing = compare(view, &got, wanted, first, sizeof first);
+    differing = compare_answers(view, &got, wanted, first, sizeof first);
   if (differing)
     printf("# %s, %d x %d, %s, rule %d: %ld differ, %s\n", name, view->m,
            view->n, a->name, (int)rule, differing, first);

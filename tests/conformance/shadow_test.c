@@ -28,22 +28,6 @@ static const struct hsr_algorithm *judge(void) {
 
 /* --- The algorithms ------------------------------------------------------- */
 
-static long compare(const struct hsr_view *view, const struct hsr_answer *got,
-                    const struct hsr_answer *wanted, char *first, size_t size) {
-  const struct hsr_window *w = &view->window;
-  static uint32_t place[LARGEST * LARGEST];
-  size_t n = 0;
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      place[n++] = (uint32_t)(j * view->m + i);
-  const struct hsr_comparison c = {
-      .view = view, .got = got, .wanted = wanted, .place = place, .n = n};
-  struct hsr_difference found = {.differing = 0};
-  got->form.type->compare(&c, &found);
-  snprintf(first, size, "%s", found.first);
-  return (long)found.differing;
-}
-
 /* By one build of an algorithm. */
 static long check_build(const struct hsr_algorithm *a, const char *name,
                         const struct hsr_world *world,
@@ -54,7 +38,7 @@ static long check_build(const struct hsr_algorithm *a, const char *name,
   char first[200];
   long differing = 0;
   if (draw_chosen(a, &choice, world, view, &got, NULL))
-    differing = compare(view, &got, wanted, first, sizeof first);
+    differing = compare_answers(view, &got, wanted, first, sizeof first);
   if (differing)
     printf("# %s, light %g %g %g %g, %d x %d, %s: %ld differ, %s\n", name,
            view->light[0], view->light[1], view->light[2], view->light[3],
@@ -192,11 +176,11 @@ static void check_compare(struct tap *tap, const struct hsr_world *world,
   struct hsr_answer other;
   draw_answer(judge(), world, view, &other, NULL);
   struct hsr_shadowed *body = hsr_answer_shadowed_of(&other);
-  bool good = !compare(view, &other, answer, first, sizeof first);
+  bool good = !compare_answers(view, &other, answer, first, sizeof first);
   body->lit[7] ^= true;
-  good &= compare(view, &other, answer, first, sizeof first) == 1;
+  good &= compare_answers(view, &other, answer, first, sizeof first) == 1;
   body->ids[9] ^= 1;
-  good &= compare(view, &other, answer, first, sizeof first) == 2;
+  good &= compare_answers(view, &other, answer, first, sizeof first) == 2;
   ok(tap, good, "the light and the face of a sample are compared: %s", first);
   hsr_answer_free(&other);
 }

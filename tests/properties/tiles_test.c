@@ -149,10 +149,10 @@ static bool is_same(const struct hsr_answer *a, size_t k,
 
 /* How many places of all tiles differ from the whole picture. *refused: the
  * algorithm does not take the scene. */
-static long compare_answers(const struct hsr_algorithm *a,
-                            const struct hsr_choice *choice,
-                            const struct hsr_world *world,
-                            const struct hsr_camera *camera, bool *refused) {
+static long compare_parts(const struct hsr_algorithm *a,
+                          const struct hsr_choice *choice,
+                          const struct hsr_world *world,
+                          const struct hsr_camera *camera, bool *refused) {
   struct hsr_answer whole, part;
   struct hsr_view view;
   long wrong = hsr_view_init(&view, camera, M, N, NULL) != HSR_OK;
@@ -209,8 +209,7 @@ static void test_kind(const struct hsr_answer_type *kind, const char *begin,
       struct hsr_choice choice = choose(a, kind);
       bool refused;
       camera.parallel = c ? far / 2 : 0;
-      long wrong =
-          compare_answers(a, &choice, &worlds.world, &camera, &refused);
+      long wrong = compare_parts(a, &choice, &worlds.world, &camera, &refused);
       ok(&tap, !wrong && !refused, "%s, %s, %s%s: %ld places of tiles differ",
          a->name, kind->name, name, c ? ", parallel" : "", wrong);
     }

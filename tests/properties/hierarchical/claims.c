@@ -67,14 +67,6 @@ void claim_count(struct claim_counts *counts, const struct claim_scene *scene,
   counts->ids = NULL;
 }
 
-int claim_counter(const struct hsr_algorithm *algorithm, const char *name) {
-  for (int k = 0; algorithm->counters[k].name; k++)
-    if (!strcmp(algorithm->counters[k].name, name))
-      return k;
-  stop(algorithm->name, name);
-  return -1;
-}
-
 uint64_t claim_value(const struct claim_counts *counts, const char *name) {
-  return counts->tally.count[claim_counter(counts->algorithm, name)];
+  return counted(counts->algorithm, &counts->tally, name);
 }

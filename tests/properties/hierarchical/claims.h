@@ -39,7 +39,4 @@ void claim_count(struct claim_counts *counts, const struct claim_scene *scene,
  */
 uint64_t claim_value(const struct claim_counts *counts, const char *name);
 
-/* The number of a counter. */
-int claim_counter(const struct hsr_algorithm *algorithm, const char *name);
-
 #endif

@@ -67,7 +67,7 @@ static struct down divide_all(const struct hsr_world *world) {
   return down;
 }
 
-static struct down counted(const struct claim_counts *counts) {
+static struct down down_in(const struct claim_counts *counts) {
   return (struct down){claim_value(counts, "cubes divided"),
                        claim_value(counts, "faces down"),
                        claim_value(counts, "instances down")};
@@ -100,7 +100,7 @@ static uint64_t divided_again(const struct claim_scene *scene,
       abort();
     *wrong += count_differences(&scene->view, ids, right);
   }
-  int divided = claim_counter(setup.algorithm, "cubes divided");
+  int divided = counter_of(setup.algorithm, "cubes divided");
   uint64_t again = tally.count[divided];
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
@@ -145,7 +145,7 @@ static void check(struct tap *tap, const char *name, double part) {
   claim_draw(&whole, &scene, "hzbuffer", NULL, NULL);
   claim_draw(&lazy, &scene, "hzbuffer:octree=lazy", NULL, NULL);
   long wrong = count_differences(&scene.view, lazy.ids, whole.ids);
-  struct down all = divide_all(&scene.worlds.outline), some = counted(&lazy);
+  struct down all = divide_all(&scene.worlds.outline), some = down_in(&lazy);
   uint64_t again = divided_again(&scene, whole.ids, &wrong);
   ok(tap, !wrong && are_alike(&whole, &lazy),
      "%s: the same picture (%ld) and the same counts", name, wrong);

@@ -171,12 +171,7 @@ static void end(struct ready *r) {
 }
 
 static uint64_t count_of(const struct ready *r, const char *name) {
-  const struct hsr_counter *counter = r->setup.algorithm->counters;
-  for (int k = 0; counter[k].name; k++)
-    if (!strcmp(counter[k].name, name))
-      return r->tally.count[k];
-  stop(name);
-  return 0;
+  return counted(r->setup.algorithm, &r->tally, name);
 }
 
 static struct hsr_scene *open_way(int per_cent, int frame, int way) {

@@ -43,7 +43,7 @@ static void look(const struct claim_scene *scene, struct sums *sums) {
   struct claim_counts right, got, by_cells;
   uint32_t n = scene->worlds.world.n_faces;
   struct set set = {
-      claim_counter(hsr_algorithm_find("pvs")->counting, "faces drawn"),
+      counter_of(hsr_algorithm_find("pvs")->counting, "faces drawn"),
       calloc(n, 1), 0};
   if (!set.holds)
     abort();

@@ -34,9 +34,9 @@ static void note_root(void *context, const struct hsr_event *event) {
 static uint64_t root_visits(const struct claim_scene *scene,
                             const char *algorithm, const char *counter) {
   struct claim_counts counts;
-  struct visits visits = {.counter = claim_counter(
-                              hsr_algorithm_find(algorithm)->counting, counter),
-                          .instance = HSR_NO_ID};
+  struct visits visits = {
+      .counter = counter_of(hsr_algorithm_find(algorithm)->counting, counter),
+      .instance = HSR_NO_ID};
   claim_draw(&counts, scene, algorithm, note_root, &visits);
   free(counts.ids);
   return visits.n;

@@ -160,15 +160,9 @@ static void listen(void *context, const struct hsr_event *event) {
   w->wrong += !is_true(w, event);
 }
 
-static int counter_of(const struct rule *rule) {
-  const struct hsr_counter *c =
-      hsr_algorithm_find(rule->algorithm)->counting->counters;
-  for (int k = 0; c[k].name; k++)
-    if (!strcmp(c[k].name, rule->counter))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", rule->algorithm,
-         rule->counter);
-  exit(99);
+static int counter_of_rule(const struct rule *rule) {
+  return counter_of(hsr_algorithm_find(rule->algorithm)->counting,
+                    rule->counter);
 }
 
 static void watch_scene(struct watch *w, const char *name) {
@@ -231,7 +225,7 @@ int main(void) {
   struct tap tap = plan(N_RULES + 1);
   check_far_away(&tap);
   for (int r = 0; r < N_RULES; r++) {
-    struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};
+    struct watch w = {.rule = &rules[r], .counter = counter_of_rule(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
       watch_scene(&w, scenes[s]);
     ok(&tap, w.events && !w.wrong, "%s, %s: %ld of %ld events are not true",

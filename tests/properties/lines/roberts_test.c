@@ -110,13 +110,7 @@ static uint64_t differing(struct fixture *x, const struct hsr_setup *judge,
 }
 
 static uint64_t of(const struct hsr_tally *tally, const char *name) {
-  const struct hsr_counter *counter =
-      hsr_algorithm_find("roberts")->counting->counters;
-  for (int k = 0; counter[k].name; k++)
-    if (!strcmp(counter[k].name, name))
-      return tally->count[k];
-  printf("Bail out! roberts counts no %s\n", name);
-  exit(99);
+  return counted(hsr_algorithm_find("roberts")->counting, tally, name);
 }
 
 static uint64_t edges_drawn(const struct hsr_drawing *drawing) {

@@ -41,12 +41,7 @@ static const struct hsr_listed *find(const char *name) {
 }
 
 static uint64_t count_of(const struct hsr_tally *tally, const char *name) {
-  const struct hsr_counter *c = find("a-buffer")->counting->counters;
-  for (int k = 0; c[k].name; k++)
-    if (!strcmp(c[k].name, name))
-      return tally->count[k];
-  printf("Bail out! a-buffer has no counter \"%s\"\n", name);
-  exit(99);
+  return counted(find("a-buffer")->counting, tally, name);
 }
 
 /* The faces of one pixel's samples whose depth order is not the same at all

@@ -6,18 +6,8 @@
 #include "tests/tap.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { M = 64, N = 8, SHEETS = 12 };
-
-static uint64_t counted(const struct hsr_algorithm *a,
-                        const struct hsr_tally *tally, const char *name) {
-  for (int k = 0; a->counters[k].name; k++)
-    if (!strcmp(a->counters[k].name, name))
-      return tally->count[k];
-  printf("Bail out! %s counts no %s\n", a->name, name);
-  exit(99);
-}
 
 /* A pyramid of sheets, each 2 samples narrower on either side than the one
  * behind it, and all taller than the picture. */

@@ -18,7 +18,6 @@
 #include "common/exact/screen.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { M = 41, N = 29 };
 
@@ -191,15 +190,9 @@ static void listen(void *context, const struct hsr_event *event) {
   w->wrong += !is_true(w, event);
 }
 
-static int counter_of(const struct rule *rule) {
-  const struct hsr_counter *c =
-      hsr_algorithm_find(rule->algorithm)->counting->counters;
-  for (int k = 0; c[k].name; k++)
-    if (!strcmp(c[k].name, rule->counter))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", rule->algorithm,
-         rule->counter);
-  exit(99);
+static int counter_of_rule(const struct rule *rule) {
+  return counter_of(hsr_algorithm_find(rule->algorithm)->counting,
+                    rule->counter);
 }
 
 /* Not by draw_ids: events name the faces of the adapted world here. */
@@ -266,7 +259,7 @@ int main(void) {
   check_loose(&tap, "schumacker-watkins");
   check_loose(&tap, "bsp-painter");
   for (int r = 0; r < N_RULES; r++) {
-    struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};
+    struct watch w = {.rule = &rules[r], .counter = counter_of_rule(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
       watch_scene(&w, scenes[s]);
     ok(&tap, !w.wrong, "%s, %s: %ld of %ld events are not true",

@@ -15,16 +15,6 @@ static void fail(const struct hsr_error *err) {
   exit(99);
 }
 
-/* The value of the counter of that name. */
-static uint64_t counted(const struct hsr_algorithm *a,
-                        const struct hsr_tally *tally, const char *name) {
-  for (int k = 0; a->counters[k].name; k++)
-    if (!strcmp(a->counters[k].name, name))
-      return tally->count[k];
-  printf("Bail out! %s counts no %s\n", a->name, name);
-  exit(99);
-}
-
 static const struct hsr_algorithm *counting(const char *name) {
   return hsr_algorithm_find(name)->counting;
 }

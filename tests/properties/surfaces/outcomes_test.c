@@ -20,7 +20,6 @@
 #include "common/exact/screen.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { M = 41, N = 29, MOST_FACES = 1 << 14 };
 
@@ -180,15 +179,9 @@ static void listen(void *context, const struct hsr_event *event) {
   w->wrong += !is_true(w, event);
 }
 
-static int counter_of(const struct rule *rule) {
-  const struct hsr_counter *c =
-      hsr_algorithm_find(rule->algorithm)->counting->counters;
-  for (int k = 0; c[k].name; k++)
-    if (!strcmp(c[k].name, rule->counter))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", rule->algorithm,
-         rule->counter);
-  exit(99);
+static int counter_of_rule(const struct rule *rule) {
+  return counter_of(hsr_algorithm_find(rule->algorithm)->counting,
+                    rule->counter);
 }
 
 static void watch_scene(struct watch *w, const char *name) {
@@ -216,7 +209,8 @@ int main(void) {
   struct tap tap = plan(N_RULES);
   for (int r = 0; r < N_RULES; r++) {
     static struct watch w;
-    w = (struct watch){.rule = &rules[r], .counter = counter_of(&rules[r])};
+    w = (struct watch){.rule = &rules[r],
+                       .counter = counter_of_rule(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
       watch_scene(&w, scenes[s]);
     ok(&tap, w.events && !w.wrong,

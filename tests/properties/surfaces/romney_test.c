@@ -99,12 +99,7 @@ static void draw_plates(struct picture *x, uint64_t *seed) {
 /* --- Romney's picture, and what it took ----------------------------------- */
 
 static int counter(const char *name) {
-  const struct hsr_algorithm *romney = hsr_algorithm_find("romney")->counting;
-  for (int c = 0; romney->counters[c].name; c++)
-    if (!strcmp(romney->counters[c].name, name))
-      return c;
-  printf("Bail out! no counter \"%s\"\n", name);
-  exit(99);
+  return counter_of(hsr_algorithm_find("romney")->counting, name);
 }
 
 /* For each row the leftmost sample that was searched, or M. */

@@ -73,11 +73,7 @@ static struct count draw(const char *algorithm, const struct picture *p) {
 }
 
 static uint64_t of(const struct count *count, const char *counter) {
-  for (int k = 0; count->algorithm->counters[k].name; k++)
-    if (!strcmp(count->algorithm->counters[k].name, counter))
-      return count->tally.count[k];
-  stop(count->algorithm->name, counter);
-  return 0;
+  return counted(count->algorithm, &count->tally, counter);
 }
 
 /* --- Sample spans --------------------------------------------------------- */

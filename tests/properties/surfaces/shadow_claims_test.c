@@ -8,18 +8,8 @@
 #include "tests/tap.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { M = 64, N = 48 };
-
-static uint64_t counted(const struct hsr_algorithm *a,
-                        const struct hsr_tally *tally, const char *name) {
-  for (int k = 0; a->counters[k].name; k++)
-    if (!strcmp(a->counters[k].name, name))
-      return tally->count[k];
-  printf("Bail out! %s counts no %s\n", a->name, name);
-  exit(99);
-}
 
 struct drawn {
   uint64_t tests, lit;

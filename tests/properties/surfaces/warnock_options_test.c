@@ -23,14 +23,6 @@ static void stop(const char *name, const struct hsr_error *err) {
   exit(99);
 }
 
-static int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
-  for (int k = 0; algorithm->counters[k].name; k++)
-    if (!strcmp(algorithm->counters[k].name, name))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
-  exit(99);
-}
-
 /* A scene, laid out. */
 struct stage {
   struct hsr_scene *scene;
@@ -142,7 +134,7 @@ static void draw_frame(struct film *film, const struct hsr_view *view) {
 }
 
 static long count(const struct film *film, const char *name) {
-  return (long)film->tally.count[counter_of(film->algorithm, name)];
+  return (long)counted(film->algorithm, &film->tally, name);
 }
 
 struct findings {

@@ -27,14 +27,6 @@ static void *grown(void *memory, size_t bytes) {
   return memory;
 }
 
-static int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
-  for (int k = 0; algorithm->counters[k].name; k++)
-    if (!strcmp(algorithm->counters[k].name, name))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
-  exit(99);
-}
-
 /* --- Watching a run ------------------------------------------------------- */
 
 static bool is_within(struct hsr_window a, struct hsr_window b) {

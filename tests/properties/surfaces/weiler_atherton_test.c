@@ -40,14 +40,6 @@ static const struct hsr_listed *find(const char *name) {
   exit(99);
 }
 
-static int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
-  for (int k = 0; algorithm->counters[k].name; k++)
-    if (!strcmp(algorithm->counters[k].name, name))
-      return k;
-  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
-  exit(99);
-}
-
 /* How often each face was taken for a clip polygon or examined against one, and
  * which have polygons in the picture. */
 struct watch {

@@ -116,11 +116,7 @@ static struct drawn draw(const char *name, bool counting,
 }
 
 static uint64_t of(const struct drawn *drawn, const char *counter) {
-  for (int k = 0; drawn->algorithm->counters[k].name; k++)
-    if (!strcmp(drawn->algorithm->counters[k].name, counter))
-      return drawn->tally.count[k];
-  stop(drawn->algorithm->name, counter);
-  return 0;
+  return counted(drawn->algorithm, &drawn->tally, counter);
 }
 
 /* --- The same picture for any order --------------------------------------- */

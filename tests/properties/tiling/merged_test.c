@@ -64,13 +64,8 @@ static void finish_ready(struct ready *r) {
   hsr_arena_free(&r->scratch);
 }
 
-static uint64_t counted(const struct ready *r, const char *name) {
-  const struct hsr_algorithm *a = r->setup.algorithm;
-  for (int k = 0; a->counters[k].name; k++)
-    if (!strcmp(a->counters[k].name, name))
-      return r->tally.count[k];
-  stop(name);
-  return 0;
+static uint64_t count_of(const struct ready *r, const char *name) {
+  return counted(r->setup.algorithm, &r->tally, name);
 }
 
 /* --- Bodies --------------------------------------------------------------- */
@@ -233,7 +228,7 @@ static long check_scenes(int n, uint64_t seed, const struct bodies *bodies,
                bodies->boxes + bodies->balls, differ);
       wrong += differ;
       if (counting)
-        *merges += counted(&merged, "merges");
+        *merges += count_of(&merged, "merges");
       finish_ready(&merged);
     }
     hsr_world_free(&world);
@@ -339,9 +334,9 @@ static void check_traffic(struct tap *tap, int per_cent) {
      "traffic:%d, %d frames: %ld samples differ; carts cover %ld, %llu trees, "
      "%llu merges of %llu faces",
      per_cent, FRAMES, wrong, carts,
-     (unsigned long long)counted(&merged, "trees"),
-     (unsigned long long)counted(&merged, "merges"),
-     (unsigned long long)counted(&merged, "merged faces"));
+     (unsigned long long)count_of(&merged, "trees"),
+     (unsigned long long)count_of(&merged, "merges"),
+     (unsigned long long)count_of(&merged, "merged faces"));
   finish_ready(&merged);
   finish_ready(&hzbuffer);
   hsr_world_free(&outline);
