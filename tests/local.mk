@@ -71,6 +71,7 @@ tap_programs = \
   %D%/counts/by_hand/schumacker_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/bounded_test \
+  %D%/properties/hierarchical/bounded_scenes_test \
   %D%/properties/hierarchical/cell_sets_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts of polygons in exact terms, for where doubles say too little: an eye that
-// is almost in a plane that is far larger than its distance. The formulas are
-// those of shape.c.
+// Cuts of polygons, and where they reach `near`, in exact terms, for where
+// doubles say too little: an eye that is almost in a plane that is far larger
+// than its distance. The formulas are those of shape.c.
 #include "algorithms/hierarchical/bounded/shape.h"
 #include "common/exact/exact_plane.h"
 
@@ -34,10 +34,36 @@ Vector exactly(const double v[3]) {
 
 } // namespace
 
-extern "C" void hsr_cut_exactly(const hsr_screen *screen,
-                                const hsr_shape_cut *own,
-                                const hsr_shape_cut *cut, double normal[3],
-                                double *rest) {
+extern "C" {
+
+void hsr_near_exactly(const hsr_screen *screen, uint32_t f, bool at_eye,
+                      double normal[3], double *rest) {
+  try {
+    const hsr_view &view = *screen->view;
+    const Vector eye = exactly(view.E);
+    const Plane N({screen->world, f}, eye);
+    Vector out = -N.normal;
+    Exact along = -N.height, more = 0; // whose sign turns the line
+    if (view.parallel) {
+      along = N.normal * exactly(view.F);
+      more = -N.height - along * Exact(view.near);
+    } else if (at_eye) {
+      out = N.normal;
+    } else {
+      out = out * Exact(view.near);
+      more = along;
+    }
+    const double turn = CGAL::sign(along);
+    for (int c = 0; c < 3; c++)
+      normal[c] = turn * CGAL::to_double(out[c]);
+    *rest = turn * CGAL::to_double(more);
+  } catch (...) {
+    *rest = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void hsr_cut_exactly(const hsr_screen *screen, const hsr_shape_cut *own,
+                     const hsr_shape_cut *cut, double normal[3], double *rest) {
   try {
     const Vector eye = exactly(screen->view->E);
     const Plane M = plane_of(screen, own, eye), N = plane_of(screen, cut, eye);
@@ -56,3 +82,5 @@ extern "C" void hsr_cut_exactly(const hsr_screen *screen,
     *rest = std::numeric_limits<double>::quiet_NaN();
   }
 }
+
+} /* extern "C" */

@@ -26,6 +26,13 @@
  * and 256u. In parallel, with f = N . F and k = M . F, the sign is that of k h + f g
  * + (k N - f M) . D, turned if k < 0. f is within 2 n + 2^-48 |N| of itself.
  *
+ * Near. q's rounding is bounded for all of the picture. Where the eye is almost in
+ * a plane q is huge in most of it, and that bound says nothing where q is 0 or
+ * 1/near. Without a division, t > near is that -(h + near N . D), with h = N . (E
+ * - P), has the sign of -h; t > 0 that -h N . D is positive; and in parallel t >
+ * near that -(h + N . ray) - near k has the sign of k = N . F. N, h and k are
+ * exact (cut.cc), and only what is left of them is rounded.
+ *
  * On a square of the picture |e - e(middle)| <= (|a| + |b|) half. The rounding
  * of that, and of the sums with it, is below 8u (|a| m + |b| n + |c|). Each of
  * these three is at most |A'| |G| reach, so they are in the 128u too.
@@ -154,19 +161,59 @@ static bool is_beyond_near(const struct hsr_screen *screen,
   return true;
 }
 
+static struct hsr_screen_line line_of(const struct hsr_screen *screen,
+                                      const double normal[3], double rest,
+                                      double error) {
+  const struct hsr_view *view = screen->view;
+  return (struct hsr_screen_line){dot(view->ray[1], normal),
+                                  dot(view->ray[2], normal),
+                                  dot(view->ray[0], normal) + rest, error};
+}
+
+/* The same of a normal and a rest that are within 2^-50 of themselves. */
+static struct hsr_screen_line exact_line(const struct hsr_screen *screen,
+                                         const double normal[3], double rest) {
+  const double *reach = screen->reach;
+  double size = size_of(normal) * (reach[0] + reach[1] + reach[2]);
+  return line_of(screen, normal, rest, 0x1p-45 * (size + fabs(rest)) + TINY);
+}
+
+/* May the line be in the picture, and is its place less certain than 2^-20
+ * pixels? */
+static bool is_vague(const struct hsr_view *view,
+                     const struct hsr_screen_line *line) {
+  double steep = fabs(line->a) + fabs(line->b);
+  return !(line->error < 0x1p-20 * steep) &&
+         !(fabs(line->c) >
+           line->error + fabs(line->a) * view->m + fabs(line->b) * view->n);
+}
+
+/* One of the two below. */
+static struct hsr_screen_line near_line(const struct hsr_screen *screen,
+                                        uint32_t f, struct hsr_screen_line line,
+                                        bool at_eye) {
+  double normal[3], rest;
+  if (!is_vague(screen->view, &line))
+    return line;
+  hsr_near_exactly(screen, f, at_eye, normal, &rest);
+  struct hsr_screen_line exact = exact_line(screen, normal, rest);
+  return exact.error < INFINITY ? exact : line;
+}
+
 /* Where t > near: 0 < q < 1/near or, in parallel, q < -near. */
-static uint32_t near_lines(const struct hsr_view *view,
+static uint32_t near_lines(const struct hsr_screen *screen, uint32_t f,
                            const struct hsr_screen_line *q,
                            struct hsr_screen_line *line) {
+  const struct hsr_view *view = screen->view;
   uint32_t n = 0;
   if (!view->parallel)
-    line[n++] = *q;
+    line[n++] = near_line(screen, f, *q, true);
   if (view->parallel || view->near > 0) {
     double most = view->parallel ? -view->near : 1 / view->near;
-    line[n] = opposite(*q);
-    line[n].c += most;
-    line[n].error += 0x1p-50 * (fabs(most) + fabs(q->c));
-    n++;
+    struct hsr_screen_line end = opposite(*q);
+    end.c += most;
+    end.error += 0x1p-50 * (fabs(most) + fabs(q->c));
+    line[n++] = near_line(screen, f, end, false);
   }
   return n;
 }
@@ -297,8 +344,7 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
   else
     fan_lines(shape, screen, line);
   if (!beyond || !flat) {
-    shape->n_lines +=
-        near_lines(screen->view, &shape->q, line + shape->n_lines);
+    shape->n_lines += near_lines(screen, f, &shape->q, line + shape->n_lines);
     if (screen->view->parallel || screen->view->near > 0)
       decide_near(&line[shape->n_lines - 1], screen, f, tally);
   }
@@ -345,25 +391,6 @@ static double mix(double x, double x_error, const struct seen_plane *a,
          0x1p-45 * (fabs(x) * a->size + fabs(y) * b->size);
 }
 
-static struct hsr_screen_line line_of(const struct hsr_screen *screen,
-                                      const double normal[3], double rest,
-                                      double error) {
-  const struct hsr_view *view = screen->view;
-  return (struct hsr_screen_line){dot(view->ray[1], normal),
-                                  dot(view->ray[2], normal),
-                                  dot(view->ray[0], normal) + rest, error};
-}
-
-/* May the line be in the picture, and is its place less certain than 2^-20
- * pixels? */
-static bool is_vague(const struct hsr_view *view,
-                     const struct hsr_screen_line *line) {
-  double steep = fabs(line->a) + fabs(line->b);
-  return !(line->error < 0x1p-20 * steep) &&
-         !(fabs(line->c) >
-           line->error + fabs(line->a) * view->m + fabs(line->b) * view->n);
-}
-
 static struct hsr_screen_line cut_line(const struct hsr_screen *screen,
                                        const struct hsr_shape_cut *own,
                                        int inner,
@@ -386,9 +413,9 @@ static struct hsr_screen_line cut_line(const struct hsr_screen *screen,
   struct hsr_screen_line line = line_of(screen, normal, rest, error + TINY);
   if (is_vague(view, &line)) {
     hsr_cut_exactly(screen, own, cut, normal, &rest);
-    error = 0x1p-45 * (size_of(normal) * far + fabs(rest)) + TINY;
-    if (error < line.error)
-      line = line_of(screen, normal, rest, error);
+    struct hsr_screen_line exact = exact_line(screen, normal, rest);
+    if (exact.error < line.error)
+      line = exact;
   }
   /* M is turned as the polygon is: `inner` is the sign of g, or of k. */
   return cut->side * inner > 0 ? line : opposite(line);

@@ -51,6 +51,12 @@ struct hsr_shape_cut {
   double N[3], P[3], N_error, P_error;
 };
 
+/* Where t > near on the plane of face f of the screen's world: positive there.
+ * `at_eye`, in perspective only: where t > 0. Rounded and told as by
+ * hsr_cut_exactly. */
+void hsr_near_exactly(const struct hsr_screen *screen, uint32_t f, bool at_eye,
+                      double normal[3], double *rest);
+
 struct hsr_shape {
   uint32_t id;   /* of the face, in the scene */
   double rgb[3]; /* within 2^-53 of themselves */
