@@ -131,32 +131,33 @@ struct extent {
 };
 
 /* Adds the image of the box that reaches `reach` cells to all sides of a sample.
- * Within it, coordinate c of the sum of three terms changes by at most reach
- * spread[c]. False if the box may be behind the eye. Rounding changes less than
- * 2^-30 of the sizes of the terms. */
+ * Let x be the sample's coordinate, and row 2 give w: the function row 0 - x row 2
+ * is 0 at the sample, and within the box at most its own spread. Divided by the
+ * least w it bounds how far the image reaches from x. False if the box may be
+ * behind the eye. Rounding changes less than 2^-30 of the sizes of the terms. */
 static bool extend(const struct hsr_splats *s, uint32_t i, uint32_t j,
                    uint32_t k, double reach, struct extent *extent) {
-  double image[3], pad[3], size[3];
+  const struct hsr_view *v = s->view;
+  double image[3], size[3];
   for (int c = 0; c < 3; c++) {
-    image[c] = s->term[0][c][i] + (s->term[1][c][j] + s->term[2][c][k]) +
-               s->view->origin[c];
-    pad[c] = reach * s->spread[c];
-    size[c] = s->most[c] + pad[c];
+    image[c] =
+        s->term[0][c][i] + (s->term[1][c][j] + s->term[2][c][k]) + v->origin[c];
+    size[c] = s->most[c] + reach * s->spread[c];
   }
-  double near = image[2] - pad[2], far = image[2] + pad[2];
+  double near = image[2] - reach * s->spread[2];
   if (!(near > 0x1p-20 * size[2]))
     return false;
-  double per_near = 1 / near, per_far = 1 / far;
+  double per_w = 1 / image[2], per_near = 1 / near;
   for (int c = 0; c < 2; c++) {
-    double lo = image[c] - pad[c], hi = image[c] + pad[c];
-    double from = lo * (lo < 0 ? per_near : per_far),
-           to = hi * (hi < 0 ? per_far : per_near);
-    double off = 0x1p-30 * per_near *
-                 (size[c] + hsr_max(fabs(from), fabs(to)) * size[2]);
-    if (!(off < 0x1p60))
+    double at = image[c] * per_w, spread = 0;
+    for (int a = 0; a < 3; a++)
+      spread += fabs(v->screen[c][a] - at * v->screen[2][a]) * s->largest[a];
+    double away =
+        per_near * (reach * spread + 0x1p-30 * (size[c] + fabs(at) * size[2]));
+    if (!(fabs(at) + away < 0x1p60))
       return false;
-    extent->from[c] = hsr_min(extent->from[c], from - off);
-    extent->to[c] = hsr_max(extent->to[c], to + off);
+    extent->from[c] = hsr_min(extent->from[c], at - away);
+    extent->to[c] = hsr_max(extent->to[c], at + away);
   }
   return true;
 }

@@ -785,6 +785,33 @@ static void try_full(struct tap *tap) {
   close_stage(&stage);
 }
 
+/* One splat beside the view's axis, whose rim is near the eye on one side, and so
+ * far out on the screen. Each column of pixels is a window, so the splat is left
+ * out of those that its box misses. */
+static void try_columns(struct tap *tap, double aside, const char *kernel) {
+  enum { M = 48, ROWS = 24 };
+  static const int one[3] = {1, 1, 1};
+  static uint16_t right[4 * M * ROWS], got[4 * M * ROWS];
+  static struct volume v;
+  const struct hsr_camera camera = {
+      {aside, 0, -2.1}, {aside, 0, 0}, Y_UP, 120, 0, 0};
+  struct hsr_view view = splat_view(&camera, M, ROWS);
+  struct hsr_variant made = splat_variant("splat:kernel=%s", kernel);
+  struct hsr_window columns[M];
+  struct found f = {.views = 1};
+  open_solid(&v, one, 1, 60000);
+  judge_splats(&v.stage, &view, &made, right, NULL);
+  for (long p = 0; p < (long)M * ROWS; p++)
+    f.seen += right[4 * p + 3] > 0;
+  for (int x = 0; x < M; x++)
+    columns[x] = (struct hsr_window){x, 0, x + 1, ROWS};
+  draw_splats(&v.stage, &view, &made, PLAIN, columns, M, got, NULL);
+  f.in_windows = differences(&view, &made, got, right);
+  say(tap, aside < 0 ? "columns of one side" : "columns of the other side", &f,
+      false);
+  close_stage(&v.stage);
+}
+
 /* Rows that are longer than the pieces in which they are tested, from their high
  * ends. */
 static void try_pieces(struct tap *tap) {
@@ -803,7 +830,7 @@ static void try_pieces(struct tap *tap) {
 int main(int argc, char **argv) {
   int views = argc > 2 ? atoi(argv[2]) : 500;
   state = argc > 1 ? (uint64_t)atoll(argv[1]) : 11;
-  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 6);
+  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 10);
   for (int parallel = 0; parallel < 2; parallel++)
     try_random(&tap, parallel, views);
   for (int k = 0; k < TRIALS; k++)
@@ -812,6 +839,10 @@ int main(int argc, char **argv) {
   /* under looks for full pixels after 16384 splats; xray moves its sums after
    * 65536; a volumetric buffer of over 2^25 bytes is divided into strips. */
   try_full(&tap);
+  for (int k = 0; k < 2; k++) {
+    try_columns(&tap, -2, kernels[k]);
+    try_columns(&tap, 2, kernels[k]);
+  }
   try_pieces(&tap);
   try_many(&tap, "over 65536 splats",
            "splat-xray:model=xray:antialias=on:exposure=0.01", 41, 12, 8);
