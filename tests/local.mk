@@ -357,6 +357,7 @@ EXTRA_DIST += \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
   %D%/mutants/glass.mutants \
+  %D%/mutants/report.mutants \
   %D%/mutants/shadow.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \

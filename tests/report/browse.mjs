@@ -199,6 +199,7 @@ async function sampled(folder) {
       ["zbuffer, 4 × 4 samples", "a-buffer"]);
     assert.deepEqual(await column(page, "errors-0", 2), ["0.0312", "0.0580"]);
     assert.deepEqual(await column(page, "errors-0", 3), ["1.25 %", "0.100 %"]);
+    assert.deepEqual(await column(page, "errors-0", 4), ["(5, 7)", "(2, 9)"]);
     const drawn = await page.$$eval("#errors-0 img", (all) =>
       all.map((e) => e.complete && e.naturalWidth));
     assert.deepEqual(drawn, [97]);
