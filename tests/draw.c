@@ -169,12 +169,17 @@ void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n) {
 
 /* --- Algorithms and variants ---------------------------------------------- */
 
-/* What the survey proposes, and options that leave work out. */
+/* What the survey proposes, options that leave work out, and what Greene proposes
+ * or compares with. */
 static const char *const proposals[] = {
 #define HSR_PROPOSED(variant) variant,
 #include "algorithms/proposals.def"
 #undef HSR_PROPOSED
-    "zbuffer:groups=cones"};
+    "zbuffer:groups=cones",
+    "hzbuffer:octree=lazy",
+    "hzbuffer:pyramid=queries:threshold=20",
+    "tiling:counts=on",
+    "pvs:sets=cells"};
 enum { N_PROPOSALS = sizeof proposals / sizeof *proposals, MOST_LISTED = 200 };
 
 /* A variant as an algorithm of its own, in one build. */

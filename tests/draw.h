@@ -54,9 +54,9 @@ long compare_answers(const struct hsr_view *view, const struct hsr_answer *got,
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
 
-/* The listed algorithms, and after them the variants of proposals.def, and
- * zbuffer:groups=cones: each as an algorithm of its own, of the variant's name,
- * whose standard choice is the variant's. Ended by .plain == NULL. */
+/* The listed algorithms, and after them the variants of proposals.def and some
+ * others: each as an algorithm of its own, of the variant's name, whose standard
+ * choice is the variant's. Ended by .plain == NULL. */
 const struct hsr_listed *all_listed(void);
 
 /* One of these, in the counting build. Ends the test program if there is none.
