@@ -357,6 +357,9 @@ EXTRA_DIST += \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
   %D%/mutants/glass.mutants \
+  %D%/mutants/groups.mutants \
+  %D%/mutants/import.mutants \
+  %D%/mutants/prepare.mutants \
   %D%/mutants/report.mutants \
   %D%/mutants/shadow.mutants \
   %D%/mutants/hierarchical.mutants \
