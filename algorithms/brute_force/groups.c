@@ -80,7 +80,7 @@ HSR_VECTOR static void find_out(size_t n, const double *restrict x,
   for (size_t g = 0; g < n; g++) {
     int out = n0 * x[g] + n1 * y[g] + n2 * z[g] > limit;
     verdict[g] =
-        out & (verdict[g] == HSR_GROUP_KEPT) ? HSR_GROUP_OUT : verdict[g];
+        (out & (verdict[g] == HSR_GROUP_KEPT)) ? HSR_GROUP_OUT : verdict[g];
   }
 }
 

@@ -364,7 +364,7 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
                          int k) {
   struct hsr_pyramid *p = &d->memory.pyramid;
   const struct hsr_corners *r = &batch->corners;
-  struct hsr_triangle tri = hsr_tiler_take(batch, k);
+  struct hsr_triangle tri = hsr_tiler_take(&d->tiler, batch, k);
   struct hsr_bounds box = {tri.x0, tri.y0, tri.x1, tri.y1};
   float q = fmaxf(r->qa[k], fmaxf(r->qb[k], r->qc[k]));
   bool fast = hsr_pyramid_hides(p, box, q);
