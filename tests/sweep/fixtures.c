@@ -22,7 +22,9 @@ static void sleep_ms(long ms) {
 
 static enum hsr_status zbuffer(const struct hsr_job *job,
                                struct hsr_error *err) {
-  return hsr_algorithm_zbuffer.render(job, err);
+  struct hsr_job own = *job;
+  own.prepared = NULL; /* what a fixture prepared is not zbuffer's */
+  return hsr_algorithm_zbuffer.render(&own, err);
 }
 
 /* --- Wrong ---------------------------------------------------------------- */
