@@ -224,7 +224,7 @@ bool hsr_cells_make_one(struct hsr_cell_maker *m, uint32_t k,
                         struct hsr_arena *arena) {
   struct hsr_cubes_object *c = m->c;
   const struct hsr_octree_node *node = &c->octree.node[k];
-  const uint32_t *item = c->octree.item + node->first;
+  const uint32_t *item = node->n ? c->octree.item + node->first : NULL;
   struct hsr_cell_maker counting = *m;
   make_cell(&counting, k, c->number, item, node->n);
   m->stamp = counting.stamp;
