@@ -249,9 +249,9 @@ bool hsr_tiler_snap_far(struct hsr_tiler *tiler, size_t n, const double *x,
 /* Clears the samples of a part, which is the next to be tiled. */
 void hsr_tiler_begin_part(struct hsr_tiler *tiler, struct hsr_window part);
 
-/* Looks at the n triangles from face `first`, or of the list, on: finds their boxes within the
- * window, turns them so that their area is positive and says what becomes of
- * them. The n_fast ones are those to be tiled. */
+/* Looks at n triangles of the world, or of the list, from number `first` on: finds
+ * their boxes within the window, turns them so that their area is positive and
+ * says what becomes of them. The n_fast ones are those to be tiled. */
 void hsr_tiler_look(const struct hsr_tiler *tiler, struct hsr_batch *batch,
                     uint32_t first, int n);
 

@@ -131,10 +131,12 @@ struct extent {
 };
 
 /* Adds the image of the box that reaches `reach` cells to all sides of a sample.
- * Let x be the sample's coordinate, and row 2 give w: the function row 0 - x row 2
- * is 0 at the sample, and within the box at most its own spread. Divided by the
- * least w it bounds how far the image reaches from x. False if the box may be
- * behind the eye. Rounding changes less than 2^-30 of the sizes of the terms. */
+ *   Row c of the view gives w times screen coordinate c, and row 2 gives w. Let the
+ * sample be at x. Then row c less x times row 2 is 0 at the sample. Within the box
+ * it is at most its spread. A point of the image is this, divided by w, away from
+ * x. So it is no farther away than the spread, divided by the least w.
+ *   False if the box may be behind the eye. Rounding changes less than 2^-30 of the
+ * sizes of the terms. */
 static bool extend(const struct hsr_splats *s, uint32_t i, uint32_t j,
                    uint32_t k, double reach, struct extent *extent) {
   const struct hsr_view *v = s->view;

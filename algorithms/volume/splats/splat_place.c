@@ -348,8 +348,9 @@ static void tighten(const struct hsr_splats *s, struct hsr_placed *p) {
 
 /* --- A splat of the batch ------------------------------------------------- */
 
-/* Members that only hsr_splats_stretch fills, and only for a blurred splat, are
- * left as they are: to write all zeros takes longer than all of the rest. */
+/* Copies splat k. Some members are of blurred splats alone, and
+ * hsr_splats_stretch fills them. They are not set to 0 here, since that would take
+ * longer than all of the rest. */
 static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
   p->cell = b->cell[k];
   for (int a = 0; a < 3; a++)

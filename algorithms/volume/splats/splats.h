@@ -148,8 +148,8 @@ struct hsr_splats {
   double *far[3], *term[3][4], *per_size[3];
   double most[4];        /* the greatest sum of the sizes of three terms */
   double largest[3];     /* cell of each axis */
-  double spread[3];      /* what coordinate c changes by if along each axis one
-                            goes by the largest cell: at most */
+  double spread[3];      /* the most that homogeneous coordinate c changes, on
+                            a way of the largest cell along each axis */
   double apart;          /* the greatest g^2 / (width t)^2; in parallel g^2 /
                             width^2 */
   uint32_t plain_energy; /* e of a splat that is not widened or blurred */
