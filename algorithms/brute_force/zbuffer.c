@@ -63,10 +63,7 @@ static const struct hsr_line outline[] = {
 enum { NO_GROUPS, CONES };
 static const struct hsr_word groupings[] = {
     {"none", "each face is looked at", 0},
-    {"cones",
-     "those that turn away or are outside are left out together, in ids of "
-     "scenes of triangles",
-     0},
+    {"cones", "those that cannot be seen are left out together", 0},
     {NULL, NULL, 0}};
 static const struct hsr_option options[] = {
     {"groups", "of triangles, made beforehand", groupings, 0, 1, NO_GROUPS},
