@@ -12,9 +12,10 @@
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *
- * usage: bounded_test [SCENE...]    instead of the usual ones, in all views;
- *        bounded_test shaders       these alone
- *        bounded_test stopped       the same */
+ * usage: bounded_test [MxN] [SCENE...]  instead of the usual ones, in all views,
+ *                                       in pictures of MxN (standard: 48x33)
+ *        bounded_test [MxN] shaders     these alone
+ *        bounded_test [MxN] stopped     the same */
 #include "algorithms/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -23,7 +24,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { M = 48, N = 33, VIEWS = 2, CHANNELS = 3 * M * N };
+enum { VIEWS = 2 };
+
+/* The pictures: pixels a row, rows, and channels in all; and what the last pass
+ * knew of them. */
+static int m = 48, n = 33, channels;
+static struct hsr_area_bounds *last;
 
 static const char *const scenes[] = {
     "house",          "lattice",      "penetration",   "coplanar",
@@ -52,7 +58,6 @@ enum { N_VARIANTS = sizeof variants / sizeof *variants };
 
 struct watch {
   const struct hsr_area_bounds *wanted;
-  struct hsr_area_bounds last[CHANNELS];
   int passes;
   long outside, wider; /* intervals, in all passes */
 };
@@ -64,11 +69,11 @@ static bool holds(struct hsr_area_bounds got, struct hsr_area_bounds wanted) {
 static void look(void *whom, const struct hsr_answer *answer, int pass) {
   struct watch *watch = whom;
   const struct hsr_area_bounds *got = hsr_answer_areas_of(answer);
-  for (int k = 0; k < CHANNELS; k++) {
+  for (int k = 0; k < channels; k++) {
     watch->outside += !holds(got[k], watch->wanted[k]);
-    watch->wider += pass > 0 && !(got[k].lo >= watch->last[k].lo &&
-                                  got[k].hi <= watch->last[k].hi);
-    watch->last[k] = got[k];
+    watch->wider +=
+        pass > 0 && !(got[k].lo >= last[k].lo && got[k].hi <= last[k].hi);
+    last[k] = got[k];
   }
   watch->passes++;
 }
@@ -108,17 +113,17 @@ static bool draw(const char *name, const struct hsr_world *world,
   if (status ||
       hsr_answer_make(answer, &variant.choice.form, view, false, &err))
     stop(name, &err);
-  int side = variant.choice.window ? (int)variant.choice.window : M;
-  for (int y = 0; y < N; y += side)
-    for (int x = 0; x < M; x += side) {
+  int side = variant.choice.window ? (int)variant.choice.window : m;
+  for (int y = 0; y < n; y += side)
+    for (int x = 0; x < m; x += side) {
       struct hsr_view part = *view;
-      part.window = hsr_window_make(x, y, x + side < M ? x + side : M,
-                                    y + side < N ? y + side : N);
+      part.window = hsr_window_make(x, y, x + side < m ? x + side : m,
+                                    y + side < n ? y + side : n);
       struct hsr_job job = {.view = &part,
                             .scratch = &scratch,
                             .tally = &tally,
                             .answer = answer,
-                            .passes = side == M ? passes : NULL};
+                            .passes = side == m ? passes : NULL};
       hsr_arena_reset(&scratch);
       if (hsr_setup_render(&setup, &job, &err))
         stop(name, &err);
@@ -176,7 +181,7 @@ static void check_variant(struct tap *tap, const char *scene, int number,
   }
   const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
   double eps = hsr_form_area(&got.form).eps;
-  for (int k = 0; k < CHANNELS; k++) {
+  for (int k = 0; k < channels; k++) {
     struct hsr_area_bounds w = watch.wanted[k];
     double middle = b[k].lo + (b[k].hi - b[k].lo) / 2;
     outside += !holds(b[k], w);
@@ -208,15 +213,15 @@ static void check_view(struct tap *tap, const char *scene,
  * to tile anything, nothing is known of most pixels. */
 static const struct {
   const char *scene, *variant;
-  long least_unknown; /* channels */
+  double least_unknown; /* share of the channels */
 } stopped[] = {
     {"house", "error-bounded:eps=0:exact=0:depth=3", 0},
     {"house", "error-bounded:eps=0:depth=0", 0},
     {"house", "error-bounded:eps=0:exact=0:seconds=.05", 0},
     {"house", "error-bounded:eps=0:depth=6", 0},
-    {"house", "error-bounded:eps=0:seconds=.000001", CHANNELS / 2},
-    {"house", "error-bounded:eps=0:seconds=.000001:filter=cubic", CHANNELS / 2},
-    {"house", "error-bounded:eps=0:seconds=.000001:order=strict", CHANNELS / 2},
+    {"house", "error-bounded:eps=0:seconds=.000001", .5},
+    {"house", "error-bounded:eps=0:seconds=.000001:filter=cubic", .5},
+    {"house", "error-bounded:eps=0:seconds=.000001:order=strict", .5},
     {"penetration", "error-bounded:eps=0:seconds=.000001:window=20", 0},
     {"non-planar", "error-bounded:eps=0:seconds=.000001:order=strict", 0},
     {"near-plane", "error-bounded:eps=0:seconds=.000001", 0},
@@ -231,7 +236,7 @@ static const struct {
 enum { N_STOPPED = sizeof stopped / sizeof *stopped };
 
 static void check_stopped(struct tap *tap, const char *scene,
-                          const char *variant, long least_unknown) {
+                          const char *variant, double least_unknown) {
   static struct watch watch;
   struct both_worlds worlds;
   struct hsr_view view;
@@ -241,20 +246,20 @@ static void check_stopped(struct tap *tap, const char *scene,
   snprintf(judge, sizeof judge, "area-oracle:filter=%s",
            hsr_area_filters[filter_of(variant)].name);
   open_worlds(&worlds, scene);
-  if (hsr_view_init_of(&view, worlds.scene, 0, M, N, NULL))
+  if (hsr_view_init_of(&view, worlds.scene, 0, m, n, NULL))
     exit(99);
   draw(judge, &worlds.world, &view, &wanted, NULL);
   watch = (struct watch){.wanted = hsr_answer_areas_of(&wanted)};
   draw(variant, &worlds.world, &view, &got, &(struct hsr_passes){look, &watch});
   const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
-  for (int k = 0; k < CHANNELS; k++) {
+  for (int k = 0; k < channels; k++) {
     outside += !holds(b[k], watch.wanted[k]);
     wide += b[k].hi > b[k].lo;
     unknown += b[k].lo < 0x1p-40 && b[k].hi > 1 - 0x1p-40;
   }
   ok(tap,
      !outside && !watch.outside && !watch.wider && wide &&
-         unknown >= least_unknown,
+         (double)unknown >= least_unknown * channels,
      "%s, %s: outside %ld + %ld; %ld intervals have a width, and %ld are "
      "unknown",
      scene, variant, watch.outside, outside, wide, unknown);
@@ -280,7 +285,6 @@ enum { N_SHADED = sizeof shaded / sizeof *shaded };
 
 struct shaded_watch {
   const struct hsr_area_bounds *wanted;
-  struct hsr_area_bounds last[CHANNELS];
   long apart, wider, certain;
 };
 
@@ -289,14 +293,14 @@ static void look_at_shaded(void *whom, const struct hsr_answer *answer,
   struct shaded_watch *watch = whom;
   const struct hsr_area_bounds *got = hsr_answer_areas_of(answer);
   watch->certain = 0;
-  for (int k = 0; k < CHANNELS; k++) {
+  for (int k = 0; k < channels; k++) {
     struct hsr_area_bounds w = watch->wanted[k];
     watch->apart += !(got[k].lo <= w.hi && got[k].hi >= w.lo);
     watch->certain +=
         got[k].lo - 0x1p-20 <= w.lo && got[k].hi + 0x1p-20 >= w.hi;
-    watch->wider += pass > 0 && !(got[k].lo >= watch->last[k].lo &&
-                                  got[k].hi <= watch->last[k].hi);
-    watch->last[k] = got[k];
+    watch->wider +=
+        pass > 0 && !(got[k].lo >= last[k].lo && got[k].hi <= last[k].hi);
+    last[k] = got[k];
   }
 }
 
@@ -319,20 +323,19 @@ static void check_shaded(struct tap *tap, const char *scene, const char *form) {
   open_worlds(&worlds, scene);
   snprintf(name, sizeof name, "error-bounded:%s", form);
   judge_form(form, judge, sizeof judge);
-  if (hsr_view_init_of(&view, worlds.scene, 0, M, N, NULL))
+  if (hsr_view_init_of(&view, worlds.scene, 0, m, n, NULL))
     exit(99);
   draw(judge, &worlds.world, &view, &wanted, NULL);
   watch = (struct shaded_watch){.wanted = hsr_answer_areas_of(&wanted)};
   draw(name, &worlds.world, &view, &got, &passes);
   const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
   double eps = hsr_form_area(&got.form).eps;
-  for (int k = 0; k < CHANNELS; k++)
+  for (int k = 0; k < channels; k++)
     wide += !(b[k].hi - b[k].lo <= eps);
   ok(tap, !(watch.apart || watch.wider || wide) && watch.certain > 0,
      "%s, %s: apart %ld, too wide %ld, wider than before %ld; %ld of %d hold "
-     "all "
-     "of the judge's bounds",
-     scene, form, watch.apart, wide, watch.wider, watch.certain, CHANNELS);
+     "all of the judge's bounds",
+     scene, form, watch.apart, wide, watch.wider, watch.certain, channels);
   hsr_answer_free(&wanted);
   hsr_answer_free(&got);
   close_worlds(&worlds);
@@ -345,11 +348,38 @@ static void check_scene(struct tap *tap, const char *scene, uint32_t first,
   open_worlds(&worlds, scene);
   for (uint32_t v = first; v < end && v < worlds.scene->n_views; v++) {
     struct hsr_view view;
-    if (hsr_view_init_of(&view, worlds.scene, v, M, N, NULL))
+    if (hsr_view_init_of(&view, worlds.scene, v, m, n, NULL))
       exit(99);
     check_view(tap, scene, &worlds, &view, (int)v);
   }
   close_worlds(&worlds);
+}
+
+/* Takes an argument MxN as the size of the pictures; false if it is none. */
+static bool take_size(const char *text) {
+  int width, height, length = 0;
+  if (sscanf(text, "%dx%d%n", &width, &height, &length) < 2 || text[length] ||
+      width < 1 || height < 1)
+    return false;
+  m = width;
+  n = height;
+  return true;
+}
+
+static void make_room(void) {
+  channels = 3 * m * n;
+  last = malloc((size_t)channels * sizeof *last);
+  if (!last) {
+    printf("Bail out! out of memory\n");
+    exit(99);
+  }
+}
+
+static void check_usual_scenes(struct tap *tap) {
+  for (int k = 0; k < N_SCENES; k++)
+    check_scene(tap, scenes[k], 0, VIEWS);
+  /* `near` cuts planes that the eye is almost in. */
+  check_scene(tap, "huge-and-tiny", 8, 9);
 }
 
 static void check_all_stopped(struct tap *tap) {
@@ -358,32 +388,32 @@ static void check_all_stopped(struct tap *tap) {
                   stopped[k].least_unknown);
 }
 
+static void check_all_shaded(struct tap *tap) {
+  for (int k = 0; k < N_SHADED; k++)
+    check_shaded(tap, shaded[k].scene, shaded[k].form);
+}
+
 int main(int argc, char **argv) {
   struct tap tap = {0};
-  if (argc == 2 && !strcmp(argv[1], "shaders")) {
-    tap = plan(N_SHADED);
-    for (int k = 0; k < N_SHADED; k++)
-      check_shaded(&tap, shaded[k].scene, shaded[k].form);
-    return finish(&tap);
-  }
-  if (argc == 2 && !strcmp(argv[1], "stopped")) {
-    tap = plan(N_STOPPED);
+  int first = argc > 1 && take_size(argv[1]) ? 2 : 1;
+  const char *only = first == argc - 1 ? argv[first] : "";
+  int planned = 0;
+  make_room();
+  if (first == argc) {
+    planned = (N_SCENES * VIEWS + 1) * N_VARIANTS + N_STOPPED + N_SHADED;
+    check_usual_scenes(&tap);
     check_all_stopped(&tap);
-    return finish(&tap);
-  }
-  if (argc > 1) {
-    for (int k = 1; k < argc; k++)
+    check_all_shaded(&tap);
+  } else if (!strcmp(only, "shaders")) {
+    check_all_shaded(&tap);
+  } else if (!strcmp(only, "stopped")) {
+    check_all_stopped(&tap);
+  } else {
+    for (int k = first; k < argc; k++)
       check_scene(&tap, argv[k], 0, UINT32_MAX);
-    printf("1..%d\n", tap.planned = tap.run);
-    return finish(&tap);
   }
-  tap = plan((N_SCENES * VIEWS + 1) * N_VARIANTS + N_STOPPED + N_SHADED);
-  for (int k = 0; k < N_SCENES; k++)
-    check_scene(&tap, scenes[k], 0, VIEWS);
-  /* `near` cuts planes that the eye is almost in. */
-  check_scene(&tap, "huge-and-tiny", 8, 9);
-  check_all_stopped(&tap);
-  for (int k = 0; k < N_SHADED; k++)
-    check_shaded(&tap, shaded[k].scene, shaded[k].form);
+  free(last);
+  tap.planned = planned ? planned : tap.run;
+  printf("1..%d\n", tap.planned);
   return finish(&tap);
 }
