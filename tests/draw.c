@@ -4,6 +4,7 @@
 #include "scenes/scenes.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,6 +82,76 @@ void draw_ids(const struct hsr_algorithm *algorithm,
                         .ids = ids,
                         .ids_stride = (size_t)view->m});
 }
+
+/* --- In windows, by several threads --------------------------------------- */
+
+enum { MOST_THREADS = 8 };
+
+/* Of the windows of a picture, every step-th from the first on. */
+struct share {
+  const struct hsr_setup *setup;
+  const struct hsr_view *view;
+  uint32_t *ids;
+  int side, first, step;
+  enum hsr_status status;
+  struct hsr_error err;
+};
+
+static int smaller(int a, int b) {
+  return a < b ? a : b;
+}
+
+static void *draw_share(void *context) {
+  struct share *s = context;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_view view = *s->view;
+  int columns = (view.m + s->side - 1) / s->side,
+      rows = (view.n + s->side - 1) / s->side;
+  for (int k = s->first; k < columns * rows && !s->status; k += s->step) {
+    int x = k % columns * s->side, y = k / columns * s->side;
+    view.window = (struct hsr_window){x, y, smaller(x + s->side, view.m),
+                                      smaller(y + s->side, view.n)};
+    struct hsr_job job = {.view = &view,
+                          .scratch = &scratch,
+                          .tally = &tally,
+                          .ids = s->ids,
+                          .ids_stride = (size_t)view.m};
+    hsr_arena_reset(&scratch);
+    s->status = hsr_setup_render(s->setup, &job, &s->err);
+  }
+  hsr_arena_free(&scratch);
+  return NULL;
+}
+
+void draw_in_windows(const struct hsr_setup *setup, const struct hsr_view *view,
+                     int side, int threads, uint32_t *ids) {
+  struct share share[MOST_THREADS];
+  pthread_t thread[MOST_THREADS];
+  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
+  for (int k = 0; k < threads; k++) {
+    share[k] = (struct share){.setup = setup,
+                              .view = view,
+                              .ids = ids,
+                              .side = side,
+                              .first = k,
+                              .step = threads,
+                              .err = {.text = "out of memory"}};
+    if (pthread_create(&thread[k], NULL, draw_share, &share[k])) {
+      printf("Bail out! no thread\n");
+      exit(99);
+    }
+  }
+  for (int k = 0; k < threads; k++) {
+    pthread_join(thread[k], NULL);
+    if (share[k].status) {
+      printf("Bail out! a window was not drawn: %s\n", share[k].err.text);
+      exit(99);
+    }
+  }
+}
+
+/* --- Lines and answers ---------------------------------------------------- */
 
 void draw_lines(const struct hsr_algorithm *algorithm,
                 const struct hsr_world *world, const struct hsr_view *view,

@@ -22,6 +22,12 @@ void draw_ids(const struct hsr_algorithm *algorithm,
               const struct hsr_world *world, const struct hsr_view *view,
               uint32_t *ids, struct hsr_tally *tally);
 
+/* Draws the picture of `view` into ids (m * n, set to UNWRITTEN first) by a set-up
+ * that exists, in square windows of so many samples a side. Of n threads, at most
+ * 8, each takes every n-th window. Ends the test program on failure. */
+void draw_in_windows(const struct hsr_setup *setup, const struct hsr_view *view,
+                     int side, int threads, uint32_t *ids);
+
 /* Draws lines into *drawing, and adds its counts to *tally unless NULL. Aborts
  * the test program on failure. */
 void draw_lines(const struct hsr_algorithm *algorithm,

@@ -20,7 +20,6 @@
 #include "tests/tap.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -252,60 +251,6 @@ static void test_eyes(struct tap *tap, const char *name, int eyes) {
 }
 
 /* --- Pictures ------------------------------------------------------------- */
-
-/* The windows of a picture; one of two threads takes every second. */
-struct share {
-  const struct hsr_setup *setup;
-  const struct hsr_view *view;
-  uint32_t *ids;
-  int size, first, step;
-  bool good;
-};
-
-static void *draw_share(void *context) {
-  struct share *s = context;
-  struct hsr_arena scratch = HSR_ARENA_EMPTY;
-  struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_view view = *s->view;
-  struct hsr_error err;
-  int columns = (view.m + s->size - 1) / s->size,
-      rows = (view.n + s->size - 1) / s->size;
-  s->good = true;
-  for (int k = s->first; k < columns * rows; k += s->step) {
-    int x = k % columns * s->size, y = k / columns * s->size;
-    view.window =
-        (struct hsr_window){x, y, x + s->size < view.m ? x + s->size : view.m,
-                            y + s->size < view.n ? y + s->size : view.n};
-    struct hsr_job job = {.view = &view,
-                          .scratch = &scratch,
-                          .tally = &tally,
-                          .ids = s->ids,
-                          .ids_stride = (size_t)view.m};
-    hsr_arena_reset(&scratch);
-    s->good = s->good && !hsr_setup_render(s->setup, &job, &err);
-  }
-  hsr_arena_free(&scratch);
-  return NULL;
-}
-
-/* In windows of so many samples a side, by one thread or two. */
-static void draw_in_windows(const struct hsr_setup *setup,
-                            const struct hsr_view *view, int size, int threads,
-                            uint32_t *ids) {
-  struct share share[2];
-  pthread_t thread[2];
-  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
-  for (int k = 0; k < threads; k++) {
-    share[k] = (struct share){setup, view, ids, size, k, threads, false};
-    if (pthread_create(&thread[k], NULL, draw_share, &share[k]))
-      stop("windows", "no thread");
-  }
-  for (int k = 0; k < threads; k++) {
-    pthread_join(thread[k], NULL);
-    if (!share[k].good)
-      stop("windows", "a window was not drawn");
-  }
-}
 
 /* A picture of so many samples, by both: the samples that differ. */
 static long compare_pictures(const struct mesh *m,
