@@ -389,6 +389,8 @@ EXTRA_DIST += \
   %D%/instructions/run \
   %D%/valgrind/run \
   %D%/valgrind/libraries.supp \
+  %D%/threads/run \
+  %D%/threads/library.supp \
   %D%/fuzz/fuzz_cameras.cc \
   %D%/fuzz/fuzz_mesh.cc \
   %D%/fuzz/fuzz_mtl.cc \
