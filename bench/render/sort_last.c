@@ -54,7 +54,7 @@ static enum hsr_status draw_open_part(struct sorting *s,
   struct render *r = s->render;
   double begin = seconds_now();
   enum hsr_status status =
-      hsr_setup_world(&r->world, s->algorithm, r->scene, err);
+      hsr_setup_world(&r->world, s->algorithm, &s->choice, r->scene, err);
   r->build += seconds_now() - begin;
   if (!status)
     status =
