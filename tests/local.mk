@@ -105,6 +105,7 @@ tap_programs = \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/scan_line_test \
   %D%/properties/surfaces/schumacker_test \
+  %D%/properties/surfaces/stream_test \
   %D%/properties/volume/cells_test \
   %D%/properties/volume/orders_test \
   %D%/properties/volume/splat_claims_test \
@@ -353,6 +354,7 @@ EXTRA_DIST += \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
   %D%/mutants/scale.mutants \
+  %D%/mutants/stream.mutants \
   %D%/mutants/areas.mutants \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
