@@ -12,6 +12,7 @@ tap_programs = \
   %D%/unit/core/bsp_test \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/files/drawing_test \
+  %D%/unit/files/binary_mesh_test \
   %D%/unit/files/exchange_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
@@ -249,6 +250,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h
 %C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
 %C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
+%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc

@@ -94,7 +94,8 @@ enum hsr_status hsr_stream_begin(struct hsr_stream *stream,
       hsr_pair_init(&stream->pair, job->world, job->view, arena))
     return HSR_E_NOMEM;
   stream->world.mesh.one_sided = stream->one_sided;
-  tiler->screen = (struct hsr_screen){&stream->world, job->view};
+  tiler->screen =
+      (struct hsr_screen){.world = &stream->world, .view = job->view};
   tiler->alone = &stream->alone;
   tiler->pair = &stream->pair;
   if (job->view->parallel)
