@@ -52,8 +52,13 @@ enum {
   HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE: what it has prepared goes on in
                            another frame of a scene that is laid out. It holds
                            numbers of faces, and nothing of where they are */
-  HSR_RATHER_LAID_OUT = 1 << 7 /* with HSR_INSTANCED: takes an outline only if
+  HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes an outline only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
+  HSR_LAID_OUT_UNLESS_LARGE = 1 << 10, /* with HSR_INSTANCED: goes through all
+                      faces. Takes an outline, of at most HSR_MOST_LAID_OUT
+                      faces, to save memory, and for its own kind of answer */
+  HSR_NEEDS_LAID_OUT =
+      1 << 11 /* of what is chosen: takes no outline after all */
 };
 
 struct hsr_octree; /* common/trees/octree.h */
@@ -206,18 +211,21 @@ struct hsr_algorithm {
   const struct hsr_octree *(*octree)(const void *prepared);
 };
 
-/* How many faces a scene may have to be laid out for an algorithm. */
-#define HSR_RATHER_MOST (1u << 22)
-static inline uint32_t hsr_most_laid_out(const struct hsr_algorithm *a) {
-  return !(a->flags & HSR_INSTANCED)      ? HSR_MOST_LAID_OUT
-         : a->flags & HSR_RATHER_LAID_OUT ? HSR_RATHER_MOST
-                                          : 0;
-}
-
 /* The standard choice; and the flags of an algorithm so chosen. */
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
+
+/* Whether an algorithm, so chosen, takes an outline. */
+bool hsr_choice_takes_outline(const struct hsr_algorithm *algorithm,
+                              const struct hsr_choice *choice);
+
+/* How many faces a scene may have to be laid out for an algorithm. `choice` is
+ * NULL for the standard one. */
+#define HSR_RATHER_MOST (1u << 22)
+#define HSR_LARGE (1u << 20)
+uint32_t hsr_most_laid_out(const struct hsr_algorithm *algorithm,
+                           const struct hsr_choice *choice);
 
 /* Whether an algorithm can be asked for answers of a kind: it makes them, or
  * they are folded from what it makes. */

@@ -46,11 +46,13 @@ static bool takes(const struct hsr_algorithm *algorithm,
 
 enum hsr_status hsr_setup_world(struct hsr_world *world,
                                 const struct hsr_algorithm *algorithm,
+                                const struct hsr_choice *choice,
                                 struct hsr_scene *scene,
                                 struct hsr_error *err) {
   return scene->grid && takes(algorithm, HSR_GRID)
              ? hsr_world_outline(world, scene, err)
-             : hsr_world_open(world, scene, hsr_most_laid_out(algorithm), err);
+             : hsr_world_open(world, scene,
+                              hsr_most_laid_out(algorithm, choice), err);
 }
 
 /* Whether the scene is of what the algorithm takes. A grid has faces, too. */
@@ -67,6 +69,15 @@ static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
                   hsr_scene_subject_name[subject], algorithm->name);
 }
 
+static bool takes_it(const struct hsr_setup *setup,
+                     const struct hsr_world *world) {
+  if (!hsr_is_outline(world))
+    return true;
+  return hsr_choice_takes_outline(setup->algorithm, &setup->choice) &&
+         (!(setup->flags & HSR_LAID_OUT_UNLESS_LARGE) ||
+          world->n_faces <= HSR_MOST_LAID_OUT);
+}
+
 /* Makes the world that the algorithm gets. */
 static enum hsr_status adapt(struct hsr_setup *setup,
                              const struct hsr_world *world,
@@ -76,7 +87,7 @@ static enum hsr_status adapt(struct hsr_setup *setup,
   enum hsr_status status = check_subject(algorithm, world, err);
   if (status)
     return status;
-  if (hsr_is_outline(world) && !(algorithm->flags & HSR_INSTANCED))
+  if (!takes_it(setup, world))
     return too_many_faces(world, err);
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
     if (!hsr_is_outline(world) &&

@@ -38,9 +38,11 @@ struct hsr_setup {
 };
 
 /* Opens the world of a scene as this algorithm takes it best: laid out, or an
- * outline, which of a grid that it takes has no faces. As hsr_world_open. */
+ * outline, which of a grid that it takes has no faces. `choice` is NULL for the
+ * standard one. As hsr_world_open. */
 enum hsr_status hsr_setup_world(struct hsr_world *world,
                                 const struct hsr_algorithm *algorithm,
+                                const struct hsr_choice *choice,
                                 struct hsr_scene *scene, struct hsr_error *err);
 
 /* `choice` is NULL for the standard one. `world` is borrowed and outlives the

@@ -25,6 +25,24 @@ bool hsr_makes_also(const struct hsr_algorithm *a,
   return false;
 }
 
+bool hsr_choice_takes_outline(const struct hsr_algorithm *a,
+                              const struct hsr_choice *choice) {
+  unsigned flags = hsr_choice_flags(a, choice);
+  bool own_only = flags & HSR_LAID_OUT_UNLESS_LARGE;
+  return flags & HSR_INSTANCED && !(flags & HSR_NEEDS_LAID_OUT) &&
+         !(own_only && hsr_makes_also(a, choice->form.type));
+}
+
+uint32_t hsr_most_laid_out(const struct hsr_algorithm *a,
+                           const struct hsr_choice *choice) {
+  struct hsr_choice standard = hsr_choice_standard(a);
+  return !hsr_choice_takes_outline(a, choice ? choice : &standard)
+             ? HSR_MOST_LAID_OUT
+         : a->flags & HSR_RATHER_LAID_OUT       ? HSR_RATHER_MOST
+         : a->flags & HSR_LAID_OUT_UNLESS_LARGE ? HSR_LARGE
+                                                : 0;
+}
+
 bool hsr_can_draw(const struct hsr_algorithm *a,
                   const struct hsr_answer_type *type) {
   return hsr_makes_also(a, type) || hsr_is_asked_of(type, a->kind);

@@ -88,6 +88,8 @@ libbench_a_SOURCES = \
   %D%/shapes/partition.c \
   %D%/shapes/shapes.h \
   %D%/shapes/views.c \
+  %D%/check/candidates.c \
+  %D%/check/candidates.h \
   %D%/check/check.h \
   %D%/check/command.c \
   %D%/check/json.c \

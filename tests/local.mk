@@ -12,6 +12,7 @@ tap_programs = \
   %D%/unit/core/bsp_test \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/files/drawing_test \
+  %D%/unit/files/binary_mesh_test \
   %D%/unit/files/exchange_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
@@ -105,6 +106,7 @@ tap_programs = \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/scan_line_test \
   %D%/properties/surfaces/schumacker_test \
+  %D%/properties/surfaces/stream_test \
   %D%/properties/volume/cells_test \
   %D%/properties/volume/orders_test \
   %D%/properties/volume/splat_claims_test \
@@ -248,6 +250,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h
 %C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
 %C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
+%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
@@ -353,6 +356,7 @@ EXTRA_DIST += \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
   %D%/mutants/scale.mutants \
+  %D%/mutants/stream.mutants \
   %D%/mutants/areas.mutants \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
@@ -389,6 +393,8 @@ EXTRA_DIST += \
   %D%/instructions/run \
   %D%/valgrind/run \
   %D%/valgrind/libraries.supp \
+  %D%/threads/run \
+  %D%/threads/library.supp \
   %D%/fuzz/fuzz_cameras.cc \
   %D%/fuzz/fuzz_mesh.cc \
   %D%/fuzz/fuzz_mtl.cc \

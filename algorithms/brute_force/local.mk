@@ -9,6 +9,8 @@ algorithm_files += \
   %D%/peel.c \
   %D%/peel.h \
   %D%/raycast.c \
+  %D%/stream.c \
+  %D%/stream.h \
   %D%/tiler.c \
   %D%/tiler.h \
   %D%/tiler_avx2.h \

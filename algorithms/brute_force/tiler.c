@@ -93,7 +93,7 @@ struct hsr_twin {
 
 /* What face f of the world at hand is called. */
 static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
-  return t->id ? t->first_id + t->id[f] : f;
+  return t->first_id + (t->id ? t->id[f] : f);
 }
 
 /* Makes sure that the screen's vertices are transformed. */
@@ -111,11 +111,19 @@ static void need_corners(struct hsr_tiler *t, uint32_t f) {
     hsr_screen_corners(&t->screen, f);
 }
 
-static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
-  need_corners(t, f);
-  t->screen.whole[f] = true;
-  bool covered = hsr_covers(&t->screen, f, i, j, t->tally);
-  HSR_STEP(t->tally, HSR_UNSURE_COVER, HSR_FACE(called(t, f)), HSR_THE_WINDOW,
+/* Does face f, called id, cover sample (i, j)? By exact means. */
+static bool covers(struct hsr_tiler *t, uint32_t f, uint32_t id, int i, int j) {
+  struct hsr_screen *screen = &t->screen;
+  if (t->alone) {
+    hsr_alone_take(t->alone, id);
+    screen = &t->alone->screen;
+    f = 0;
+  } else {
+    need_corners(t, f);
+  }
+  screen->whole[f] = true;
+  bool covered = hsr_covers(screen, f, i, j, t->tally);
+  HSR_STEP(t->tally, HSR_UNSURE_COVER, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_AT(i, j), covered);
   return covered;
 }
@@ -167,7 +175,7 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
     *held = id;
   }
 #else
-  if (!sure && !covers(t, f, i, j))
+  if (!sure && !covers(t, f, id, i, j))
     return;
   HSR_TOUCH(t->tally, i, j);
   bool clear = q > *z * HSR_CLEAR || q * HSR_CLEAR < *z;
@@ -555,7 +563,7 @@ static inline struct at look_at(const struct hsr_triangle *tri, int i, int j) {
 bool hsr_tiler_shows(struct hsr_tiler *t, const struct hsr_triangle *tri, int i,
                      int j) {
   struct at at = look_at(tri, i, j);
-  if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+  if (!at.maybe || !(at.sure || covers(t, tri->face, tri->id, i, j)))
     return false;
   size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
   float z = t->z[y * t->z_stride + x];
@@ -570,7 +578,7 @@ void hsr_tiler_tile_before(struct hsr_tiler *t,
   for (int j = box.y0; j < box.y1; j++)
     for (int i = box.x0; i < box.x1; i++) {
       struct at at = look_at(tri, i, j);
-      if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+      if (!at.maybe || !(at.sure || covers(t, tri->face, tri->id, i, j)))
         continue;
       size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
       uint32_t *held = &t->ids[y * t->ids_stride + x];

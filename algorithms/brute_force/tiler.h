@@ -24,6 +24,7 @@
 #define HSR_ALGORITHMS_TILER_H
 
 #include "algorithms/glass.h"
+#include "common/exact/alone.h"
 #include "common/exact/pair.h"
 
 #ifdef __cplusplus
@@ -181,8 +182,8 @@ struct hsr_tiler {
   /* Not NULL: the triangles that are looked at. `corner` has their vertices,
    * and the screen's own are only transformed for a face that is asked about. */
   const struct hsr_triangle_list *list;
-  /* What the world's faces are called: face f is first_id + id[f], or f if id
-   * is NULL. */
+  /* What the world's faces are called: face f is first_id + id[f], or first_id
+   * + f if id is NULL. */
   const uint32_t *id;
   uint32_t first_id;
   /* If the screen's world is not the scene's, but a few faces that are laid out
@@ -194,6 +195,10 @@ struct hsr_tiler {
   void (*lay_out)(void *context);
   void *context;
   struct hsr_pair *pair;
+  /* If the screen has no arrays, since its world has but the corner numbers and
+   * sides of some faces: what lays out a face that is asked about. Otherwise
+   * NULL. */
+  struct hsr_alone *alone;
   /* If the picture is transparent, and the opaque faces are tiled: their
    * colours. Otherwise NULL. */
   struct hsr_glass *glass;

@@ -18,10 +18,14 @@
  *
  * A large picture is cut into parts, which are tiled one after the other in one
  * small memory of depths and ids. The triangles are set up once and sorted into
- * the parts. */
+ * the parts.
+ *
+ * A scene of very many faces comes as an outline, to save memory. Its instances
+ * are tiled one after the other (stream.h), in one part. */
 #include "algorithms/brute_force/groups.h"
 #include "algorithms/brute_force/light_view.h"
 #include "algorithms/brute_force/peel.h"
+#include "algorithms/brute_force/stream.h"
 
 #include <stdlib.h>
 
@@ -63,7 +67,8 @@ static const struct hsr_line outline[] = {
 enum { NO_GROUPS, CONES };
 static const struct hsr_word groupings[] = {
     {"none", "each face is looked at", 0},
-    {"cones", "those that cannot be seen are left out together", 0},
+    {"cones", "those that cannot be seen are left out together",
+     HSR_NEEDS_LAID_OUT},
     {NULL, NULL, 0}};
 static const struct hsr_option options[] = {
     {"groups", "of triangles, made beforehand", groupings, 0, 1, NO_GROUPS},
@@ -91,6 +96,7 @@ struct frame {
   bool fast;               /* triangles only, and samples on the grid */
   const struct hsr_groups *groups; /* NULL: all faces are looked at */
   int *verdict;                    /* a group */
+  struct hsr_stream *stream; /* of an outline; NULL: the world is laid out */
   int parts_across, parts_down;
   struct hsr_triangle
       *kept; /* set up, for all parts; NULL if there is but one */
@@ -206,7 +212,7 @@ static enum hsr_status make_memory(struct frame *t) {
     tiler->ids = HSR_NEW(arena, uint32_t, width * height);
     return tiler->z && tiler->ids ? HSR_OK : HSR_E_NOMEM;
   }
-  if (!t->fast || width * height <= ONE_PART) {
+  if (!t->fast || t->stream || width * height <= ONE_PART) {
     tiler->z_stride = width;
     tiler->z = HSR_NEW(arena, float, width *height);
     tiler->ids_stride = job->ids_stride;
@@ -292,12 +298,25 @@ static void find_range(struct hsr_tiler *tiler, const struct hsr_mesh *mesh) {
 
 /* --- The algorithm -------------------------------------------------------- */
 
+static enum hsr_status begin_outline(struct frame *t) {
+  const struct hsr_job *job = t->job;
+  hsr_tiler_begin(&t->tiler, job);
+  t->fast = t->tiler.on_grid && job->world->outline.all_triangles;
+  t->stream = HSR_NEW(job->scratch, struct hsr_stream, 1);
+  return t->stream && !make_memory(t) &&
+                 !hsr_stream_begin(t->stream, job, &t->tiler)
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
 static enum hsr_status begin_frame(struct frame *t) {
   const struct hsr_job *job = t->job;
   const struct hsr_world *world = job->world;
   struct hsr_tiler *tiler = &t->tiler;
   struct hsr_arena *arena = job->scratch;
   size_t largest = 3;
+  if (hsr_is_outline(world))
+    return begin_outline(t);
   if (!world->outline.all_triangles)
     for (uint32_t f = 0; f < world->n_faces; f++)
       if (largest < hsr_face_size(world, f))
@@ -322,16 +341,18 @@ static enum hsr_status begin_frame(struct frame *t) {
   return HSR_OK;
 }
 
-static void tile_face_generally(struct hsr_tiler *tiler, uint32_t f) {
-  if (hsr_tiler_place(tiler, f))
-    hsr_tiler_tile_generally(tiler, f);
+static void tile_face_generally(struct frame *t, uint32_t f) {
+  if (t->stream)
+    hsr_stream_tile_generally(t->stream, &t->tiler, f);
+  else if (hsr_tiler_place(&t->tiler, f))
+    hsr_tiler_tile_generally(&t->tiler, f);
 }
 
-static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
-  hsr_tiler_tile_batch(tiler, b);
+static void tile_batch(struct frame *t, const struct hsr_batch *b) {
+  hsr_tiler_tile_batch(&t->tiler, b);
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
-      tile_face_generally(tiler, hsr_tiler_face(tiler, b, k));
+      tile_face_generally(t, hsr_tiler_face(&t->tiler, b, k));
 }
 
 /* Drops the transparent faces of a batch. */
@@ -357,7 +378,7 @@ static void tile_from(struct frame *t, uint32_t first, uint32_t end) {
     if (t->kept)
       keep_batch(t, &batch);
     else
-      tile_batch(&t->tiler, &batch);
+      tile_batch(t, &batch);
   }
 }
 
@@ -380,14 +401,29 @@ static enum hsr_status tile_triangles(struct frame *t) {
   return t->kept ? tile_parts(t) : HSR_OK;
 }
 
+/* Instance after instance. */
+static void tile_outline(struct frame *t) {
+  for (uint32_t i = 0; i < t->job->world->outline.scene->n_instances; i++) {
+    uint32_t n = hsr_stream_instance(t->stream, &t->tiler, i, t->fast);
+    if (t->fast)
+      tile_from(t, 0, n);
+    for (uint32_t f = 0; f < n && !t->fast; f++)
+      tile_face_generally(t, f);
+  }
+}
+
 static enum hsr_status tile(struct frame *t) {
   if (!t->kept)
     hsr_tiler_begin_part(&t->tiler, t->tiler.window);
+  if (t->stream) {
+    tile_outline(t);
+    return HSR_OK;
+  }
   if (t->fast)
     return tile_triangles(t);
   for (uint32_t f = 0; f < t->job->world->n_faces; f++)
     if (!t->glass || !hsr_is_glass(t->glass, f))
-      tile_face_generally(&t->tiler, f);
+      tile_face_generally(t, f);
   return HSR_OK;
 }
 
@@ -449,6 +485,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "Z(XY)",
     .subjects = 1 << HSR_FACES,
+    .flags = HSR_INSTANCED | HSR_LAID_OUT_UNLESS_LARGE,
     .kind = HSR_IDS,
     .also = {HSR_TRANSPARENT, HSR_SHADOWED},
     .counters = counters,

@@ -263,8 +263,8 @@ static const struct argp argp = {
          "folder",
          0},
         {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
-         "judge what algorithms that draw faces make of a scene in so many "
-         "parts, as hsr render --sort-last does",
+         "judge what algorithms that draw faces, or filtered pixels of them, "
+         "make of a scene in so many parts, as hsr render --sort-last does",
          0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
@@ -288,7 +288,9 @@ static const struct argp argp = {
 
 /* Whether it can be judged in the way that was asked for. */
 static bool is_fit(const struct check_options *o, const struct hsr_variant *v) {
-  return !o->sort_last || v->choice.form.type == HSR_IDS;
+  const struct hsr_answer_type *made = v->listed->plain->kind;
+  return !o->sort_last ||
+         (made == HSR_IDS && hsr_is_asked_of(v->choice.form.type, made));
 }
 
 static enum hsr_status check_fit(const struct check_options *o,

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr check --sort-last: judges the pictures that are put together from those of
- * a scene's parts.
- *
- * The oracle answers for each part at the places that are compared. Rank 0 gets
- * the faces that it saw there, and asks it again of these alone: the face that
- * is seen of a scene is seen of its part too, so it is among them. Nothing here
- * says which of two faces is nearer. */
+ * a scene's parts, and what is folded from such pictures. What is right is found
+ * by bench/check/candidates.h; nothing here says which of two faces is nearer. */
+#include "bench/check/candidates.h"
 #include "bench/check/check.h"
 #include "bench/run/composite.h"
 #include "bench/run/ranks.h"
@@ -16,13 +13,18 @@
 
 enum { BUILDS = 2 }; /* of an algorithm: the timed one, the counting one */
 
-/* A picture that is judged: of a size and view. */
+/* What a build of an algorithm has drawn of a view: the picture of ids, or those
+ * that are folded. */
+struct drawn {
+  struct composite *composite;
+  long n;
+};
+
+/* A view that is judged, in one size. */
 struct judged {
   const struct hsr_view *view;
-  uint32_t *place; /* to be compared; NULL: all */
-  size_t n_places;
-  struct loose_faces candidates;
-  struct composite *composite; /* an algorithm and build */
+  struct loose_faces candidates; /* of all forms */
+  struct drawn *drawn;           /* an algorithm and build */
 };
 
 struct sorting {
@@ -39,78 +41,88 @@ static int n_judged(const struct sorting *s) {
   return s->run->options->n_sizes * s->run->options->n_views;
 }
 
-/* --- What the oracle sees ------------------------------------------------- */
-
-/* Draws all of a view, or some places of it, one by one. */
-static enum hsr_status ask(const struct hsr_world *world,
-                           const struct judged *j, struct hsr_answer *answer,
-                           struct hsr_error *err) {
-  struct hsr_setup oracle;
-  struct hsr_tally tally = {.out_of_memory = false};
-  struct crew *crew = crew_new(1);
-  struct hsr_view view = *j->view;
-  enum hsr_status status =
-      hsr_setup_init(&oracle, oracle_of(HSR_IDS), NULL, world, err);
-  if (!status && !crew)
-    status = hsr_fail_nomem(err);
-  for (size_t k = 0; k < (j->place ? j->n_places : 1) && !status; k++) {
-    if (j->place) {
-      int x = (int)(j->place[k] % (uint32_t)view.m);
-      int y = (int)(j->place[k] / (uint32_t)view.m);
-      view.window = (struct hsr_window){x, y, x + 1, y + 1};
-    }
-    status = crew_render(crew, &oracle, &view, answer, &tally, err);
-  }
-  crew_free(crew);
-  hsr_setup_free(&oracle);
-  return status;
+static const struct hsr_form *form_of(const struct sorting *s, int algorithm) {
+  return &s->run->options->algorithm[algorithm].choice.form;
 }
 
-/* Adds the faces of this part that may be seen. */
-static enum hsr_status add_candidates(struct sorting *s, struct judged *j,
-                                      struct hsr_error *err) {
-  struct hsr_answer answer;
-  struct hsr_form form = hsr_form_standard(HSR_IDS);
-  struct loose_faces more = {.n = 0}, all = {.n = 0};
-  enum hsr_status status = hsr_answer_make(&answer, &form, j->view, false, err);
-  if (!status)
-    status = ask(&s->world, j, &answer, err);
-  if (!status && (loose_faces_seen(&more, &s->world, s->part.first,
-                                   hsr_answer_ids_of(&answer),
-                                   (size_t)j->view->m * (size_t)j->view->n) ||
-                  loose_faces_unite(&all, &j->candidates, &more)))
-    status = hsr_fail_nomem(err);
-  hsr_answer_free(&answer);
-  loose_faces_free(&more);
-  if (status)
-    return status;
-  loose_faces_free(&j->candidates);
-  j->candidates = all;
-  return HSR_OK;
+/* Whether no algorithm before this one has its form. */
+static bool is_first(const struct sorting *s, int algorithm) {
+  for (int a = 0; a < algorithm; a++)
+    if (hsr_same_form(form_of(s, a), form_of(s, algorithm)))
+      return false;
+  return true;
+}
+
+/* Whether an algorithm draws this form, and does not refuse the scene. */
+static bool is_drawn(const struct sorting *s, const struct hsr_form *form) {
+  for (int a = 0; a < s->run->options->n_algorithms; a++)
+    if (hsr_same_form(form_of(s, a), form) && !s->refused[a])
+      return true;
+  return false;
+}
+
+/* What the oracle is asked about picture k, in the form of an algorithm. */
+static struct group question(const struct sorting *s, int k, int algorithm,
+                             const struct hsr_world *world) {
+  const struct check_options *o = s->run->options;
+  struct hsr_world all = {.n_faces = s->part.all};
+  const struct hsr_form *form = form_of(s, algorithm);
+  return (struct group){.form = *form,
+                        .samples = samples_to_compare(&all, form, o->samples),
+                        .world = world,
+                        .view = s->judged[k].view,
+                        .number = &o->view[k % o->n_views],
+                        .n_views = 1};
 }
 
 /* --- What algorithms draw ------------------------------------------------- */
 
-static struct composite *composite_of(const struct judged *j, int algorithm,
-                                      int build) {
-  return &j->composite[algorithm * BUILDS + build];
+static struct drawn *drawn_of(const struct judged *j, int algorithm,
+                              int build) {
+  return &j->drawn[algorithm * BUILDS + build];
 }
 
-static enum hsr_status draw_view(struct sorting *s,
-                                 const struct hsr_setup *setup,
-                                 struct judged *j, struct composite *composite,
-                                 struct hsr_error *err) {
+/* The view of the k-th picture that is drawn for an answer. */
+static enum hsr_status picture_view(const struct hsr_form *form,
+                                    const struct hsr_view *view, long k,
+                                    struct hsr_view *picture,
+                                    struct hsr_error *err) {
+  const struct hsr_fold *fold = form->type->fold;
+  *picture = *view;
+  return fold ? fold->view(form, view, k, picture, err) : HSR_OK;
+}
+
+static enum hsr_status draw_picture(struct sorting *s,
+                                    const struct hsr_setup *setup,
+                                    const struct hsr_view *view,
+                                    struct composite *composite,
+                                    struct hsr_error *err) {
   struct hsr_answer answer;
   struct hsr_tally tally = {.out_of_memory = false};
-  enum hsr_status status = answer_init(&answer, setup, j->view, err);
+  enum hsr_status status = answer_init(&answer, setup, view, err);
   if (!status)
-    status = render_view(setup, j->view, 1, &answer, &tally, NULL, err);
+    status = render_view(setup, view, 1, &answer, &tally, NULL, err);
   if (!status && !composite->ids)
-    status = composite_init(composite, j->view, err);
+    status = composite_init(composite, view, err);
   if (!status)
     status = composite_add(composite, &s->world, s->part.first,
                            hsr_answer_ids_of(&answer), err);
   hsr_answer_free(&answer);
+  return status;
+}
+
+static enum hsr_status draw_view(struct sorting *s,
+                                 const struct hsr_setup *setup,
+                                 const struct hsr_form *form,
+                                 const struct judged *j, struct drawn *drawn,
+                                 struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < drawn->n && !status; k++) {
+    struct hsr_view view;
+    status = picture_view(form, j->view, k, &view, err);
+    if (!status)
+      status = draw_picture(s, setup, &view, &drawn->composite[k], err);
+  }
   return status;
 }
 
@@ -120,12 +132,15 @@ static enum hsr_status draw_size(struct sorting *s, int algorithm, int build,
   const struct check_options *o = s->run->options;
   const struct hsr_variant *v = &o->algorithm[algorithm];
   struct hsr_setup setup;
+  struct hsr_choice of_ids = v->choice;
+  of_ids.form = hsr_form_standard(HSR_IDS);
   enum hsr_status status =
       hsr_setup_init(&setup, build ? v->listed->counting : v->listed->plain,
-                     &v->choice, &s->world, err);
+                     &of_ids, &s->world, err);
   for (int k = 0; k < o->n_views && !status; k++) {
-    struct judged *j = &s->judged[size * o->n_views + k];
-    status = draw_view(s, &setup, j, composite_of(j, algorithm, build), err);
+    const struct judged *j = &s->judged[size * o->n_views + k];
+    status = draw_view(s, &setup, &v->choice.form, j,
+                       drawn_of(j, algorithm, build), err);
   }
   hsr_setup_free(&setup);
   return status;
@@ -148,21 +163,24 @@ static enum hsr_status draw_algorithm(struct sorting *s, int algorithm,
 
 /* --- A part --------------------------------------------------------------- */
 
+static enum hsr_status begin_drawn(const struct hsr_form *form,
+                                   struct drawn *drawn) {
+  const struct hsr_fold *fold = form->type->fold;
+  drawn->n = fold ? fold->n(form) : 1;
+  drawn->composite = calloc((size_t)drawn->n, sizeof *drawn->composite);
+  return drawn->composite ? HSR_OK : HSR_E_NOMEM;
+}
+
 static enum hsr_status begin_view(struct sorting *s, int k,
                                   struct hsr_error *err) {
-  const struct check_options *o = s->run->options;
   struct judged *j = &s->judged[k];
-  struct hsr_world all = {.n_faces = s->part.all};
-  struct hsr_form form = hsr_form_standard(HSR_IDS);
+  int n = BUILDS * s->run->options->n_algorithms;
   j->view = &s->run->view[k];
-  j->composite =
-      calloc((size_t)(BUILDS * o->n_algorithms), sizeof *j->composite);
-  long wanted = samples_to_compare(&all, &form, o->samples);
-  return j->composite &&
-                 !choose_places(o->view[k % o->n_views], j->view->m, j->view->n,
-                                (size_t)wanted, &j->place, &j->n_places)
-             ? HSR_OK
-             : hsr_fail_nomem(err);
+  j->drawn = calloc((size_t)n, sizeof *j->drawn);
+  enum hsr_status status = j->drawn ? HSR_OK : HSR_E_NOMEM;
+  for (int a = 0; a < n && !status; a++)
+    status = begin_drawn(form_of(s, a / BUILDS), &j->drawn[a]);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 /* With the first part it is known what there is to judge. */
@@ -175,16 +193,28 @@ static enum hsr_status begin(struct sorting *s, struct hsr_error *err) {
   return status;
 }
 
+/* The faces of this part that may be seen in a form that is judged. */
+static enum hsr_status add_candidates(struct sorting *s, int algorithm,
+                                      struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < n_judged(s) && !status; k++) {
+    struct group of = question(s, k, algorithm, &s->world);
+    status = candidates_add(&s->judged[k].candidates, &of, s->part.first, err);
+  }
+  return status;
+}
+
 static enum hsr_status judge_open_part(struct sorting *s,
                                        struct hsr_error *err) {
   const struct check_options *o = s->run->options;
   enum hsr_status status =
       hsr_world_open(&s->world, s->scene, most_laid_out(o), err);
-  for (int k = 0; k < n_judged(s) && !status; k++)
-    status = add_candidates(s, &s->judged[k], err);
   for (int a = 0; a < o->n_algorithms && !status; a++)
     if (!s->refused[a])
       status = draw_algorithm(s, a, err);
+  for (int a = 0; a < o->n_algorithms && !status; a++)
+    if (is_first(s, a) && is_drawn(s, form_of(s, a)))
+      status = add_candidates(s, a, err);
   hsr_world_free(&s->world);
   return status;
 }
@@ -223,49 +253,63 @@ static enum hsr_status take_parts(struct sorting *s, struct hsr_error *err) {
 
 /* --- The verdict ---------------------------------------------------------- */
 
-/* The oracle's picture, of the faces that may be seen; by the scene's ids. */
-static enum hsr_status ask_of_candidates(struct scene_run *run,
-                                         const struct judged *j,
-                                         struct hsr_answer *wanted,
-                                         struct hsr_error *err) {
-  struct hsr_scene *scene;
-  struct hsr_world world;
-  struct hsr_form form = hsr_form_standard(HSR_IDS);
-  enum hsr_status status = hsr_answer_make(wanted, &form, j->view, false, err);
-  if (status || !j->candidates.n)
-    return status;
-  status = loose_faces_lay_out(&j->candidates, run->name, &scene, &world, err);
-  if (!status)
-    status = ask(&world, j, wanted, err);
-  hsr_world_free(&world);
-  hsr_scene_delete(scene);
-  uint32_t *ids = hsr_answer_ids_of(wanted);
-  for (size_t k = 0; k < (size_t)j->view->m * (size_t)j->view->n; k++)
-    if (ids[k] != HSR_BACKGROUND)
-      ids[k] = j->candidates.id[ids[k]];
+/* What is folded from the pictures, which are put together. */
+static enum hsr_status fold(const struct sorting *s, const struct judged *j,
+                            const struct drawn *drawn,
+                            const struct hsr_form *form, struct hsr_answer *got,
+                            struct hsr_error *err) {
+  enum hsr_status status = hsr_answer_make(got, form, j->view, true, err);
+  for (long k = 0; k < drawn->n && !status; k++) {
+    struct hsr_scene *scene;
+    struct hsr_world world;
+    status = composite_lay_out(&drawn->composite[k], s->run->name, &scene,
+                               &world, hsr_answer_ids_of(got->picture), err);
+    if (!status)
+      form->type->fold->add(got, &world, j->view, k);
+    hsr_world_free(&world);
+    hsr_scene_delete(scene);
+  }
   return status;
 }
 
-static void compare(const struct judged *j, int algorithm,
-                    const struct hsr_answer *wanted, struct cell *cell) {
-  for (int build = 0; build < BUILDS; build++) {
-    struct hsr_answer got = hsr_answer_of_ids(
-        composite_of(j, algorithm, build)->ids, j->view->m, j->view->n);
-    struct hsr_comparison comparison = {.view = j->view,
-                                        .got = &got,
-                                        .wanted = wanted,
-                                        .place = j->place,
-                                        .n = j->n_places};
-    struct hsr_difference difference = {.first = ""};
-    HSR_IDS->compare(&comparison, &difference);
-    if (!cell->mismatches)
-      memcpy(cell->first, difference.first, sizeof cell->first);
-    cell->compared = difference.compared;
-    *(build ? &cell->counting_mismatches : &cell->mismatches) =
-        difference.differing;
+/* What a build has drawn, by the scene's ids. */
+static void compare_answer(const struct judged *j, int build,
+                           const struct hsr_answer *got,
+                           const struct wanted *wanted, struct cell *cell) {
+  struct hsr_comparison comparison = {.view = j->view,
+                                      .got = got,
+                                      .wanted = &wanted->answer,
+                                      .place = wanted->sample,
+                                      .n = wanted->n};
+  struct hsr_difference difference = {.first = ""};
+  got->form.type->compare(&comparison, &difference);
+  if (!cell->mismatches)
+    memcpy(cell->first, difference.first, sizeof cell->first);
+  cell->compared = difference.compared;
+  *(build ? &cell->counting_mismatches : &cell->mismatches) =
+      difference.differing;
+}
+
+static enum hsr_status compare(const struct sorting *s, const struct judged *j,
+                               int algorithm, const struct wanted *wanted,
+                               struct cell *cell, struct hsr_error *err) {
+  const struct hsr_form *form = form_of(s, algorithm);
+  enum hsr_status status = HSR_OK;
+  for (int build = 0; build < BUILDS && !status; build++) {
+    const struct drawn *drawn = drawn_of(j, algorithm, build);
+    struct hsr_answer folded = {.body = NULL};
+    struct hsr_answer ids =
+        hsr_answer_of_ids(drawn->composite[0].ids, j->view->m, j->view->n);
+    if (form->type->fold)
+      status = fold(s, j, drawn, form, &folded, err);
+    if (!status)
+      compare_answer(j, build, form->type->fold ? &folded : &ids, wanted, cell);
+    if (form->type->fold)
+      hsr_answer_free(&folded);
   }
   cell->builds = BUILDS;
   cell->verdict = cell->mismatches || cell->counting_mismatches ? WRONG : RIGHT;
+  return status;
 }
 
 /* Another rank may have been told why. */
@@ -281,48 +325,90 @@ static void note_refusal(const struct sorting *s, int algorithm,
              o->algorithm[algorithm].listed->plain->name);
 }
 
-/* All ranks together; rank 0 fills the cells. */
-static enum hsr_status judge_picture(struct sorting *s, int k,
-                                     struct hsr_error *err) {
-  const struct check_options *o = s->run->options;
-  struct judged *j = &s->judged[k];
-  struct hsr_answer wanted = {.body = NULL};
-  enum hsr_status status = composite_gather_faces(&j->candidates, err);
-  if (!status && !ranks_own())
-    status = ask_of_candidates(s->run, j, &wanted, err);
-  for (int a = 0; a < o->n_algorithms && !status; a++) {
-    struct cell *cell = cell_at(s->run, k / o->n_views, k % o->n_views, a);
-    for (int b = 0; b < BUILDS && !s->refused[a] && !status; b++)
-      status = composite_gather(composite_of(j, a, b), err);
-    if (s->refused[a])
-      note_refusal(s, a, cell);
-    else if (!status && !ranks_own())
-      compare(j, a, &wanted, cell);
-  }
-  if (wanted.body)
-    hsr_answer_free(&wanted);
+/* Puts together what the ranks have drawn, in rank 0. */
+static enum hsr_status gather(const struct judged *j, int algorithm,
+                              struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int b = 0; b < BUILDS; b++)
+    for (long k = 0; k < drawn_of(j, algorithm, b)->n && !status; k++)
+      status = composite_gather(&drawn_of(j, algorithm, b)->composite[k], err);
   return status;
 }
 
-/* A picture of which this rank had no part that was not empty. */
+/* The algorithms that have the form of this one, which is the first of them. All
+ * ranks together; rank 0 fills the cells. */
+static enum hsr_status judge_form(struct sorting *s, int k, int first,
+                                  struct hsr_error *err) {
+  const struct check_options *o = s->run->options;
+  struct judged *j = &s->judged[k];
+  const struct hsr_form *form = form_of(s, first);
+  struct group of = question(s, k, first, NULL);
+  struct wanted *wanted = calloc(1, sizeof *wanted);
+  enum hsr_status status = wanted ? HSR_OK : hsr_fail_nomem(err);
+  if (!status && !ranks_own() && is_drawn(s, form))
+    status = candidates_ask(&j->candidates, &of, s->run->name, wanted, err);
+  for (int a = first; a < o->n_algorithms && !status; a++) {
+    struct cell *cell = cell_at(s->run, k / o->n_views, k % o->n_views, a);
+    if (!hsr_same_form(form_of(s, a), form))
+      continue;
+    if (s->refused[a])
+      note_refusal(s, a, cell);
+    else
+      status = gather(j, a, err);
+    if (!status && !s->refused[a] && !ranks_own())
+      status = compare(s, j, a, wanted, cell, err);
+  }
+  free_wanted(&of, wanted);
+  return status;
+}
+
+static enum hsr_status judge_picture(struct sorting *s, int k,
+                                     struct hsr_error *err) {
+  enum hsr_status status =
+      composite_gather_faces(&s->judged[k].candidates, err);
+  for (int a = 0; a < s->run->options->n_algorithms && !status; a++)
+    if (is_first(s, a))
+      status = judge_form(s, k, a, err);
+  return status;
+}
+
+/* Pictures of which this rank had no part that was not empty. */
+static enum hsr_status make_missing_of(const struct judged *j,
+                                       const struct hsr_form *form,
+                                       struct drawn *drawn,
+                                       struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < drawn->n && !status; k++) {
+    struct hsr_view view;
+    status = picture_view(form, j->view, k, &view, err);
+    if (!status && !drawn->composite[k].ids)
+      status = composite_init(&drawn->composite[k], &view, err);
+  }
+  return status;
+}
+
 static enum hsr_status make_missing(struct sorting *s, struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < n_judged(s); k++)
     for (int a = 0; a < BUILDS * s->run->options->n_algorithms && !status; a++)
-      if (!s->judged[k].composite[a].ids)
-        status =
-            composite_init(&s->judged[k].composite[a], s->judged[k].view, err);
+      if (!s->refused[a / BUILDS])
+        status = make_missing_of(&s->judged[k], form_of(s, a / BUILDS),
+                                 &s->judged[k].drawn[a], err);
   return status;
+}
+
+static void free_drawn(struct drawn *drawn) {
+  for (long k = 0; drawn->composite && k < drawn->n; k++)
+    composite_free(&drawn->composite[k]);
+  free(drawn->composite);
 }
 
 static void free_all(struct sorting *s) {
   for (int k = 0; s->judged && k < n_judged(s); k++) {
     struct judged *j = &s->judged[k];
-    for (int a = 0; j->composite && a < BUILDS * s->run->options->n_algorithms;
-         a++)
-      composite_free(&j->composite[a]);
-    free(j->composite);
-    free(j->place);
+    for (int a = 0; j->drawn && a < BUILDS * s->run->options->n_algorithms; a++)
+      free_drawn(&j->drawn[a]);
+    free(j->drawn);
     loose_faces_free(&j->candidates);
   }
   free(s->judged);
@@ -334,9 +420,9 @@ static enum hsr_status judge_all(struct sorting *s, struct hsr_error *err) {
   const struct check_options *o = s->run->options;
   enum hsr_status status = take_parts(s, err);
   if (!status)
-    status = make_missing(s, err);
-  if (!status)
     ranks_unite(s->refused, (size_t)o->n_algorithms * sizeof *s->refused);
+  if (!status)
+    status = make_missing(s, err);
   for (int k = 0; k < n_judged(s) && !status; k++)
     status = judge_picture(s, k, err);
   s->run->world.n_faces = s->part.all;

@@ -191,7 +191,8 @@ static enum hsr_status go_on(const struct group *g, const struct player *player,
   if (!kept)
     *still = (struct still){.setup = {.algorithm = NULL}};
   enum hsr_status status =
-      hsr_setup_world(&still->world, player->algorithm, now, err);
+      hsr_setup_world(&still->world, player->algorithm,
+                      &g->algorithm[player->number].choice, now, err);
   if (status)
     return status;
   return kept ? hsr_setup_follow(&still->setup, &still->world, &kept, err)
@@ -228,7 +229,9 @@ static enum hsr_status judge_walk(const struct group *g,
   struct hsr_scene *follower = g->walk->follower;
   alarm((unsigned)g->timeout);
   enum hsr_status status =
-      follower ? hsr_setup_world(&world, player->algorithm, follower, &err)
+      follower ? hsr_setup_world(&world, player->algorithm,
+                                 &g->algorithm[player->number].choice, follower,
+                                 &err)
                : HSR_OK;
   if (!status)
     status = follower && hsr_is_outline(&world)

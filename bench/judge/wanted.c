@@ -44,8 +44,8 @@ const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
 uint32_t most_to_judge(const struct hsr_listed *listed,
                        const struct hsr_choice *choice) {
   const struct hsr_algorithm *oracle = oracle_of(choice->form.type);
-  uint32_t own = hsr_most_laid_out(listed->plain);
-  uint32_t its = oracle ? hsr_most_laid_out(oracle) : 0;
+  uint32_t own = hsr_most_laid_out(listed->plain, choice);
+  uint32_t its = oracle ? hsr_most_laid_out(oracle, NULL) : 0;
   return own > its ? own : its;
 }
 
@@ -172,7 +172,7 @@ static enum hsr_status ask_walk(const struct group *g,
   for (int k = 0; k < g->n_views && !status; k++) {
     struct hsr_world *world = &wanted[k].world;
     struct hsr_setup setup = {.algorithm = NULL};
-    status = hsr_setup_world(world, oracle, g->walk->frame[k], err);
+    status = hsr_setup_world(world, oracle, choice, g->walk->frame[k], err);
     if (!status)
       status = hsr_setup_init(&setup, oracle, choice, world, err);
     if (!status)

@@ -72,6 +72,7 @@ libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/til
   algorithms/brute_force/groups_make.c \
   algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/glass.c \
   algorithms/brute_force/light_view.c algorithms/brute_force/light_view.h \
+  algorithms/brute_force/stream.c algorithms/brute_force/stream.h \
   algorithms/glass.h algorithms/shadow.c algorithms/shadow.h \
   algorithms/brute_force/zbuffer.c
 libinexact_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0 \

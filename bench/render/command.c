@@ -40,6 +40,7 @@ static enum hsr_status choose_place(struct render *r, struct hsr_scene *scene,
 /* Chooses the view of a scene that is open, and opens its world. */
 static enum hsr_status open_place(struct render *r,
                                   const struct hsr_algorithm *a,
+                                  const struct hsr_choice *choice,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
   double begin = seconds_now();
@@ -48,7 +49,7 @@ static enum hsr_status open_place(struct render *r,
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
   if (!status)
-    status = hsr_setup_world(&r->world, a, r->scene, err);
+    status = hsr_setup_world(&r->world, a, choice, r->scene, err);
   r->build += seconds_now() - begin;
   return status;
 }
@@ -260,10 +261,10 @@ static void ask_for_transparency(const struct render *r,
 static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
                                struct hsr_variant *variant,
                                struct hsr_error *err) {
-  enum hsr_status status = open_place(r, a, err);
+  ask_for_transparency(r, variant);
+  enum hsr_status status = open_place(r, a, &variant->choice, err);
   if (status)
     return status;
-  ask_for_transparency(r, variant);
   r->kind = variant->choice.form.type;
   return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
 }
@@ -298,7 +299,7 @@ static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
   r->scene = then;
   enum hsr_status status = choose_place(r, then, err);
   if (!status)
-    status = hsr_setup_world(&r->world, a, then, err);
+    status = hsr_setup_world(&r->world, a, &r->setup.choice, then, err);
   r->build += seconds_now() - begin;
   return status ? status : hsr_setup_follow(&r->setup, &r->world, kept, err);
 }

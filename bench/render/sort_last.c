@@ -54,7 +54,7 @@ static enum hsr_status draw_open_part(struct sorting *s,
   struct render *r = s->render;
   double begin = seconds_now();
   enum hsr_status status =
-      hsr_setup_world(&r->world, s->algorithm, r->scene, err);
+      hsr_setup_world(&r->world, s->algorithm, &s->choice, r->scene, err);
   r->build += seconds_now() - begin;
   if (!status)
     status =
@@ -122,18 +122,11 @@ static enum hsr_status lay_out_seen(struct sorting *s,
                                     struct hsr_answer *to,
                                     struct hsr_error *err) {
   struct render *r = s->render;
-  size_t n = (size_t)composite->view.m * (size_t)composite->view.n;
   hsr_world_free(&r->world);
   hsr_scene_delete(r->scene);
   r->scene = NULL;
-  enum hsr_status status = loose_faces_lay_out(
-      &composite->faces, r->options->scene.name, &r->scene, &r->world, err);
-  for (size_t k = 0; k < n && !status; k++) {
-    uint32_t id = composite->ids[k];
-    hsr_answer_ids_of(to)[k] =
-        id == HSR_BACKGROUND ? id : loose_faces_find(&composite->faces, id);
-  }
-  return status;
+  return composite_lay_out(composite, r->options->scene.name, &r->scene,
+                           &r->world, hsr_answer_ids_of(to), err);
 }
 
 /* Colours by the seen faces, and then the scene's ids. */

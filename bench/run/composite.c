@@ -294,6 +294,19 @@ enum hsr_status composite_gather(struct composite *c, struct hsr_error *err) {
   return status ? status : forget_hidden(c, 0, samples_of(c), err);
 }
 
+enum hsr_status composite_lay_out(const struct composite *c, const char *name,
+                                  struct hsr_scene **scene,
+                                  struct hsr_world *world, uint32_t *ids,
+                                  struct hsr_error *err) {
+  enum hsr_status status =
+      loose_faces_lay_out(&c->faces, name, scene, world, err);
+  for (size_t k = 0; k < samples_of(c) && !status; k++)
+    ids[k] = c->ids[k] == HSR_BACKGROUND
+                 ? HSR_BACKGROUND
+                 : loose_faces_find(&c->faces, c->ids[k]);
+  return status;
+}
+
 /* --- Faces alone ---------------------------------------------------------- */
 
 static enum hsr_status send_faces(const struct loose_faces *faces) {

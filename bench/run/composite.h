@@ -45,6 +45,14 @@ enum hsr_status composite_add(struct composite *composite,
 enum hsr_status composite_gather(struct composite *composite,
                                  struct hsr_error *err);
 
+/* Makes a scene and a world of the faces that the picture shows, as
+ * loose_faces_lay_out does, and writes the picture to *ids, m * n, by their
+ * numbers there. HSR_E_NOMEM. */
+enum hsr_status composite_lay_out(const struct composite *composite,
+                                  const char *name, struct hsr_scene **scene,
+                                  struct hsr_world *world, uint32_t *ids,
+                                  struct hsr_error *err);
+
 /* Sends faces of other ranks to rank 0, whose *faces become those of all. All
  * ranks call it. HSR_E_NOMEM. */
 enum hsr_status composite_gather_faces(struct loose_faces *faces,

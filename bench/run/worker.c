@@ -79,7 +79,7 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct stage stage;
-  uint32_t most = hsr_most_laid_out(variant.listed->plain);
+  uint32_t most = hsr_most_laid_out(variant.listed->plain, &variant.choice);
   status =
       stage_open(&stage, request.scene, most, request.view + request.walk - 1,
                  request.m, request.n, request.threads, err);

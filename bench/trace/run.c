@@ -28,7 +28,8 @@ static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
     return hsr_fail(err, HSR_E_REFUSED,
                     "%s: %u faces are more than the %u that a %s tells of",
                     r->command, r->laid_out.n_faces, r->most_faces, r->command);
-  uint32_t most = hsr_most_laid_out(r->variant->listed->counting);
+  uint32_t most =
+      hsr_most_laid_out(r->variant->listed->counting, &r->variant->choice);
   return r->laid_out.n_faces > most
              ? hsr_world_open(&r->instanced, r->scene, most, err)
              : HSR_OK;

@@ -51,7 +51,8 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
                        .crew = crew_new(p->options.threads)};
   double begin = seconds_now();
   enum hsr_status status =
-      r->crew ? hsr_setup_world(&r->world, a, scene, err) : hsr_fail_nomem(err);
+      r->crew ? hsr_setup_world(&r->world, a, &p->variant.choice, scene, err)
+              : hsr_fail_nomem(err);
   r->build = seconds_now() - begin;
   if (!status)
     status = hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);

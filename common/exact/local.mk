@@ -7,6 +7,8 @@ nobase_pkginclude_HEADERS += \
   %D%/screen.h \
   %D%/shadow.h
 libhsr_a_SOURCES += \
+  %D%/alone.c \
+  %D%/alone.h \
   %D%/exact_plane.h \
   %D%/footprint.h \
   %D%/footprint_cgal.cc \

@@ -67,7 +67,36 @@ static double normal_error(double n, const double size[3]) {
   return 4 * (n + 1) * U * hsr_max(size[0], hsr_max(size[1], size[2])) + TINY;
 }
 
+/* Newell's normal of a triangle, from V_0 to p and q, and the sizes of its
+ * terms. Its sums have one term, so it is rounded as by hsr_newell_add. */
+static void cross(const double p[3], const double q[3], double normal[3],
+                  double size[3]) {
+  for (int a = 0, b = 1, c = 2; a < 3; a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+    double plus = p[b] * q[c], minus = p[c] * q[b];
+    normal[a] = plus - minus;
+    size[a] = fabs(plus) + fabs(minus);
+  }
+}
+
+static bool triangle_has_normal(const struct hsr_loop *face) {
+  const double *const at[3] = {face->x, face->y, face->z};
+  size_t first = (size_t)face->stride * face->vertex[0],
+         second = (size_t)face->stride * face->vertex[1],
+         third = (size_t)face->stride * face->vertex[2];
+  double p[3], q[3], normal[3], size[3], most = 0;
+  for (int a = 0; a < 3; a++) {
+    p[a] = at[a][second] - at[a][first];
+    q[a] = at[a][third] - at[a][first];
+  }
+  cross(p, q, normal, size);
+  for (int a = 0; a < 3; a++)
+    most = hsr_max(most, fabs(normal[a]));
+  return most > normal_error(3, size);
+}
+
 bool hsr_has_normal_for_certain(const struct hsr_loop *face) {
+  if (face->n == 3)
+    return triangle_has_normal(face);
   struct hsr_newell plane = {.n = 0};
   for (uint32_t k = 0; k < face->n; k++) {
     size_t at = (size_t)face->stride * face->vertex[k];
@@ -78,8 +107,7 @@ bool hsr_has_normal_for_certain(const struct hsr_loop *face) {
   return most > normal_error(plane.n, plane.size);
 }
 
-/* What find_plane finds for a triangle, rounded alike: its sums have one term,
- * and the anchor is V_0. */
+/* What find_plane finds for a triangle, rounded alike; the anchor is V_0. */
 static void find_triangle(struct hsr_world *world, uint32_t f) {
   struct hsr_mesh *mesh = &world->mesh;
   const uint32_t *v = mesh->vertex + mesh->start[f];
@@ -90,11 +118,7 @@ static void find_triangle(struct hsr_world *world, uint32_t f) {
     p[a] = at[a][v[1]] - first[a];
     q[a] = at[a][v[2]] - first[a];
   }
-  for (int a = 0, b = 1, c = 2; a < 3; a++, b = (b + 1) % 3, c = (c + 1) % 3) {
-    double plus = p[b] * q[c], minus = p[c] * q[b];
-    normal[a] = plus - minus;
-    size[a] = fabs(plus) + fabs(minus);
-  }
+  cross(p, q, normal, size);
   mesh->nx[f] = normal[0];
   mesh->ny[f] = normal[1];
   mesh->nz[f] = normal[2];

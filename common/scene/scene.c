@@ -242,6 +242,24 @@ enum hsr_status hsr_object_face(struct hsr_object *object,
   return HSR_OK;
 }
 
+uint32_t *hsr_object_triangles(struct hsr_object *object, uint32_t n) {
+  uint32_t corner = object->start[object->n_faces],
+           cap = object->cap_faces + 1; /* of start[], one longer */
+  if (n > (UINT32_MAX - 2 - corner) / 3 ||
+      n > UINT32_MAX - 3 - object->n_faces || object->rgb ||
+      !reserve(&object->start, &cap, object->n_faces + n + 1,
+               sizeof *object->start))
+    return NULL;
+  object->cap_faces = cap - 1;
+  if (!reserve(&object->vertex, &object->cap_corners, corner + 3 * n,
+               sizeof *object->vertex))
+    return NULL;
+  for (uint32_t k = 1; k <= n; k++)
+    object->start[object->n_faces + k] = corner + 3 * k;
+  object->n_faces += n;
+  return object->vertex + corner;
+}
+
 enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
                                    const double m[12]) {
   static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -348,11 +366,16 @@ void hsr_scene_extent_begin(struct hsr_scene_extent *extent) {
                                       .hi = {-INFINITY, -INFINITY, -INFINITY}};
 }
 
-void hsr_scene_extent_add(struct hsr_scene_extent *extent, const double p[3]) {
+static inline void add_point(struct hsr_scene_extent *extent,
+                             const double p[3]) {
   for (int k = 0; k < 3; k++) {
     extent->lo[k] = hsr_min(extent->lo[k], p[k]);
     extent->hi[k] = hsr_max(extent->hi[k], p[k]);
   }
+}
+
+void hsr_scene_extent_add(struct hsr_scene_extent *extent, const double p[3]) {
+  add_point(extent, p);
 }
 
 void hsr_scene_extent_centre(struct hsr_scene_extent *extent) {
@@ -360,24 +383,32 @@ void hsr_scene_extent_centre(struct hsr_scene_extent *extent) {
     extent->centre[k] = extent->lo[k] + (extent->hi[k] - extent->lo[k]) / 2;
 }
 
-void hsr_scene_extent_reach(struct hsr_scene_extent *extent,
-                            const double p[3]) {
+static inline void reach_point(struct hsr_scene_extent *extent,
+                               const double p[3]) {
   double d[3];
   for (int k = 0; k < 3; k++)
     d[k] = p[k] - extent->centre[k];
   extent->radius = hsr_max(extent->radius, length_of(d));
 }
 
-static void
+void hsr_scene_extent_reach(struct hsr_scene_extent *extent,
+                            const double p[3]) {
+  reach_point(extent, p);
+}
+
+/* Inlined once for each of the two, whose extent stays in registers then. */
+static inline __attribute__((always_inline)) void
 add_instance(struct hsr_scene_extent *extent, const struct hsr_scene *scene,
              const struct hsr_instance *instance,
              void (*add)(struct hsr_scene_extent *, const double *)) {
   const struct hsr_object *object = &scene->objects[instance->object];
+  struct hsr_scene_extent own = *extent;
   for (uint32_t v = 0; v < object->n_vertices; v++) {
     double p[3];
     hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
-    add(extent, p);
+    add(&own, p);
   }
+  *extent = own;
 }
 
 double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]) {
@@ -386,10 +417,10 @@ double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]) {
   struct hsr_scene_extent extent;
   hsr_scene_extent_begin(&extent);
   for (uint32_t i = 0; i < scene->n_instances; i++)
-    add_instance(&extent, scene, &scene->instances[i], hsr_scene_extent_add);
+    add_instance(&extent, scene, &scene->instances[i], add_point);
   hsr_scene_extent_centre(&extent);
   for (uint32_t i = 0; i < scene->n_instances; i++)
-    add_instance(&extent, scene, &scene->instances[i], hsr_scene_extent_reach);
+    add_instance(&extent, scene, &scene->instances[i], reach_point);
   memcpy(centre, extent.centre, sizeof extent.centre);
   return extent.radius;
 }
@@ -535,10 +566,14 @@ enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
 
 /* --- Tiny scenes ---------------------------------------------------------- */
 
+/* What is as large as this, or has a part that is, is not enlarged. */
+static const double LARGE = 0x1p-100;
+
+/* The largest of n sizes, or one that is LARGE. */
 static double largest(const double *v, size_t n) {
   double most = 0;
-  for (size_t k = 0; k < n; k++)
-    most = fmax(most, fabs(v[k]));
+  for (size_t k = 0; k < n && most < LARGE; k++)
+    most = hsr_max(most, fabs(v[k]));
   return most;
 }
 
@@ -547,7 +582,7 @@ static double largest_vertex(const struct hsr_object *object) {
 }
 
 /* A bound of all coordinates in the world, and of what a matrix adds and
- * multiplies to make them. */
+ * multiplies to make them; or a part of it that is LARGE. */
 static double extent(const struct hsr_scene *scene) {
   double most = 0;
   for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
@@ -579,7 +614,7 @@ static void enlarge(double *v, size_t n, int exponent) {
 void hsr_scene_enlarge(struct hsr_scene *scene) {
   int exponent;
   double size = extent(scene);
-  if (!(size > 0 && size < 0x1p-100))
+  if (!(size > 0 && size < LARGE))
     return;
   frexp(size, &exponent);
   scene->enlarged -= exponent;

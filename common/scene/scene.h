@@ -132,6 +132,13 @@ enum hsr_status hsr_object_face(struct hsr_object *object,
                                 const uint32_t *vertices, size_t n,
                                 const float *rgb);
 
+/* Appends n triangles of the object's colour, where no face has one of its own.
+ * Returns their 3 n vertex numbers, for the caller to write at once: valid ones,
+ * three different ones each. They are the object's, and are moved by the next
+ * face. NULL: memory ran out, or the object would have more than 2^32 - 2 faces
+ * or corners. */
+uint32_t *hsr_object_triangles(struct hsr_object *object, uint32_t n);
+
 /* Appends an instance of object number `object`; m is as in hsr_instance, NULL
  * for the identity. Instances must be added in ascending order of their
  * objects. HSR_E_NOMEM; HSR_E_INPUT if they are not, there is no such object,

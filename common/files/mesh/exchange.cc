@@ -6,8 +6,8 @@
 //             passed, and must find in it what the scan found.
 // Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
 //             and 4 a face and a corner; then, the file gone, that and the
-//             object. OFF, PLY: the file and the object. Binary STL: also 28
-//             bytes a vertex; a text, a search tree of about 80.
+//             object. OFF, PLY: the file and the object. Binary STL: also 8
+//             to 16 bytes a vertex; a text, a search tree of about 80.
 //             Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"

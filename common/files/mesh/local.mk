@@ -12,6 +12,7 @@ libhsr_a_SOURCES += \
   %D%/mesh_ply.cc \
   %D%/mesh_ply_header.cc \
   %D%/mesh_ply_header.h \
+  %D%/mesh_ply_plain.cc \
   %D%/mesh_scan_obj.cc \
   %D%/mesh_scan_stl.cc \
   %D%/mesh_solid.cc \

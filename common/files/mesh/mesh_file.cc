@@ -152,6 +152,20 @@ double *Mesh_builder::vertices(size_t n) {
   return object_->xyz;
 }
 
+uint32_t *Mesh_builder::triangles(size_t n) {
+  uint32_t *corners =
+      n < UINT32_MAX ? hsr_object_triangles(object_, uint32_t(n)) : nullptr;
+  if (!corners)
+    throw std::bad_alloc();
+  n_given_ += n;
+  return corners;
+}
+
+void Mesh_builder::forget() {
+  object_->n_vertices = object_->n_faces = 0;
+  n_given_ = n_dropped_ = 0;
+}
+
 void Mesh_builder::forget_colours() {
   hsr_object_uncolour(object_);
 }

@@ -112,10 +112,17 @@ public:
   /* Room for so many; the numbers are checked by the caller. */
   void reserve(size_t n_vertices, size_t n_faces);
   void vertex(double x, double y, double z);
-  /* Room for n vertices, which are the first; and all of them are there. */
+  /* Room for n vertices, which are the first; and so many of them are there. */
   double *vertices(size_t n);
   void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
   void face(const uint32_t *vertices, size_t n, const float *rgb);
+  /* The 3 n corners of n triangles, which are the next faces, without colours.
+   * The caller writes them: vertices that are there, three different ones each.
+   * Not where degenerate faces are to be dropped. */
+  uint32_t *triangles(size_t n);
+  bool drops() const { return drop_; }
+  /* Takes away all that was given. */
+  void forget();
   /* Takes away the colours given so far. No more will be given. */
   void forget_colours();
   /* Keeps a line about what was passed over in the file. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads .ply files, text and binary.
+// Reads .ply files, text and binary: those that mesh_ply_plain.cc does not read.
 //
 // Source      see mesh_ply_header.h
 // Departures  a text has one element a line. Colours are bytes, red, green and
@@ -311,6 +311,8 @@ void ply_read(Mesh_file &file, bool drop, Mesh_builder &builder) {
   skip_byte_order_mark(file);
   ply::Header header(file);
   header.read();
+  if (ply::read_plain(header, header.lines().rest_of_file(), file.end, builder))
+    return;
   if (header.format == Format::text)
     Reader<Text_source>(header, Text_source(header.lines()), drop, builder)
         .read();

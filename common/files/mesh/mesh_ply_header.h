@@ -64,6 +64,12 @@ private:
   Lines lines_;
 };
 
+/* Reads what follows the header of a binary file, if it is plain
+ * (mesh_ply_plain.cc) and nothing in it is to be refused or dropped. If not,
+ * returns false, and nothing is given. std::bad_alloc. */
+bool read_plain(const Header &header, const char *begin, const char *end,
+                Mesh_builder &builder);
+
 } // namespace hsr::ply
 
 #endif

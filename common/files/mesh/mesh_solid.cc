@@ -15,6 +15,18 @@ namespace {
 
 constexpr uint32_t RANGE = 4096; /* faces or vertices for a thread at a time */
 
+/* Whether a vertex has one corner. Then no face leads back along the edge that
+ * leaves it: the object is open. Of loose triangles all are so, and much need not
+ * be asked. */
+bool has_lone_corner(const struct hsr_object &object) {
+  std::vector<unsigned char> corners(object.n_vertices);
+  for (uint32_t c = 0; c < object.start[object.n_faces]; c++) {
+    unsigned char &n = corners[object.vertex[c]];
+    n = static_cast<unsigned char>(n < 2 ? n + 1 : 2);
+  }
+  return std::find(corners.begin(), corners.end(), 1) != corners.end();
+}
+
 /* Whether every edge is run exactly once in each direction. end[at[v] .. at[v +
  * 1]) holds the ends of the edges that leave v. It is enough to ask for each
  * edge how often its reverse is run: an edge that is run twice is found when
@@ -166,7 +178,7 @@ bool is_outward(const struct hsr_object &object, int threads) {
 enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
                                     int threads, bool *answer) {
   try {
-    *answer = object->n_faces &&
+    *answer = object->n_faces && !has_lone_corner(*object) &&
               Edges(*object).are_closed_and_oriented(threads) &&
               is_outward(*object, threads);
     return HSR_OK;

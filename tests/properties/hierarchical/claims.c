@@ -49,9 +49,10 @@ void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
   if (hsr_variant_parse(algorithm, &variant, &err))
     stop(algorithm, err.text);
   counts->algorithm = variant.listed->counting;
-  const struct hsr_world *world = hsr_most_laid_out(counts->algorithm)
-                                      ? &scene->worlds.world
-                                      : &scene->worlds.outline;
+  const struct hsr_world *world =
+      hsr_most_laid_out(counts->algorithm, &variant.choice)
+          ? &scene->worlds.world
+          : &scene->worlds.outline;
   if (hsr_setup_init(&setup, counts->algorithm, &variant.choice, world, &err) ||
       hsr_setup_render(&setup, &job, &err))
     stop(algorithm, err.text);

@@ -159,7 +159,7 @@ static void draw(const char *name, const char *algorithm, int threads,
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_error err = {.text = "out of memory"};
-  if (hsr_setup_world(&world, a, scene, &err) ||
+  if (hsr_setup_world(&world, a, NULL, scene, &err) ||
       hsr_view_init_of(&view, scene, 0, M, ROWS, &err))
     stop(name, err.text);
   memset(tally, 0, sizeof *tally);

@@ -111,6 +111,18 @@ static void draw_boxes(uint64_t *seed, int64_t largest) {
   }
 }
 
+/* Slivers through the whole cube, side by side: each division doubles them, so
+ * that as many copies are made as may be. */
+static void draw_bundle(uint64_t *seed) {
+  for (int k = 0; k < N; k++) {
+    box[k] = (struct hsr_box){{0, 0, 0}, {SIDE, 0, 0}};
+    for (int a = 1; a < 3; a++) {
+      box[k].lo[a] = (double)draw_integer(seed, 0, SIDE / HSR_OCTREE_COPIES);
+      box[k].hi[a] = box[k].lo[a] + 1;
+    }
+  }
+}
+
 static struct hsr_box bounds_of(const void *context, uint32_t k) {
   (void)context;
   return box[k];
@@ -177,11 +189,15 @@ static bool are_same(const struct hsr_octree *a, const struct hsr_octree *b) {
 
 static void test_octrees(struct tap *tap, uint64_t *seed) {
   static const struct hsr_octree_rule rules[] = {
-      {0.1, 20, 20}, {1, 8, 1}, {0, 3, 1}, {1e9, 5, 30}, {1, 3000, 1500}};
+      {0.1, 20, 20}, {1, 8, 1},       {0, 3, 1},
+      {1e9, 5, 30},  {1, 3000, 1500}, {1e9, 3000, 1}};
   for (size_t r = 0; r < sizeof rules / sizeof *rules; r++) {
     struct hsr_arena arena = HSR_ARENA_EMPTY;
     bool same = true;
-    draw_boxes(seed, r == 3 ? SIDE / 2 : 256);
+    if (r == 5)
+      draw_bundle(seed);
+    else
+      draw_boxes(seed, r == 3 ? SIDE / 2 : 256);
     struct hsr_octree wanted = recurse(&rules[r], &arena);
     for (int c = 0; c < CREWS; c++) {
       struct hsr_arena own = HSR_ARENA_EMPTY;
@@ -199,7 +215,7 @@ static void test_octrees(struct tap *tap, uint64_t *seed) {
 }
 
 int main(void) {
-  struct tap tap = plan(5 + 5);
+  struct tap tap = plan(5 + 6);
   uint64_t seed = 11;
   test_parts(&tap);
   test_ranges(&tap);
