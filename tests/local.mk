@@ -50,6 +50,7 @@ tap_programs = \
   %D%/unit/peers/painted_test \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
+  %D%/unit/core/plane_classes_test \
   %D%/unit/core/world_test \
   %D%/conformance/glass_test \
   %D%/conformance/shadow_test \
@@ -185,6 +186,7 @@ quick_units = \
   %D%/unit/core/share_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \
+  %D%/unit/core/plane_classes_test \
   %D%/unit/core/world_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/plot_test \

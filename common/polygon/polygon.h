@@ -6,8 +6,8 @@
  * arithmetic. The plane has Newell's normal (Sutherland et al. 1974, eq. 6) and
  * passes through the mean of the corners.
  *
- * All return -1, 0 or +1 unless they say otherwise. They fail only if memory
- * runs out: then *out_of_memory is set and the answer is meaningless. They must
+ * All return -1, 0 or +1 unless they say otherwise. Those that have out_of_memory
+ * fail only if memory runs out: then *out_of_memory is set and the answer is meaningless. They must
  * run with the rounding mode to nearest, and leave it so. */
 #ifndef HSR_COMMON_POLYGON_H
 #define HSR_COMMON_POLYGON_H
@@ -41,6 +41,11 @@ bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
 /* 1 if two faces lie on one plane, in either orientation, else 0. */
 int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
                          bool *out_of_memory);
+
+/* A number that faces on one plane share, in either orientation. Faces on different
+ * planes share it but by chance. 0: nothing is known, and the plane may be equal to
+ * any other. */
+uint64_t hsr_plane_residue(struct hsr_loop face);
 
 /* +1 if `point` is strictly in front of the face's plane (on the side that its
  * normal points to), -1 if behind, 0 if on it. */

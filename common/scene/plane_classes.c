@@ -182,7 +182,145 @@ static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
 struct open_class {
   double hi;
   uint32_t face;
+  bool is_in_crowd;
 };
+
+/* Where many keys overlap, as those of planes do that differ by rounding alone, a
+ * plane is not compared with each class. Classes are found by the residues of
+ * their planes, in a table that is never more than half full. */
+enum { FEW = 16, LEAST_SLOTS = 64 };
+struct resident {
+  uint64_t residue;
+  uint32_t face; /* NONE: the slot is empty */
+};
+struct crowd {
+  struct resident *slot;
+  uint32_t n, n_slots; /* a power of two, or 0 */
+};
+
+/* Of a section. Classes that are behind for good are left out of `open` now and
+ * then. */
+struct sweep {
+  struct hsr_world *world;
+  const double *lo, *hi;
+  struct open_class *open;
+  uint32_t n_open, n_outside; /* of them, not in the crowd */
+  uint32_t since_look;        /* faces */
+  struct crowd crowd;
+  bool out_of_memory;
+};
+
+static bool are_equal(struct sweep *s, uint32_t f, uint32_t g) {
+  return hsr_exact_same_plane(hsr_face_loop(s->world, f),
+                              hsr_face_loop(s->world, g), &s->out_of_memory);
+}
+
+static void leave_behind(struct sweep *s, double lo) {
+  uint32_t kept = 0;
+  for (uint32_t o = 0; o < s->n_open; o++) {
+    if (s->open[o].hi < lo)
+      s->n_outside -= !s->open[o].is_in_crowd;
+    else
+      s->open[kept++] = s->open[o];
+  }
+  s->n_open = kept;
+  s->since_look = 0;
+}
+
+/* The class of face f among those that are open, or NONE. */
+static uint32_t find_among_open(struct sweep *s, uint32_t f) {
+  for (uint32_t o = 0; o < s->n_open; o++) {
+    uint32_t g = s->open[o].face;
+    if (maybe_parallel(s->world, f, g) && are_equal(s, f, g))
+      return s->world->mesh.plane[g];
+  }
+  return NONE;
+}
+
+static struct resident *slot_from(const struct crowd *crowd, uint64_t residue) {
+  return &crowd->slot[residue & (crowd->n_slots - 1)];
+}
+
+static struct resident *slot_after(const struct crowd *crowd,
+                                   struct resident *slot) {
+  return ++slot == crowd->slot + crowd->n_slots ? crowd->slot : slot;
+}
+
+static void settle_in(struct crowd *crowd, struct resident resident) {
+  struct resident *slot = slot_from(crowd, resident.residue);
+  while (slot->face != NONE)
+    slot = slot_after(crowd, slot);
+  *slot = resident;
+  crowd->n++;
+}
+
+/* Makes room for one more. False: out of memory. */
+static bool make_room(struct crowd *crowd) {
+  if (2 * (crowd->n + 1) <= crowd->n_slots)
+    return true;
+  struct crowd larger = {.n_slots =
+                             crowd->n_slots ? 2 * crowd->n_slots : LEAST_SLOTS};
+  larger.slot = malloc(larger.n_slots * sizeof *larger.slot);
+  if (!larger.slot)
+    return false;
+  for (uint32_t k = 0; k < larger.n_slots; k++)
+    larger.slot[k].face = NONE;
+  for (uint32_t k = 0; k < crowd->n_slots; k++)
+    if (crowd->slot[k].face != NONE)
+      settle_in(&larger, crowd->slot[k]);
+  free(crowd->slot);
+  *crowd = larger;
+  return true;
+}
+
+/* Takes in all classes that are open. */
+static void fill_crowd(struct sweep *s) {
+  for (uint32_t o = 0; o < s->n_open && s->n_outside; o++) {
+    struct open_class *open = &s->open[o];
+    if (open->is_in_crowd)
+      continue;
+    if (!make_room(&s->crowd)) {
+      s->out_of_memory = true;
+      return;
+    }
+    uint64_t residue = hsr_plane_residue(hsr_face_loop(s->world, open->face));
+    settle_in(&s->crowd, (struct resident){residue, open->face});
+    open->is_in_crowd = true;
+    s->n_outside--;
+  }
+}
+
+/* The class of face f among those of the crowd that have this residue. */
+static uint32_t find_alike(struct sweep *s, uint32_t f, uint64_t residue) {
+  for (struct resident *slot = slot_from(&s->crowd, residue);
+       slot->face != NONE; slot = slot_after(&s->crowd, slot))
+    if (slot->residue == residue && are_equal(s, f, slot->face))
+      return s->world->mesh.plane[slot->face];
+  return NONE;
+}
+
+/* The same among all. A plane of which nothing is known may be equal to any. */
+static uint32_t find_in_crowd(struct sweep *s, uint32_t f) {
+  fill_crowd(s);
+  uint64_t residue = hsr_plane_residue(hsr_face_loop(s->world, f));
+  if (s->out_of_memory || !residue)
+    return find_among_open(s, f);
+  uint32_t found = find_alike(s, f, residue);
+  return found == NONE ? find_alike(s, f, 0) : found;
+}
+
+/* The class of face f; *n_planes: how many there are so far. */
+static uint32_t find_class(struct sweep *s, uint32_t f, uint32_t *n_planes) {
+  if (s->n_open <= FEW || ++s->since_look >= s->n_open)
+    leave_behind(s, s->lo[f]);
+  uint32_t found =
+      s->n_open <= FEW ? find_among_open(s, f) : find_in_crowd(s, f);
+  if (found != NONE)
+    return found;
+  s->open[s->n_open++] = (struct open_class){s->hi[f], f, false};
+  s->n_outside++;
+  return (*n_planes)++;
+}
 
 /* Sweeps over the keys of a section. A plane is compared with the planes whose
  * key intervals overlap its own, one representative of each class. Classes are
@@ -190,31 +328,17 @@ struct open_class {
 static void sweep(void *context, uint32_t k, int thread) {
   struct classes *c = context;
   struct section *section = &c->section[k];
-  struct hsr_world *world = c->world;
-  struct open_class *open = c->open + section->begin;
-  uint32_t n_open = 0;
-  bool out_of_memory = false;
+  struct sweep s = {.world = c->world,
+                    .lo = c->lo,
+                    .hi = c->hi,
+                    .open = c->open + section->begin};
   (void)thread;
-  for (uint32_t i = section->begin; i < section->end && !out_of_memory; i++) {
-    uint32_t f = c->from[i].face, kept = 0, found = UINT32_MAX;
-    for (uint32_t o = 0; o < n_open; o++) {
-      if (open[o].hi < c->lo[f])
-        continue; /* behind the sweep for good */
-      open[kept] = open[o];
-      uint32_t g = open[kept++].face;
-      if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
-          hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
-                               &out_of_memory))
-        found = world->mesh.plane[g];
-    }
-    n_open = kept;
-    if (found == UINT32_MAX) {
-      found = section->n_planes++;
-      open[n_open++] = (struct open_class){c->hi[f], f};
-    }
-    world->mesh.plane[f] = found;
+  for (uint32_t i = section->begin; i < section->end && !s.out_of_memory; i++) {
+    uint32_t f = c->from[i].face;
+    c->world->mesh.plane[f] = find_class(&s, f, &section->n_planes);
   }
-  if (out_of_memory)
+  free(s.crowd.slot);
+  if (s.out_of_memory)
     atomic_store(&c->out_of_memory, true);
 }
 
