@@ -87,6 +87,12 @@ static void test_residues(struct tap *tap, uint64_t *seed) {
     bool still = are_equal(&p, &q);
     different += !still;
     wrong += still != (residue_of(&p) == residue_of(&q));
+
+    /* All corners move, to a parallel plane. */
+    q = p;
+    for (uint32_t c = 0; c < q.n; c++)
+      q.xyz[3 * c + 2] += scale;
+    wrong += residue_of(&p) == residue_of(&q);
   }
   ok(tap, !wrong && equal > PAIRS * 9 / 10 && different > PAIRS * 9 / 10,
      "%d pairs of faces on one plane share its residue, %d on others do not: "
