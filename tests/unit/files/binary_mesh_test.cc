@@ -198,6 +198,19 @@ void try_polygons(tap *t) {
      read.start == std::vector<uint32_t>{0, 3, 7, 10, 13} &&
          read.vertex[6] == 5 && read.xyz.size() == 18,
      "a quadrilateral among triangles");
+
+  /* Two faces as long as two triangles, and with the numbers of some. */
+  const Strip two(2);
+  text = ply<float>(two, "float");
+  text.resize(text.size() - 2 * 13);
+  put(text, char{4});
+  for (const uint32_t v : {0u, 1u, 3u, 2u})
+    put(text, v);
+  put(text, char{0});
+  for (const uint32_t v : {1u, 2u})
+    put(text, v);
+  ok(t, Read(file("none.ply", text)).says("face 1"),
+     "a face of no corners after a quadrilateral");
 }
 
 void try_stl(tap *t) {
@@ -240,7 +253,7 @@ int main() {
   if (!mkdtemp(name))
     return 99;
   directory = name;
-  struct tap t = plan(4 + 6 + 1 + 5);
+  struct tap t = plan(4 + 6 + 2 + 5);
   try_ply(&t);
   try_bad_ply(&t);
   try_polygons(&t);
