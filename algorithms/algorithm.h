@@ -55,8 +55,8 @@ enum {
   HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes an outline only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
   HSR_LAID_OUT_UNLESS_LARGE = 1 << 10, /* with HSR_INSTANCED: goes through all
-                      faces. Takes an outline, of at most HSR_MOST_LAID_OUT
-                      faces, to save memory, and for its own kind of answer */
+                      faces. To save memory it takes an outline of HSR_LARGE to
+                      HSR_MOST_LAID_OUT faces, for its own kind of answer */
   HSR_NEEDS_LAID_OUT =
       1 << 11 /* of what is chosen: takes no outline after all */
 };

@@ -42,9 +42,9 @@ bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
 int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
                          bool *out_of_memory);
 
-/* A number that faces on one plane share, in either orientation. Faces on different
- * planes share it but by chance. 0: nothing is known, and the plane may be equal to
- * any other. */
+/* A number that is the same for all faces on one plane, in either orientation. Faces
+ * on different planes almost never have the same number. 0: nothing is known, and
+ * the plane may be equal to any other. */
 uint64_t hsr_plane_residue(struct hsr_loop face);
 
 /* +1 if `point` is strictly in front of the face's plane (on the side that its

@@ -12,8 +12,8 @@
  *             equation is u times the other, so if p divided u, it would divide
  *             v, too. Hence the residues of the equations differ by a factor,
  *             and quotients of coefficients are equal.
- * Different   planes have different quotients but by chance, about once in 2^61
- *             pairs. */
+ * Different   planes may have equal quotients by chance. That is as rare as one
+ *             pair in 2^61, so whoever needs to be sure asks exactly. */
 #include "common/polygon/exact_numbers.h"
 #include "common/polygon/polygon.h"
 
@@ -79,8 +79,8 @@ uint64_t hsr_plane_residue(struct hsr_loop face) {
   if (pivot.is_zero())
     return 0;
 
-  /* The quotients are those by k times the pivot. One number of all of them: a
-   * polynomial, at a point that was chosen once. */
+  /* All coefficients are divided by k times the pivot. A polynomial of the
+   * quotients, at a fixed point, makes one number of them. */
   const Residue at(0x1.3c6ef372fe94fp60), per = (plane.k * pivot).inverse();
   const Residue per_pivot = per * plane.k;
   Residue all = n.x * per_pivot;

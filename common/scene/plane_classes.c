@@ -185,9 +185,9 @@ struct open_class {
   bool is_in_crowd;
 };
 
-/* Where many keys overlap, as those of planes do that differ by rounding alone, a
- * plane is not compared with each class. Classes are found by the residues of
- * their planes, in a table that is never more than half full. */
+/* Planes that differ by rounding alone have keys that overlap. Where there are many,
+ * a plane is not compared with each class. Its class is looked up by its residue, in
+ * a table that is at most half full. */
 enum { FEW = 16, LEAST_SLOTS = 64 };
 struct resident {
   uint64_t residue;
