@@ -111,19 +111,28 @@ static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
   return HSR_OK;
 }
 
+/* The least opacity of the pixels of a block: of rows, and then of columns. */
 static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
                         int x0, int y0) {
   int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
-  int x1 = x0 + BLOCK < width ? x0 + BLOCK : width,
-      y1 = y0 + BLOCK < height ? y0 + BLOCK : height;
-  uint32_t least = 65536;
-  for (int y = y0; y < y1; y++) {
-    uint16_t(*row)[4] = m->picture.rgba + (size_t)y * m->picture.stride;
-    for (int x = x0; x < x1; x++)
-      least =
-          row[x][HSR_SPLAT_OPACITY] < least ? row[x][HSR_SPLAT_OPACITY] : least;
+  int columns = width - x0 < BLOCK ? width - x0 : BLOCK,
+      rows = height - y0 < BLOCK ? height - y0 : BLOCK;
+  const struct hsr_splat_picture *picture = &m->picture;
+  uint16_t least[BLOCK][4];
+  memset(least, 0xff, sizeof least);
+  for (int y = y0; y < y0 + rows; y++) {
+    uint16_t(*row)[4] =
+        picture->rgba + (size_t)y * picture->stride + (size_t)x0;
+    for (int x = 0; x < BLOCK; x++)
+      for (int c = 0; c < 4; c++)
+        least[x][c] = row[x][c] < least[x][c] ? row[x][c] : least[x][c];
   }
-  return 65536 - least;
+  uint32_t opacity = UINT16_MAX;
+  for (int x = 0; x < columns; x++)
+    opacity = least[x][HSR_SPLAT_OPACITY] < opacity
+                  ? least[x][HSR_SPLAT_OPACITY]
+                  : opacity;
+  return 65536 - opacity;
 }
 
 static void look_at_blocks(struct hsr_splats *s, struct model *m) {

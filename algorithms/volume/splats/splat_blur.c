@@ -222,6 +222,8 @@ static void find_box(const struct hsr_splats *s, struct hsr_placed *p, double x,
   clip(p->y + (1 + eta) * (fmin(0, dy) - 32 * side_y) - slack,
        p->y + (1 + eta) * (fmax(0, dy) + 32 * side_y) + slack,
        hsr_sample_y(s->view, 0), &p->box.y0, &p->box.y1);
+  p->dx = (float)(hsr_sample_x(s->view, p->box.x0) - p->x);
+  p->dy = (float)(hsr_sample_y(s->view, p->box.y0) - p->y);
 
   double square = xx * dx * dx + 2 * xy * dx * dy + yy * dy * dy;
   p->way_x = (float)dx;

@@ -14,8 +14,8 @@ static bool allocate(struct hsr_splats *s) {
   bool all = true;
   for (int a = 0; a < 3; a++) {
     size_t n = s->grid->n[a];
-    for (int c = 0; c < 4; c++)
-      all &= (s->term[a][c] = HSR_NEW(arena, double, n)) != NULL;
+    for (int t = 0; t < HSR_TERMS; t++)
+      all &= (s->term[a][t] = HSR_NEW(arena, double, n)) != NULL;
     s->far[a] = HSR_NEW(arena, double, n);
     s->per_size[a] = HSR_NEW(arena, double, n);
     all &= s->far[a] && s->per_size[a];
@@ -24,31 +24,46 @@ static bool allocate(struct hsr_splats *s) {
   return all && s->light;
 }
 
-/* The terms of all samples. In parallel w is 1, to which no axis adds. */
+/* The terms of the products, of sample k of axis a. */
+static void fill_products(struct hsr_splats *s, int a, uint32_t k) {
+  const struct hsr_view *v = s->view;
+  double by = s->per_size[a][k],
+         V = by * (v->parallel ? v->F[a] : s->far[a][k]), A = by * v->ray[1][a],
+         B = by * v->ray[2][a];
+  double U = by * v->U[a] / v->whole_n, R = by * v->R[a] / v->whole_m;
+  s->term[a][HSR_TERM_VV][k] = V * V;
+  s->term[a][HSR_TERM_VA][k] = V * A;
+  s->term[a][HSR_TERM_VB][k] = V * B;
+  s->term[a][HSR_TERM_AA][k] = A * A;
+  s->term[a][HSR_TERM_AB][k] = A * B;
+  s->term[a][HSR_TERM_BB][k] = B * B;
+  s->term[a][HSR_TERM_APART][k] = 2 * (U * U + R * R);
+}
+
 static void fill_terms(struct hsr_splats *s) {
   const struct hsr_view *v = s->view;
   for (int a = 0; a < 3; a++) {
     const double row[4] = {v->screen[0][a], v->screen[1][a],
                            v->parallel ? 0 : v->screen[2][a], v->depth[a]};
-    double most[4] = {0, 0, 0, 0}, least = INFINITY;
+    double most[4] = {0, 0, 0, 0}, apart = 0;
     for (uint32_t k = 0; k < s->grid->n[a]; k++) {
       double far = s->grid->at[a][k] - v->E[a];
       s->far[a][k] = far;
       double size = s->grid->bound[a][k + 1] - s->grid->bound[a][k];
       s->per_size[a][k] = 1 / size;
       s->largest[a] = fmax(s->largest[a], size);
-      least = fmin(least, size);
       for (int c = 0; c < 4; c++) {
         s->term[a][c][k] = row[c] * far;
         most[c] = fmax(most[c], fabs(row[c] * far));
       }
+      fill_products(s, a, k);
+      apart = fmax(apart, s->term[a][HSR_TERM_APART][k]);
     }
     for (int c = 0; c < 4; c++)
       s->most[c] += most[c];
     for (int c = 0; c < 3; c++)
       s->spread[c] += fabs(row[c]) * s->largest[a];
-    double u = v->U[a] / least / v->whole_n, r = v->R[a] / least / v->whole_m;
-    s->apart += s->splatting.antialias ? 2 * (u * u + r * r) : 0;
+    s->apart += s->splatting.antialias ? apart : 0;
   }
   for (int c = 0; c < 2; c++)
     s->most[c] += fabs(v->origin[c]);
@@ -78,7 +93,8 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .splatting = hsr_form_splatting(&job->answer->form),
                            .window = job->view->window,
                            .way_from = 0,
-                           .way_to = 1};
+                           .way_to = 1,
+                           .twin = hsr_splats_twin()};
   if (!allocate(s))
     return HSR_E_NOMEM;
   fill_terms(s);
@@ -96,34 +112,45 @@ static void draw_batch(struct hsr_splats *s) {
   if (!b->n)
     return;
   hsr_splats_place(s);
-  struct hsr_placed placed;
+  int n = 0;
   for (int k = 0; k < b->n; k++)
-    if (hsr_splats_take(s, k, &placed))
-      s->draw(s, &placed);
+    n += hsr_splats_take(s, k, &s->placed[n]);
+  hsr_splats_shade(s, s->placed, n);
+  for (int k = 0; k < n; k++)
+    s->draw(s, &s->placed[k]);
   b->n = 0;
 }
 
-/* A sample of opacity 0 gives nothing to any pixel, unless weights are wanted. */
-static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
-                       uint32_t j, uint32_t k) {
+/* `n` kept samples of a row, from a cell on, up or down. A sample of opacity 0 gives
+ * nothing to any pixel, unless weights are wanted. */
+static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
+                uint32_t j, uint32_t k) {
   struct hsr_splat_batch *b = &s->batch;
-  HSR_STEP(s->tally, HSR_SPLAT_CELLS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
-           HSR_NOWHERE, 0);
-  uint32_t opacity = hsr_splats_opacity(s, cell);
-  if (!opacity && !s->splatting.normalise)
-    return;
-  b->cell[b->n] = cell;
-  b->opacity[b->n] = opacity;
-  b->at[0][b->n] = i;
-  b->at[1][b->n] = j;
-  b->at[2][b->n] = k;
-  if (++b->n == HSR_SPLAT_BATCH)
-    draw_batch(s);
+  while (n) {
+    const uint32_t room = HSR_SPLAT_BATCH - (uint32_t)b->n,
+                   here = n < room ? n : room;
+    int at = b->n;
+    for (uint32_t c = 0; c < here; c++, cell += (uint32_t)step) {
+      HSR_STEP(s->tally, HSR_SPLAT_CELLS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
+               HSR_NOWHERE, 0);
+      uint32_t opacity = hsr_splats_opacity(s, cell);
+      b->cell[at] = cell;
+      b->opacity[at] = opacity;
+      b->at[0][at] = s->grid->x[cell];
+      b->at[1][at] = j;
+      b->at[2][at] = k;
+      at += opacity || s->splatting.normalise;
+    }
+    b->n = at;
+    n -= here;
+    if (at == HSR_SPLAT_BATCH)
+      draw_batch(s);
+  }
 }
 
 /* --- Rows ----------------------------------------------------------------- */
 
-enum { PIECE = 32 }; /* kept samples that are tested at once */
+enum { PIECE = 16 }; /* kept samples that are tested at once */
 
 /* Where splats of a row are on the screen. */
 struct extent {
@@ -204,10 +231,7 @@ static void visit_piece(struct hsr_splats *s, uint32_t j, uint32_t k,
            where);
   if (where != IN)
     return;
-  for (uint32_t c = begin; c < end; c++) {
-    uint32_t cell = step > 0 ? c : end - 1 - (c - begin);
-    add(s, cell, g->x[cell], j, k);
-  }
+  add(s, step > 0 ? begin : end - 1, end - begin, step, j, k);
 }
 
 /* The kept samples from x = lo to hi, both included, up or down: at once, or in
@@ -247,7 +271,7 @@ static void visit_run(void *data, const struct hsr_grid_run *run) {
         (uint32_t)((int64_t)run->at[run->axis] + (int64_t)k * run->step);
     uint32_t cell = hsr_grid_cell(s->grid, at);
     if (cell != UINT32_MAX)
-      add(s, cell, at[0], at[1], at[2]);
+      add(s, cell, 1, 1, at[1], at[2]);
   }
 }
 
@@ -307,7 +331,7 @@ void hsr_splats_visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
   if (axis == 0)
     for (uint32_t c = s->start[index]; c < s->start[index + 1]; c++) {
       const struct hsr_splat_sample *sample = &s->sample[c];
-      add(s, sample->cell, index, sample->row % g->n[1], sample->row / g->n[1]);
+      add(s, sample->cell, 1, 1, sample->row % g->n[1], sample->row / g->n[1]);
     }
   draw_batch(s);
 }

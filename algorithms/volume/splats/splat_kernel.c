@@ -68,6 +68,8 @@ void hsr_splats_fill_weights(struct hsr_splats *s) {
     s->knot[k] =
         (uint16_t)lrint(65536 * 2 * half(s, distance_of(s, k), INFINITY));
   s->knot[HSR_SPLAT_KNOTS] = 0;
+  for (int k = 0; k < HSR_SPLAT_KNOTS; k++)
+    s->fall[k] = (uint16_t)(s->knot[k] - s->knot[k + 1]);
   for (int kappa = 0; kappa < HSR_FOOTPRINT; kappa++)
     s->weight[kappa] = hsr_splats_between(s->knot, kappa);
   s->weight[HSR_FOOTPRINT] = 0;

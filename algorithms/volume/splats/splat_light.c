@@ -2,9 +2,12 @@
 /* What samples look like: opacity by density and gradient, and light on their
  * normals. All in integers, as docs/composited-picture.md has them. */
 #include "algorithms/volume/splats/splats.h"
+#include "common/base/numbers.h"
+#include "common/base/vector.h"
 #include "common/grids/normal.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ONE = 65535, COSINE = 8192 };
 
@@ -58,23 +61,89 @@ void hsr_splats_fill_lights(struct hsr_splats *s) {
       (struct hsr_splat_light){(uint32_t)p->ambient + p->diffuse, 0};
 }
 
+/* --- Colours -------------------------------------------------------------- */
+
+/* A sample's own colour. */
+static inline void find_base(const struct hsr_splats *s, uint32_t cell,
+                             uint32_t base[HSR_SPLAT_OPACITY]) {
+  const struct hsr_grid *g = s->grid;
+  const struct hsr_palette *p = &g->palette;
+  for (int c = 0; c < HSR_SPLAT_OPACITY; c++)
+    if (g->rgb && p->own_colours) {
+      uint32_t byte = g->rgb[cell][c];
+      base[c] = ONE * byte * byte / (255 * 255);
+    } else
+      base[c] = p->rgb[g->level[cell]][c];
+}
+
 void hsr_splats_colour(const struct hsr_splats *s, uint32_t cell,
                        uint32_t opacity,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]) {
-  const struct hsr_grid *g = s->grid;
-  const struct hsr_palette *p = &g->palette;
-  const struct hsr_splat_light *light = &s->light[g->normal[cell]];
-  uint8_t level = g->level[cell];
-  colour[HSR_SPLAT_OPACITY] = (uint16_t)opacity;
-  bool own = g->rgb && p->own_colours;
+  const struct hsr_splat_light *light = &s->light[s->grid->normal[cell]];
+  uint32_t base[HSR_SPLAT_OPACITY];
+  find_base(s, cell, base);
   for (int c = 0; c < HSR_SPLAT_OPACITY; c++) {
-    uint32_t base = p->rgb[level][c];
-    if (own) {
-      uint32_t byte = g->rgb[cell][c];
-      base = ONE * byte * byte / (255 * 255);
-    }
-    uint64_t lit = (uint64_t)base * light->shade / ONE + light->gloss;
+    uint64_t lit = (uint64_t)base[c] * light->shade / ONE + light->gloss;
     lit = lit < ONE ? lit : ONE;
     colour[c] = (uint16_t)(lit * opacity / ONE);
   }
+  colour[HSR_SPLAT_OPACITY] = (uint16_t)opacity;
+}
+
+/* --- Many at once --------------------------------------------------------- */
+
+/* What colours are computed from: integers below 2^18. */
+struct lanes {
+  double base[HSR_SPLAT_OPACITY][HSR_SPLAT_BATCH];
+  double shade[HSR_SPLAT_BATCH], gloss[HSR_SPLAT_BATCH];
+  double opacity[HSR_SPLAT_BATCH], energy[HSR_SPLAT_BATCH];
+};
+
+static void gather(const struct hsr_splats *s, const struct hsr_placed *p,
+                   int n, struct lanes *l) {
+  for (int k = 0; k < n; k++) {
+    const struct hsr_splat_light *light = &s->light[s->grid->normal[p[k].cell]];
+    uint32_t base[HSR_SPLAT_OPACITY];
+    find_base(s, p[k].cell, base);
+    for (int c = 0; c < HSR_SPLAT_OPACITY; c++)
+      l->base[c][k] = base[c];
+    l->shade[k] = light->shade;
+    l->gloss[k] = light->gloss;
+    l->opacity[k] = p[k].opacity;
+    l->energy[k] = p[k].energy;
+  }
+}
+
+/* The quotient by 65535 of an integer below 2^35, rounded down. Half a unit more
+ * keeps it away from whole numbers by more than doubles err. */
+static inline double by_one(double x) {
+  return (double)(int32_t)((x + 0.5) * (1.0 / ONE));
+}
+
+/* As hsr_splats_colour does it, but in doubles, which hold all products; and times
+ * the energy. */
+HSR_VECTOR
+static void
+shade(const struct lanes *restrict l, int n,
+      uint16_t colour[restrict HSR_SPLAT_BATCH][HSR_SPLAT_OPACITY + 1]) {
+  for (int k = 0; k < n; k++) {
+    for (int c = 0; c < HSR_SPLAT_OPACITY; c++) {
+      double lit = by_one(l->base[c][k] * l->shade[k]) + l->gloss[k];
+      lit = by_one(hsr_min(lit, ONE) * l->opacity[k]);
+      colour[k][c] = (uint16_t)(int32_t)(lit * l->energy[k] * 0x1p-16);
+    }
+    colour[k][HSR_SPLAT_OPACITY] =
+        (uint16_t)(int32_t)(l->opacity[k] * l->energy[k] * 0x1p-16);
+  }
+}
+
+void hsr_splats_shade(const struct hsr_splats *s, struct hsr_placed *p, int n) {
+  struct lanes lanes;
+  uint16_t colour[HSR_SPLAT_BATCH][HSR_SPLAT_OPACITY + 1];
+  if (n < 1)
+    return;
+  gather(s, p, n, &lanes);
+  shade(&lanes, n, colour);
+  for (int k = 0; k < n; k++)
+    memcpy(p[k].colour, colour[k], sizeof p[k].colour);
 }

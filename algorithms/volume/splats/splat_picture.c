@@ -11,7 +11,7 @@ enum hsr_status hsr_splats_open(struct hsr_splats *s,
   const struct hsr_window *w = &s->window;
   struct hsr_arena *arena = s->job->scratch;
   size_t stride = (size_t)(w->x1 - w->x0) + HSR_SPLAT_LANES,
-         count = stride * (size_t)(w->y1 - w->y0);
+         count = stride * (size_t)(w->y1 - w->y0 + HSR_SPLAT_SPARE);
   bool is_sum = s->splatting.model == HSR_XRAY,
        has_weight = s->splatting.normalise;
   *picture = (struct hsr_splat_picture){.stride = stride, .count = count};

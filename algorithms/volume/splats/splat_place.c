@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where splats are: a batch at once.
  *
- * Formula     Let the middle be at the screen point where the ray's direction is
- *             W = V'/t, and A and B what D' changes by a pixel to the right and
- *             down. With a pixel (dx, dy) from the middle, p = W.A / W.W, q =
- *             W.B / W.W, and A, B without their parts along W:
- *               rho^2 = t^2 |dx A + dy B|^2 / (1 + p dx + q dy)^2.
- *             In parallel W is F', and t = 1, p = q = 0.
+ * Formula     A and B are what D' changes by a pixel to the right and down. At the
+ *             middle the ray's direction is V'/t. With a pixel (dx, dy) from the
+ *             middle, p = t V'.A / V'.V', q = t V'.B / V'.V', and a and b, which
+ *             are A and B without their parts along V':
+ *               rho^2 = t^2 |dx a + dy b|^2 / (1 + p dx + q dy)^2.
+ *             In parallel V is F, and t = 1, p = q = 0.
+ * Terms       all products are sums of three terms, one for each axis. Along a row
+ *             of samples one of them changes. So a.a = A.A - (V'.A)^2 / V'.V'.
  * Errors      u = 2^-53. A row of the view's matrices has a relative error of 2
  *             u, a distance from E of u, their product of u: a sum of three or
  *             four terms errs by less than 8 u times the greatest sum of their
@@ -14,10 +16,12 @@
  *             with room to spare, and the middle an error of 2^-49 (most_x + |x|
  *             most_w) / w + 2^-51 |x| pixels.
  *             A splat is placed only if rough < 2^-28; if p and q change the
- *             denominator by eta <= 1/2 within reach; if A and B keep 1/32 of
- *             their lengths without their parts along W; and if the cosine
- *             between them is at most sqrt(.8). Then the coefficients of the
- *             square have relative errors below 2 rough + 2^-40.
+ *             denominator by eta <= 1/2 within reach; if a and b are at least
+ *             1/32 as long as A and B; and if the cosine between them is at most
+ *             sqrt(.8). A.A errs by less than 8 u of it, V'.A by 8 u |V'| |A|, so
+ *             a.a by less than 32 u A.A, which is at most 2^-38 of a.a; and the
+ *             coefficients of the square have relative errors below 2 rough +
+ *             2^-37.
  * Floats      v = 2^-24. M = xx dx^2 + 2 |xy dx dy| + yy dy^2 is at most cond
  *             kappa (1 + eta)^2. Each product and sum adds v, so the square errs
  *             by less than 9 v M, and the denominator, which is at least 1 -
@@ -45,56 +49,65 @@
 
 #include <math.h>
 
-/* What bounds the errors of a batch. */
-enum { COSINE2, ETA, SQUARE, OFF, ROUGH, MOST };
+/* --- Rows ----------------------------------------------------------------- */
 
-/* What the lanes of a batch are computed from. */
+/* What the lanes of a batch are computed from: the sums of the terms of y and z, and
+ * of x the distance from E, V and 1 / size. What is behind the lanes is to spare. */
 struct lanes {
-  double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH], w[HSR_SPLAT_BATCH];
-  double along[3][HSR_SPLAT_BATCH]; /* t W: V, or in parallel F */
-  double per_size[3][HSR_SPLAT_BATCH];
-  /* Of splats that floats may tell; 0 of others: the square of the cosine between
-   * A and B, eta, the greater of xx and yy, how far the middle may be off, and
-   * rough. */
-  double most[MOST][HSR_SPLAT_BATCH];
+  double row[HSR_TERMS][HSR_SPLAT_BATCH + HSR_SPLAT_LANES];
+  double far[HSR_SPLAT_BATCH], V[HSR_SPLAT_BATCH], per_size[HSR_SPLAT_BATCH];
 };
 
-static void gather(struct hsr_splats *s, struct lanes *l) {
-  struct hsr_splat_batch *b = &s->batch;
+/* Gives n lanes, and some behind them, the sums of a row. */
+static void spread_row(const double sum[HSR_TERMS], int at, int n,
+                       struct lanes *l) {
+  for (int t = 0; t < HSR_TERMS; t++)
+    for (int k = 0; k < n; k += HSR_SPLAT_LANES)
+      for (int lane = 0; lane < HSR_SPLAT_LANES; lane++)
+        l->row[t][at + k + lane] = sum[t];
+}
+
+/* The samples of a batch come in rows. */
+static void gather(const struct hsr_splats *s, struct lanes *l) {
+  const struct hsr_splat_batch *b = &s->batch;
   const struct hsr_view *v = s->view;
-  for (int k = 0; k < b->n; k++) {
-    uint32_t i = b->at[0][k], j = b->at[1][k], m = b->at[2][k];
-    l->x[k] =
-        s->term[0][0][i] + s->term[1][0][j] + s->term[2][0][m] + v->origin[0];
-    l->y[k] =
-        s->term[0][1][i] + s->term[1][1][j] + s->term[2][1][m] + v->origin[1];
-    l->w[k] = v->parallel
-                  ? 1
-                  : s->term[0][2][i] + s->term[1][2][j] + s->term[2][2][m];
-    b->depth[k] = s->term[0][3][i] + s->term[1][3][j] + s->term[2][3][m];
-    for (int a = 0; a < 3; a++) {
-      l->along[a][k] = v->parallel ? v->F[a] : s->far[a][b->at[a][k]];
-      l->per_size[a][k] = s->per_size[a][b->at[a][k]];
-    }
+  const uint32_t *j = b->at[1], *k = b->at[2];
+  for (int at = 0, end; at < b->n; at = end) {
+    double sum[HSR_TERMS];
+    for (int t = 0; t < HSR_TERMS; t++)
+      sum[t] = s->term[1][t][j[at]] + s->term[2][t][k[at]];
+    sum[HSR_TERM_X] += v->origin[0];
+    sum[HSR_TERM_Y] += v->origin[1];
+    sum[HSR_TERM_W] += v->parallel ? 1 : 0;
+    for (end = at + 1; end < b->n && j[end] == j[at] && k[end] == k[at];)
+      end++;
+    spread_row(sum, at, end - at, l);
+  }
+  for (int n = 0; n < b->n; n++) {
+    uint32_t i = b->at[0][n];
+    l->far[n] = s->far[0][i];
+    l->V[n] = v->parallel ? v->F[0] : s->far[0][i];
+    l->per_size[n] = s->per_size[0][i];
   }
 }
 
+/* --- Places --------------------------------------------------------------- */
+
+/* What bounds the errors of a batch: of splats that floats may tell, 1 by the
+ * square of the sine between A and B; eta; the greater of xx and yy, times the
+ * square of how far the middle may be off; and rough. 0 of other splats. */
+enum { PER_SINE2, ETA, MOVED, ROUGH, MOST };
+
 HSR_VECTOR
-static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
-                  struct hsr_splat_batch *restrict b) {
+static void place(const struct hsr_splats *restrict s,
+                  const struct lanes *restrict l,
+                  struct hsr_splat_batch *restrict b,
+                  double most[restrict MOST][HSR_SPLAT_BATCH]) {
   const struct hsr_view *v = s->view;
-  double U[3], R[3], right[3], down[3];
-  for (int a = 0; a < 3; a++) {
-    U[a] = v->U[a];
-    R[a] = v->R[a];
-    right[a] = v->ray[1][a];
-    down[a] = v->ray[2][a];
-  }
   const double most_x = hsr_max(s->most[0], s->most[1]), most_w = s->most[2];
-  const double per_m = 1 / ((double)v->whole_m * v->whole_m),
-               per_n = 1 / ((double)v->whole_n * v->whole_n);
   const double width = s->splatting.width * s->splatting.width;
-  const double full = HSR_FOOTPRINT / (s->reach * s->reach * width);
+  const double full = HSR_FOOTPRINT / (s->reach * s->reach * width),
+               all_energy = 65536 / width;
   const double left = hsr_sample_x(v, 0), top = hsr_sample_y(v, 0);
   const double near = v->near,
                depth_off = 0x1p-49 * s->most[3] + 0x1p-52 * near;
@@ -102,46 +115,49 @@ static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
   const int32_t plain_energy = (int32_t)s->plain_energy;
   const double perspective = v->parallel ? 0 : 1,
                antialias = s->splatting.antialias ? 1 : 0;
+  const double by_far[4] = {v->screen[0][0], v->screen[1][0],
+                            v->parallel ? 0 : v->screen[2][0], v->depth[0]};
+  const double A = v->ray[1][0], B = v->ray[2][0];
+  const double U = v->U[0] / v->whole_n, R = v->R[0] / v->whole_m,
+               UR = 2 * (U * U + R * R);
   for (int k = 0; k < HSR_SPLAT_BATCH; k++) {
-    double w = l->w[k], inverse = 1 / w, t2 = w * w;
-    double x = l->x[k] * inverse, y = l->y[k] * inverse;
-    double hx = l->per_size[0][k], hy = l->per_size[1][k],
-           hz = l->per_size[2][k];
-    double Wx = hx * (l->along[0][k] * inverse),
-           Wy = hy * (l->along[1][k] * inverse),
-           Wz = hz * (l->along[2][k] * inverse);
-    double Ax = hx * right[0], Ay = hy * right[1], Az = hz * right[2];
-    double Bx = hx * down[0], By = hy * down[1], Bz = hz * down[2];
-    double AA = Ax * Ax + Ay * Ay + Az * Az, BB = Bx * Bx + By * By + Bz * Bz;
-    double WW = Wx * Wx + Wy * Wy + Wz * Wz, per_WW = 1 / WW;
-    double p = (Wx * Ax + Wy * Ay + Wz * Az) * per_WW,
-           q = (Wx * Bx + Wy * By + Wz * Bz) * per_WW;
-    Ax -= p * Wx, Ay -= p * Wy, Az -= p * Wz;
-    Bx -= q * Wx, By -= q * Wy, Bz -= q * Wz;
-    double aa = Ax * Ax + Ay * Ay + Az * Az, ab = Ax * Bx + Ay * By + Az * Bz,
-           bb = Bx * Bx + By * By + Bz * Bz;
+    double far = l->far[k], V = l->V[k],
+           square = l->per_size[k] * l->per_size[k];
+    double w = by_far[HSR_TERM_W] * far + l->row[HSR_TERM_W][k],
+           inverse = 1 / w, t2 = w * w;
+    double x = (by_far[HSR_TERM_X] * far + l->row[HSR_TERM_X][k]) * inverse,
+           y = (by_far[HSR_TERM_Y] * far + l->row[HSR_TERM_Y][k]) * inverse,
+           depth = by_far[HSR_TERM_DEPTH] * far + l->row[HSR_TERM_DEPTH][k];
+    double VV = V * V * square + l->row[HSR_TERM_VV][k], per_VV = 1 / VV;
+    double VA = V * A * square + l->row[HSR_TERM_VA][k],
+           VB = V * B * square + l->row[HSR_TERM_VB][k];
+    double AA = A * A * square + l->row[HSR_TERM_AA][k],
+           AB = A * B * square + l->row[HSR_TERM_AB][k],
+           BB = B * B * square + l->row[HSR_TERM_BB][k];
+    double p = VA * per_VV, q = VB * per_VV;
+    double aa = AA - p * VA, ab = AB - p * VB, bb = BB - q * VB;
+    p *= w, q *= w;
 
-    double ux = hx * U[0], uy = hy * U[1], uz = hz * U[2];
-    double rx = hx * R[0], ry = hy * R[1], rz = hz * R[2];
-    double apart = 2 * t2 *
-                   ((ux * ux + uy * uy + uz * uz) * per_n +
-                    (rx * rx + ry * ry + rz * rz) * per_m);
-    double scale = full / hsr_max(1, antialias * apart);
+    double apart = t2 * (UR * square + l->row[HSR_TERM_APART][k]),
+           per_apart = 1 / hsr_max(1, antialias * apart);
+    double scale = full * per_apart;
 
     double f = scale * t2, xx = f * aa, xy = f * ab, yy = f * bb;
-    double det = xx * yy - xy * xy, cosine2 = xy * xy / (xx * yy);
-    double side_x = sqrt(yy / det), side_y = sqrt(xx / det);
+    double det = xx * yy - xy * xy, per_det = 1 / det;
+    double per_sine2 = xx * yy * per_det;
+    double side_x = sqrt(yy * per_det), side_y = sqrt(xx * per_det);
     double eta = 48 * perspective * (fabs(p) * side_x + fabs(q) * side_y);
     double rough = 0x1p-48 * most_w * fabs(inverse) + 0x1p-40;
     double off =
         0x1p-49 * (most_x + hsr_max(fabs(x), fabs(y)) * most_w) * inverse +
         0x1p-51 * hsr_max(fabs(x), fabs(y));
     double reach = 32 * (1 + eta) * (1 + 0x1p-20);
-    bool good =
-        (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
-        (bb * 1024 >= BB) & (cosine2 <= 0.8) & (xx < 0x1p60) & (yy < 0x1p60) &
-        (xx > 0x1p-60) & (yy > 0x1p-60) & (off < 0x1p-10) &
-        (WW * 0x1p20 >= 2304 * (AA * side_x * side_x + BB * side_y * side_y));
+    bool good = (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
+                (bb * 1024 >= BB) & (per_sine2 > 0) & (per_sine2 <= 5) &
+                (xx < 0x1p60) & (yy < 0x1p60) & (xx > 0x1p-60) &
+                (yy > 0x1p-60) & (off < 0x1p-10) &
+                (VV * 0x1p20 >=
+                 2304 * t2 * (AA * side_x * side_x + BB * side_y * side_y));
     double reach_x = good ? reach * side_x + off : HSR_MAX_SIZE,
            reach_y = good ? reach * side_y + off : HSR_MAX_SIZE;
     double middle_x = good ? x : 0, middle_y = good ? y : 0;
@@ -155,14 +171,13 @@ static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
         hsr_splats_end_pixel(middle_y + reach_y - top, window.y0, window.y1);
     b->is_small[k] = good;
     bool counts = good & (k < b->n);
-    l->most[COSINE2][k] = counts ? cosine2 : 0;
-    l->most[ETA][k] = counts ? eta : 0;
-    l->most[SQUARE][k] = counts ? hsr_max(xx, yy) : 0;
-    l->most[OFF][k] = counts ? off : 0;
-    l->most[ROUGH][k] = counts ? rough : 0;
+    most[PER_SINE2][k] = counts ? per_sine2 : 0;
+    most[ETA][k] = counts ? eta : 0;
+    most[MOVED][k] = counts ? hsr_max(xx, yy) * (off * off) : 0;
+    most[ROUGH][k] = counts ? rough : 0;
 
     double loose = 8 * rough + 0x1p-40;
-    double energy = 65536 / (hsr_max(1, apart) * width);
+    double energy = all_energy * per_apart;
     double most_energy = energy * (1 + loose);
     /* The limits differ, so that an energy beyond them is not taken for a whole
      * one. The exact path decides it. */
@@ -172,10 +187,13 @@ static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
     bool is_plain = (antialias == 0) | (apart < 1 - loose);
     bool is_whole = (least_whole == most_whole) & (loose < 0x1p-20);
     b->energy[k] = is_plain ? plain_energy : is_whole ? least_whole : -1;
-    b->is_beyond[k] = b->depth[k] - near > depth_off;
+    b->is_beyond[k] = depth - near > depth_off;
 
+    b->depth[k] = depth;
     b->x[k] = x;
     b->y[k] = y;
+    b->dx[k] = (float)(b->x0[k] + left - x);
+    b->dy[k] = (float)(b->y0[k] + top - y);
     b->xx[k] = (float)xx;
     b->xy[k] = (float)xy;
     b->yy[k] = (float)yy;
@@ -190,8 +208,8 @@ static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
 /* The greatest of each row moves to its first place. */
 HSR_VECTOR
 static void find_most(double row[MOST][HSR_SPLAT_BATCH]) {
-  for (int r = 0; r < MOST; r++)
-    for (int half = HSR_SPLAT_BATCH / 2; half; half /= 2)
+  for (int half = HSR_SPLAT_BATCH / 2; half; half /= 2)
+    for (int r = 0; r < MOST; r++)
       for (int k = 0; k < half; k++)
         row[r][k] = hsr_max(row[r][k], row[r][k + half]);
 }
@@ -199,17 +217,19 @@ static void find_most(double row[MOST][HSR_SPLAT_BATCH]) {
 /* How far kappa may be off. What is worst in the batch bounds it for all splats
  * of the batch: roots and quotients for each of them take longer than the few
  * pixels more that must be decided in doubles. */
-static void bound_errors(struct lanes *l, struct hsr_splat_batch *b) {
-  find_most(l->most);
-  const double cosine2 = l->most[COSINE2][0], eta = l->most[ETA][0],
-               cosine = sqrt(cosine2), cond = (1 + cosine) / (1 - cosine),
+static void bound_errors(double most[MOST][HSR_SPLAT_BATCH],
+                         struct hsr_splat_batch *b) {
+  find_most(most);
+  const double sine2 = 1 / hsr_max(1, most[PER_SINE2][0]), eta = most[ETA][0],
+               cosine = sqrt(1 - sine2 + 0x1p-40),
+               cond = (1 + cosine) / (1 - cosine),
                ratio = (1 + eta) / (1 - eta), spread = cond * ratio * ratio;
   const double in_float =
       0x1p-24 *
       (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) + 12000 * spread);
-  const double in_doubles = 800 * sqrt(l->most[SQUARE][0]) * l->most[OFF][0] +
-                            36000 * l->most[ROUGH][0];
-  const double moved = 128 * (1 + eta) / ((1 - eta) * sqrt(1 - cosine2));
+  const double in_doubles =
+      800 * sqrt(most[MOVED][0]) + 36000 * (most[ROUGH][0] + 0x1p-37);
+  const double moved = 128 * (1 + eta) / ((1 - eta) * sqrt(sine2));
   b->error = (float)(in_float + in_doubles);
   b->constant = (float)(0x1p-24 * 33 * moved + in_doubles);
   b->slope = (float)(1 + 0x1p-24 * (4 * spread + (16 * eta + 4) / (1 - eta) +
@@ -218,9 +238,10 @@ static void bound_errors(struct lanes *l, struct hsr_splat_batch *b) {
 
 void hsr_splats_place(struct hsr_splats *s) {
   struct lanes lanes;
+  double most[MOST][HSR_SPLAT_BATCH];
   gather(s, &lanes);
-  place(s, &lanes, &s->batch);
-  bound_errors(&lanes, &s->batch);
+  place(s, &lanes, &s->batch, most);
+  bound_errors(most, &s->batch);
 }
 
 /* --- Single splats -------------------------------------------------------- */
@@ -355,6 +376,7 @@ static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
   p->cell = b->cell[k];
   for (int a = 0; a < 3; a++)
     p->at[a] = b->at[a][k];
+  p->opacity = b->opacity[k];
   p->x = b->x[k];
   p->y = b->y[k];
   p->scale = b->scale[k];
@@ -364,6 +386,8 @@ static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
   p->yy = b->yy[k];
   p->p = b->p[k];
   p->q = b->q[k];
+  p->dx = b->dx[k];
+  p->dy = b->dy[k];
   p->error = b->error;
   p->constant = b->constant;
   p->slope = b->slope;
@@ -389,11 +413,7 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     return leave(s, p->cell);
   if (!p->is_blurred || s->way_from == s->way_to)
     p->energy = energy_of(s, k, p->at);
-  uint32_t opacity = b->opacity[k];
-  if (s->is_hidden && s->is_hidden(s, opacity, p->energy, &p->box))
+  if (s->is_hidden && s->is_hidden(s, p->opacity, p->energy, &p->box))
     return leave_hidden(s, p);
-  hsr_splats_colour(s, p->cell, opacity, p->colour);
-  for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
-    p->colour[c] = (uint16_t)((uint64_t)p->colour[c] * p->energy >> 16);
   return true;
 }

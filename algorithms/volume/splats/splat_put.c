@@ -100,30 +100,22 @@ void hsr_splats_settle(const struct hsr_splats *s, const struct hsr_placed *p,
 
 /* --- The choice ----------------------------------------------------------- */
 
-typedef void put_function(struct hsr_splats *s, const struct hsr_placed *p,
-                          struct hsr_splat_picture *picture,
-                          enum hsr_splat_way way);
-
-/* The twins are for splats that floats can tell, without weights. */
-static put_function *choose(const struct hsr_placed *p,
-                            const struct hsr_splat_picture *picture) {
+hsr_splats_putter *hsr_splats_twin(void) {
 #if HSR_SPLATS_HAVE_TWINS
-  if (p->is_small && !picture->weight) {
-    if (__builtin_cpu_supports("avx512bw") &&
-        __builtin_cpu_supports("avx512vl"))
-      return hsr_splats_put_avx512;
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-      return hsr_splats_put_avx2;
-  }
-#else
-  (void)p, (void)picture;
+  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    return hsr_splats_put_avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return hsr_splats_put_avx2;
 #endif
-  return put_portable;
+  return NULL;
 }
 
 void hsr_splats_put(struct hsr_splats *s, const struct hsr_placed *p,
                     struct hsr_splat_picture *picture, enum hsr_splat_way way) {
   HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
            p->box, 2);
-  choose(p, picture)(s, p, picture, way);
+  if (s->twin && p->is_small && !picture->weight)
+    s->twin(s, p, picture, way);
+  else
+    put_portable(s, p, picture, way);
 }

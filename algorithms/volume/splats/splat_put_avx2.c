@@ -69,14 +69,15 @@ settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
   return _mm256_loadu_si256((const __m256i *)indices);
 }
 
-/* What is the same in a column of pixels. */
+/* What is the same in a column of pixels: `past` columns right of the first. */
 struct column {
   __m256 X, xx, xy, px;
 };
 
-AVX2 static inline struct column column_of(const struct footprint *f,
-                                           float dx) {
-  __m256 X = _mm256_add_ps(all(dx), f->column);
+AVX2 static inline struct column column_of(const struct footprint *f, float dx,
+                                           int past) {
+  __m256 column = past ? _mm256_add_ps(all((float)past), f->column) : f->column,
+         X = _mm256_add_ps(all(dx), column);
   return (struct column){X, _mm256_mul_ps(f->xx, _mm256_mul_ps(X, X)),
                          _mm256_mul_ps(f->xy, X),
                          _mm256_fmadd_ps(f->p, X, all(1))};
@@ -150,20 +151,19 @@ AVX2 static inline __m256i given(const struct footprint *f, __m128i weight) {
       f->colour);
 }
 
-/* Puts the columns of the box from x on, as many as are weighed at once. Pixels
- * beyond the box are not covered; those beyond the window are room that a row of
- * the picture has to spare. */
+/* Puts the columns of the box from x0 + past on, as many as are weighed at once.
+ * Pixels beyond the box are not covered; those beyond the window are room that the
+ * picture has to spare. */
 AVX2 static inline __attribute__((always_inline)) void
 put_columns(struct hsr_splats *s, const struct hsr_placed *p,
-            struct hsr_splat_picture *picture, const struct footprint *f, int x,
-            int columns, bool blurred, enum hsr_splat_way way) {
+            struct hsr_splat_picture *picture, const struct footprint *f,
+            int past, int columns, bool blurred, enum hsr_splat_way way) {
   const struct hsr_window *box = &p->box;
-  const int rows = ALL / columns;
+  const int rows = ALL / columns, x = box->x0 + past;
   const size_t second = columns == ALL ? PIECE : picture->stride;
   const __m256i end = all_of(HSR_FOOTPRINT);
-  const struct column c =
-      column_of(f, (float)(hsr_sample_x(s->view, x) - p->x));
-  const __m256 dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y));
+  const struct column c = column_of(f, p->dx, past);
+  const __m256 dy = all(p->dy);
   __m256 row = f->row;
   size_t at = hsr_splats_at(s, picture, x, box->y0);
   for (int j = box->y0; j < box->y1; j += rows) {
@@ -181,23 +181,26 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
         _mm256_i32gather_epi32(f->weight, _mm256_min_epu32(index, end), 4);
     if (!_mm256_testz_si256(weight, weight)) {
       put_piece(picture, at, given(f, _mm256_castsi256_si128(weight)), way);
-      if (columns == ALL || j + 1 < box->y1)
-        put_piece(picture, at + second,
-                  given(f, _mm256_extracti128_si256(weight, 1)), way);
+      put_piece(picture, at + second,
+                given(f, _mm256_extracti128_si256(weight, 1)), way);
     }
     row = _mm256_add_ps(row, all((float)rows));
     at += (size_t)rows * picture->stride;
   }
 }
 
-/* All columns of the box. */
+/* All columns of the box. What is not wider than a piece is put at once. */
 AVX2 static inline __attribute__((always_inline)) void
 put_box(struct hsr_splats *s, const struct hsr_placed *p,
         struct hsr_splat_picture *picture, int columns, bool blurred,
         enum hsr_splat_way way) {
   const struct footprint f = footprint_of(s, p, columns, blurred);
-  for (int x = p->box.x0; x < p->box.x1; x += columns)
-    put_columns(s, p, picture, &f, x, columns, blurred, way);
+  const int width = p->box.x1 - p->box.x0;
+  if (columns < ALL)
+    put_columns(s, p, picture, &f, 0, columns, blurred, way);
+  else
+    for (int past = 0; past < width; past += columns)
+      put_columns(s, p, picture, &f, past, columns, blurred, way);
 }
 
 /* Each way has code of its own. */

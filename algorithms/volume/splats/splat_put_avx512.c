@@ -10,15 +10,15 @@
 
 #define AVX512 __attribute__((target("avx512f,avx512bw,avx512vl")))
 
-/* 16 pixels are weighed at once: a piece of one row, or pieces of two rows, as
- * wide as PIECE. Those of a piece are put into the picture at once. */
-enum { PIECE = HSR_SPLAT_LANES, ALL = 2 * PIECE };
+/* 16 pixels are weighed at once: of one row, of two rows of PIECE, or of four rows
+ * of HALF. Eight of them are a piece, which is put into the picture at once: it is
+ * of one row, or of two rows of HALF. */
+enum { PIECE = HSR_SPLAT_LANES, HALF = PIECE / 2, ALL = 2 * PIECE };
 
-/* The footprint's square in floats, and the kernel's table. */
+/* The footprint's square in floats. */
 struct footprint {
   __m512 xx, xy, yy, p, q, constant, most, least; /* slope, and 2 - slope */
   __m512 column, row;                             /* of each lane */
-  __m512i T[2], fall[2];                          /* fall: T_i - T_(i+1) */
   __m512i colour;
   __m512 way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
 };
@@ -27,40 +27,35 @@ AVX512 static inline __m512 all(float x) {
   return _mm512_set1_ps(x);
 }
 
-/* `columns` is PIECE or ALL. */
+/* `columns` is HALF, PIECE or ALL. */
 AVX512 static inline struct footprint footprint_of(const struct hsr_splats *s,
                                                    const struct hsr_placed *p,
-                                                   int columns) {
+                                                   int columns, bool blurred) {
   const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
                                          12, 13, 14, 15),
                 column = _mm512_and_si512(lane, _mm512_set1_epi32(columns - 1)),
-                row = _mm512_srli_epi32(_mm512_sub_epi32(lane, column), 3);
+                row = _mm512_srli_epi32(lane, columns == HALF    ? 2
+                                              : columns == PIECE ? 3
+                                                                 : 4);
   int64_t rgba;
   memcpy(&rgba, p->colour, sizeof rgba);
-  struct footprint f = {
-      all(p->xx),
-      all(2 * p->xy),
-      all(p->yy),
-      all(p->p),
-      all(p->q),
-      all(p->is_blurred ? p->way_error : p->constant),
-      all(p->is_blurred ? 1 : p->slope),
-      all(p->is_blurred ? 1 : 2 - p->slope),
-      _mm512_cvtepi32_ps(column),
-      _mm512_cvtepi32_ps(row),
-      {_mm512_loadu_si512(s->knot), _mm512_loadu_si512(s->knot + 32)},
-      {_mm512_setzero_si512()},
-      _mm512_set1_epi64(rgba),
-      all(p->way_x),
-      all(p->way_y),
-      all(p->s_x),
-      all(p->s_y),
-      all((float)s->way_from),
-      all((float)s->way_to)};
-  for (int h = 0; h < 2; h++)
-    f.fall[h] =
-        _mm512_sub_epi16(f.T[h], _mm512_loadu_si512(s->knot + 32 * h + 1));
-  return f;
+  return (struct footprint){all(p->xx),
+                            all(2 * p->xy),
+                            all(p->yy),
+                            all(p->p),
+                            all(p->q),
+                            all(blurred ? p->way_error : p->constant),
+                            all(blurred ? 1 : p->slope),
+                            all(blurred ? 1 : 2 - p->slope),
+                            _mm512_cvtepi32_ps(column),
+                            _mm512_cvtepi32_ps(row),
+                            _mm512_set1_epi64(rgba),
+                            all(p->way_x),
+                            all(p->way_y),
+                            all(p->s_x),
+                            all(p->s_y),
+                            all((float)s->way_from),
+                            all((float)s->way_to)};
 }
 
 AVX512 __attribute__((noinline)) static __m512i
@@ -78,14 +73,15 @@ AVX512 static inline __m512 inverse(__m512 x) {
   return _mm512_fmadd_ps(y, _mm512_fnmadd_ps(x, y, all(1)), y);
 }
 
-/* What is the same in a column of pixels. */
+/* What is the same in a column of pixels: `past` columns right of the first. */
 struct column {
   __m512 X, xx, xy, px;
 };
 
 AVX512 static inline struct column column_of(const struct footprint *f,
-                                             float dx) {
-  __m512 X = _mm512_add_ps(all(dx), f->column);
+                                             float dx, int past) {
+  __m512 column = past ? _mm512_add_ps(all((float)past), f->column) : f->column,
+         X = _mm512_add_ps(all(dx), column);
   return (struct column){X, _mm512_mul_ps(f->xx, _mm512_mul_ps(X, X)),
                          _mm512_mul_ps(f->xy, X),
                          _mm512_fmadd_ps(f->p, X, all(1))};
@@ -114,11 +110,13 @@ AVX512 static inline __m512 blurred_kappa_of(const struct footprint *f,
 
 /* W of indices, 0 where they are not in `in`, in every other word. 16 i + j,
  * moved up by 12 bits, leaves 2 j in the highest five of a word. */
-AVX512 static inline __m512i weigh(const struct footprint *f, __mmask16 in,
+AVX512 static inline __m512i weigh(const struct hsr_splats *s, __mmask16 in,
                                    __m512i index) {
   __m512i i = _mm512_srli_epi32(index, 4);
-  __m512i T = _mm512_permutex2var_epi16(f->T[0], i, f->T[1]),
-          fall = _mm512_permutex2var_epi16(f->fall[0], i, f->fall[1]);
+  __m512i T = _mm512_permutex2var_epi16(_mm512_load_si512(s->knot), i,
+                                        _mm512_load_si512(s->knot + 32)),
+          fall = _mm512_permutex2var_epi16(_mm512_load_si512(s->fall), i,
+                                           _mm512_load_si512(s->fall + 32));
   __m512i twice =
       _mm512_or_si512(_mm512_slli_epi16(index, 12), _mm512_set1_epi32(1 << 11));
   return _mm512_maskz_mov_epi32(
@@ -138,30 +136,52 @@ AVX512 static inline __m512i left(__m512i b, __m512i by) {
                                  _mm512_sub_epi16(_mm512_setzero_si512(), by));
 }
 
-AVX512 static inline void put_piece(struct hsr_splat_picture *picture,
-                                    size_t at, __m512i D,
-                                    enum hsr_splat_way way) {
-  if (way == HSR_PUT_SUM) {
-    uint32_t *sum = picture->sum[at];
-    __m512i low = _mm512_cvtepu16_epi32(_mm512_castsi512_si256(D)),
-            high = _mm512_cvtepu16_epi32(_mm512_extracti64x4_epi64(D, 1));
-    _mm512_storeu_si512(sum, _mm512_add_epi32(_mm512_loadu_si512(sum), low));
-    _mm512_storeu_si512(sum + 16,
-                        _mm512_add_epi32(_mm512_loadu_si512(sum + 16), high));
+/* A piece of the picture: eight pixels from `at` on, or four, and four more from
+ * `second` on. */
+AVX512 static inline __m512i load(const uint16_t (*rgba)[4], size_t at,
+                                  size_t second) {
+  if (second == at + HALF)
+    return _mm512_loadu_si512(rgba + at);
+  return _mm512_inserti64x4(
+      _mm512_castsi256_si512(_mm256_loadu_si256((const __m256i *)(rgba + at))),
+      _mm256_loadu_si256((const __m256i *)(rgba + second)), 1);
+}
+
+AVX512 static inline void store(uint16_t (*rgba)[4], size_t at, size_t second,
+                                __m512i E) {
+  if (second == at + HALF) {
+    _mm512_storeu_si512(rgba + at, E);
     return;
   }
-  uint16_t *to = picture->rgba[at];
-  __m512i E = _mm512_loadu_si512(to);
+  _mm256_storeu_si256((__m256i *)(rgba + at), _mm512_castsi512_si256(E));
+  _mm256_storeu_si256((__m256i *)(rgba + second),
+                      _mm512_extracti64x4_epi64(E, 1));
+}
+
+AVX512 static inline void add_four(uint32_t (*sum)[4], __m256i D) {
+  _mm512_storeu_si512(
+      sum, _mm512_add_epi32(_mm512_loadu_si512(sum), _mm512_cvtepu16_epi32(D)));
+}
+
+AVX512 static inline void put_piece(struct hsr_splat_picture *picture,
+                                    size_t at, size_t second, __m512i D,
+                                    enum hsr_splat_way way) {
+  if (way == HSR_PUT_SUM) {
+    add_four(picture->sum + at, _mm512_castsi512_si256(D));
+    add_four(picture->sum + second, _mm512_extracti64x4_epi64(D, 1));
+    return;
+  }
+  __m512i E = load((const uint16_t(*)[4])picture->rgba, at, second);
   if (way == HSR_PUT_ADD)
     E = _mm512_adds_epu16(E, D);
   else if (way == HSR_PUT_OVER)
     E = _mm512_add_epi16(D, left(E, opacity(D)));
   else
     E = _mm512_add_epi16(E, left(D, opacity(E)));
-  _mm512_storeu_si512(to, E);
+  store(picture->rgba, at, second, E);
 }
 
-/* D of the piece's pixels, the first or the second one. */
+/* D of a piece's pixels, the first or the second one. */
 AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
                                    int piece) {
   const int64_t four = 0x0002000200020002, n = PIECE * piece;
@@ -171,75 +191,115 @@ AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
   return _mm512_mulhi_epu16(_mm512_permutexvar_epi16(pixel, weight), f->colour);
 }
 
-/* Puts the columns of the box from x on, as many as are weighed at once. */
+/* Puts the columns of the box from x0 + past on, as many as are weighed at once.
+ * What is beyond the box stays as it is. It is put all the same, since a branch that
+ * is not foreseen takes longer. */
 AVX512 static inline __attribute__((always_inline)) void
 put_columns(struct hsr_splats *s, const struct hsr_placed *p,
-            struct hsr_splat_picture *picture, const struct footprint *f, int x,
-            int columns, bool blurred, enum hsr_splat_way way) {
+            struct hsr_splat_picture *picture, const struct footprint *f,
+            int past, int columns, bool blurred, enum hsr_splat_way way) {
   const struct hsr_window *box = &p->box;
-  const int rows = ALL / columns,
+  const int rows = ALL / columns, x = box->x0 + past,
             n = box->x1 - x < columns ? box->x1 - x : columns;
-  const size_t second = columns == ALL ? PIECE : picture->stride;
-  const __mmask16 one = (__mmask16)((1u << n) - 1),
-                  two =
-                      (__mmask16)(columns == PIECE ? one << PIECE | one : one);
-  const struct column c =
-      column_of(f, (float)(hsr_sample_x(s->view, x) - p->x));
-  const __m512 dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y));
+  const size_t stride = picture->stride,
+               second = columns == HALF ? stride : HALF,
+               next = columns == ALL     ? PIECE
+                      : columns == PIECE ? stride
+                                         : 2 * stride;
+  const unsigned in_box = ((1u << n) - 1) * (columns == ALL     ? 1
+                                             : columns == PIECE ? 0x101
+                                                                : 0x1111);
+  const struct column c = column_of(f, p->dx, past);
+  const __m512 dy = all(p->dy);
   const __m512i beyond = _mm512_set1_epi32(HSR_FOOTPRINT);
   __m512 row = f->row;
   size_t at = hsr_splats_at(s, picture, x, box->y0);
-  for (int j = box->y0; j < box->y1; j += rows) {
+  for (int left = box->y1 - box->y0; left > 0; left -= rows) {
     __m512 Y = _mm512_add_ps(dy, row);
     __m512 kappa = blurred ? blurred_kappa_of(f, &c, Y) : kappa_of(f, &c, Y);
-    __mmask16 in = j + rows <= box->y1 ? two : one;
+    __mmask16 in =
+        (__mmask16)(left < rows ? in_box & ((1u << columns * left) - 1)
+                                : in_box);
     __m512i index = _mm512_cvttps_epi32(
                 _mm512_fmsub_ps(kappa, f->least, f->constant)),
             most = _mm512_cvttps_epi32(
                 _mm512_fmadd_ps(kappa, f->most, f->constant));
     __mmask16 doubt = _mm512_mask_cmpneq_epi32_mask(in, index, most);
     if (__builtin_expect(doubt != 0, 0))
-      index = settle(s, p, x, j, columns, doubt, index);
+      index = settle(s, p, x, box->y1 - left, columns, doubt, index);
     in = _mm512_mask_cmplt_epu32_mask(in, index, beyond);
-    __m512i weight = weigh(f, in, index);
-    put_piece(picture, at, given(f, weight, 0), way);
-    if (columns == ALL ? n > PIECE : j + 1 < box->y1)
-      put_piece(picture, at + second, given(f, weight, 1), way);
+    __m512i weight = weigh(s, in, index);
+    put_piece(picture, at, at + second, given(f, weight, 0), way);
+    if (columns < ALL || n > PIECE)
+      put_piece(picture, at + next, at + next + second, given(f, weight, 1),
+                way);
     row = _mm512_add_ps(row, all((float)rows));
-    at += (size_t)rows * picture->stride;
+    at += (size_t)rows * stride;
   }
 }
 
-/* What is not wider than a piece is put two rows at once. */
+/* All columns of the box. What is not wider than a piece is put at once. */
 AVX512 static inline __attribute__((always_inline)) void
 put_box(struct hsr_splats *s, const struct hsr_placed *p,
-        struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  if (p->is_blurred) {
-    const struct footprint f = footprint_of(s, p, ALL);
-    for (int x = p->box.x0; x < p->box.x1; x += ALL)
-      put_columns(s, p, picture, &f, x, ALL, true, way);
-  } else if (p->box.x1 - p->box.x0 <= PIECE) {
-    const struct footprint f = footprint_of(s, p, PIECE);
-    put_columns(s, p, picture, &f, p->box.x0, PIECE, false, way);
-  } else {
-    const struct footprint f = footprint_of(s, p, ALL);
-    for (int x = p->box.x0; x < p->box.x1; x += ALL)
-      put_columns(s, p, picture, &f, x, ALL, false, way);
-  }
+        struct hsr_splat_picture *picture, int columns, bool blurred,
+        enum hsr_splat_way way) {
+  const struct footprint f = footprint_of(s, p, columns, blurred);
+  const int width = p->box.x1 - p->box.x0;
+  if (columns < ALL)
+    put_columns(s, p, picture, &f, 0, columns, blurred, way);
+  else
+    for (int past = 0; past < width; past += columns)
+      put_columns(s, p, picture, &f, past, columns, blurred, way);
+}
+
+/* Each way has code of its own. */
+AVX512 static inline __attribute__((always_inline)) void
+put_shape(struct hsr_splats *s, const struct hsr_placed *p,
+          struct hsr_splat_picture *picture, int columns, bool blurred,
+          enum hsr_splat_way way) {
+  if (way == HSR_PUT_OVER)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_OVER);
+  else if (way == HSR_PUT_UNDER)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_UNDER);
+  else if (way == HSR_PUT_ADD)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_ADD);
+  else
+    put_box(s, p, picture, columns, blurred, HSR_PUT_SUM);
+}
+
+/* So has each shape. What is not wider than a piece, or half of it, is put two or
+ * four rows at once. */
+#define SHAPE AVX512 static __attribute__((noinline)) void
+SHAPE put_narrow(struct hsr_splats *s, const struct hsr_placed *p,
+                 struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, HALF, false, way);
+}
+SHAPE put_middle(struct hsr_splats *s, const struct hsr_placed *p,
+                 struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, PIECE, false, way);
+}
+SHAPE put_wide(struct hsr_splats *s, const struct hsr_placed *p,
+               struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, ALL, false, way);
+}
+SHAPE put_blurred(struct hsr_splats *s, const struct hsr_placed *p,
+                  struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, ALL, true, way);
 }
 
 AVX512 void hsr_splats_put_avx512(struct hsr_splats *s,
                                   const struct hsr_placed *p,
                                   struct hsr_splat_picture *picture,
                                   enum hsr_splat_way way) {
-  if (way == HSR_PUT_OVER)
-    put_box(s, p, picture, HSR_PUT_OVER);
-  else if (way == HSR_PUT_UNDER)
-    put_box(s, p, picture, HSR_PUT_UNDER);
-  else if (way == HSR_PUT_ADD)
-    put_box(s, p, picture, HSR_PUT_ADD);
+  const int width = p->box.x1 - p->box.x0;
+  if (p->is_blurred)
+    put_blurred(s, p, picture, way);
+  else if (width <= HALF)
+    put_narrow(s, p, picture, way);
+  else if (width <= PIECE)
+    put_middle(s, p, picture, way);
   else
-    put_box(s, p, picture, HSR_PUT_SUM);
+    put_wide(s, p, picture, way);
 }
 
 #endif

@@ -33,6 +33,8 @@
 #include "common/exact/footprint.h"
 #include "common/grids/order.h"
 
+#include <stdalign.h>
+
 /* --- What the modules have in common -------------------------------------- */
 
 enum {
@@ -73,7 +75,27 @@ enum {
   HSR_SPLAT_CHANNELS = 5,
   HSR_SPLAT_BATCH = 64, /* splats that are placed at once */
   HSR_SPLAT_KNOTS = 64, /* of a kernel's table, and one more */
-  HSR_SPLAT_LANES = 8   /* pixels that are weighed at once */
+  HSR_SPLAT_LANES = 8,  /* pixels of a row that are weighed at once */
+  HSR_SPLAT_SPARE = 3   /* rows that a twin may put below the last one */
+};
+
+/* What is a sum of three terms, one for each axis: homogeneous screen coordinates,
+ * the depth, and products of vectors that a prime has divided by the cell's size. V
+ * is from E to the sample, and in parallel F; A and B are what D changes by a pixel
+ * to the right and down. */
+enum {
+  HSR_TERM_X,
+  HSR_TERM_Y,
+  HSR_TERM_W, /* t; in parallel 1, to which no axis adds */
+  HSR_TERM_DEPTH,
+  HSR_TERM_VV,
+  HSR_TERM_VA,
+  HSR_TERM_VB,
+  HSR_TERM_AA,
+  HSR_TERM_AB,
+  HSR_TERM_BB,
+  HSR_TERM_APART, /* 2 (U'.U' / n^2 + R'.R' / m^2) */
+  HSR_TERMS
 };
 
 /* Splats that are about to be drawn, in sequence. */
@@ -94,28 +116,31 @@ struct hsr_splat_batch {
   /* The pixels that it may touch, and whether they and floats can be told. */
   int32_t x0[HSR_SPLAT_BATCH], x1[HSR_SPLAT_BATCH], y0[HSR_SPLAT_BATCH],
       y1[HSR_SPLAT_BATCH], is_small[HSR_SPLAT_BATCH];
-  double apart[HSR_SPLAT_BATCH]; /* pixels, in cells, squared: g^2 if over 1 */
   double depth[HSR_SPLAT_BATCH]; /* t */
+  double apart[HSR_SPLAT_BATCH]; /* pixels, in cells, squared: g^2 if over 1 */
   int32_t is_beyond[HSR_SPLAT_BATCH]; /* near; if not, it may be yet */
   int32_t energy[HSR_SPLAT_BATCH];    /* e; negative: to be found exactly */
-  double scale[HSR_SPLAT_BATCH];      /* 1024 / (g r)^2 */
+  float dx[HSR_SPLAT_BATCH], dy[HSR_SPLAT_BATCH]; /* of pixel (x0, y0) */
+  double scale[HSR_SPLAT_BATCH];                  /* 1024 / (g r)^2 */
   double rough[HSR_SPLAT_BATCH]; /* how far, relatively, these may be off */
 };
 
 /* One splat of a batch, as it is drawn. */
 struct hsr_placed {
   uint32_t cell, at[3];
-  double x, y, scale, rough;
+  uint16_t colour[HSR_SPLAT_OPACITY + 1]; /* that it gives by a weight of 1 */
+  uint32_t opacity, energy;
+  double x, y;
   float xx, xy, yy, p, q, error, constant, slope;
+  float dx, dy; /* of the first pixel of the box */
+  struct hsr_window box;
+  double scale, rough;
   bool is_small; /* floats may tell kappa, of a blurred one by what is below */
   bool is_blurred;
-  double way[3], way_length, way_off; /* Q, l, and how far Q may be off */
   /* Of a blurred splat, if is_small: Q as dx and dy, each over 1 + p dx + q dy;
    * by which multiples of these of a pixel are s; and how far kappa may be off. */
   float way_x, way_y, s_x, s_y, way_error;
-  struct hsr_window box;
-  uint32_t energy;
-  uint16_t colour[HSR_SPLAT_OPACITY + 1];
+  double way[3], way_length, way_off; /* Q, l, and how far Q may be off */
 };
 
 /* The light on a normal. */
@@ -135,6 +160,23 @@ struct hsr_splats_energy {
   uint32_t energy;
 };
 
+/* What a splat does to the pixels of its footprint. */
+enum hsr_splat_way {
+  HSR_PUT_OVER,
+  HSR_PUT_UNDER,
+  HSR_PUT_ADD, /* 65535 is the most */
+  HSR_PUT_SUM  /* to `sum` */
+};
+
+struct hsr_splats;
+struct hsr_splat_picture;
+
+/* Puts a splat that is small into a picture without weights. */
+typedef void hsr_splats_putter(struct hsr_splats *splats,
+                               const struct hsr_placed *placed,
+                               struct hsr_splat_picture *picture,
+                               enum hsr_splat_way way);
+
 struct hsr_splats {
   const struct hsr_job *job;
   const struct hsr_view *view;
@@ -142,11 +184,11 @@ struct hsr_splats {
   struct hsr_tally *tally;
   struct hsr_splatting splatting;
   struct hsr_window window;
-  /* Sample k of axis a: its distance from E along the axis; what it adds to
-   * homogeneous screen coordinate c, c = 2 being w, and c = 3 to the depth; 1 /
-   * the size of its cell. */
-  double *far[3], *term[3][4], *per_size[3];
-  double most[4];        /* the greatest sum of the sizes of three terms */
+  /* Sample k of axis a: its distance from E along the axis; its terms; 1 / the
+   * size of its cell. */
+  double *far[3], *term[3][HSR_TERMS], *per_size[3];
+  double
+      most[4]; /* the greatest sum of the sizes of three terms, to the depth */
   double largest[3];     /* cell of each axis */
   double spread[3];      /* the most that homogeneous coordinate c changes, on
                             a way of the largest cell along each axis */
@@ -154,10 +196,11 @@ struct hsr_splats {
                             width^2 */
   uint32_t plain_energy; /* e of a splat that is not widened or blurred */
   double reach;          /* r */
-  struct hsr_splat_light *light;                 /* by code of normal */
-  uint16_t knot[HSR_SPLAT_KNOTS + 1];            /* T: the kernel's table */
-  uint32_t weight[HSR_FOOTPRINT + 1];            /* W of kappa; 0 at the end */
-  uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1]; /* of model volume */
+  struct hsr_splat_light *light;                  /* by code of normal */
+  alignas(64) uint16_t knot[HSR_SPLAT_KNOTS + 1]; /* T: the kernel's table */
+  alignas(64) uint16_t fall[HSR_SPLAT_KNOTS];     /* T_i - T_(i + 1) */
+  uint32_t weight[HSR_FOOTPRINT + 1];             /* W of kappa; 0 at the end */
+  uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1];  /* of model volume */
 
   /* Of slices across x: the samples at x are those from start[x] on. */
   uint32_t *start;
@@ -170,6 +213,7 @@ struct hsr_splats {
 
   struct hsr_splats_energy last;
   struct hsr_splat_batch batch;
+  struct hsr_placed placed[HSR_SPLAT_BATCH]; /* what is drawn of it */
   void (*draw)(struct hsr_splats *, const struct hsr_placed *);
   /* Whether splats of at most this opacity and energy add nothing to any pixel
    * of the box. NULL in models that leave out no splat; otherwise rows are tested
@@ -178,6 +222,7 @@ struct hsr_splats {
                     uint32_t energy, const struct hsr_window *);
   uint32_t most_opacity; /* of any sample, by the palette */
   void *model;           /* of the module */
+  hsr_splats_putter *twin;
 };
 
 /* Begins a frame. HSR_E_NOMEM. */
@@ -240,6 +285,11 @@ void hsr_splats_colour(const struct hsr_splats *splats, uint32_t cell,
                        uint32_t opacity,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]);
 
+/* Finds the colours of n splats, at most HSR_SPLAT_BATCH. */
+#define hsr_splats_shade HSR_OF_BUILD(hsr_splats_shade)
+void hsr_splats_shade(const struct hsr_splats *splats,
+                      struct hsr_placed *placed, int n);
+
 /* --- Places and weights --------------------------------------------------- */
 
 /* The first pixel of [from, to] whose middle is not left of z, and the one after
@@ -258,8 +308,8 @@ static inline int32_t hsr_splats_end_pixel(double z, int32_t from, int32_t to) {
 #define hsr_splats_place HSR_OF_BUILD(hsr_splats_place)
 void hsr_splats_place(struct hsr_splats *splats);
 
-/* Splat k of the batch. False if the definition gives it no splat, or it is not
- * in the window. */
+/* Splat k of the batch, without its colour. False if the definition gives it no
+ * splat, or it is not in the window, or hidden. */
 #define hsr_splats_take HSR_OF_BUILD(hsr_splats_take)
 bool hsr_splats_take(struct hsr_splats *splats, int k,
                      struct hsr_placed *placed);
@@ -313,7 +363,8 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
 /* --- The picture ---------------------------------------------------------- */
 
 /* The channels of the pixels of the window, row after row: E of a picture, or
- * sums of D. Behind each row there is room for the lanes.
+ * sums of D. Behind each row there is room for the lanes, and below the last one
+ * there are rows to spare.
  *
  * In E opacities stay below 65536, and so do colours, which they exceed. Of
  * sums 65535 is the most that counts. Weights are not bounded so. */
@@ -341,30 +392,18 @@ static inline size_t hsr_splats_at(const struct hsr_splats *splats,
          (size_t)(i - splats->window.x0);
 }
 
-/* What a splat does to the pixels of its footprint. */
-enum hsr_splat_way {
-  HSR_PUT_OVER,
-  HSR_PUT_UNDER,
-  HSR_PUT_ADD, /* 65535 is the most */
-  HSR_PUT_SUM  /* to `sum` */
-};
+/* The fastest that this machine has; NULL if it has none but the portable one. */
+#define hsr_splats_twin HSR_OF_BUILD(hsr_splats_twin)
+hsr_splats_putter *hsr_splats_twin(void);
 
 #define hsr_splats_put HSR_OF_BUILD(hsr_splats_put)
 void hsr_splats_put(struct hsr_splats *splats, const struct hsr_placed *placed,
                     struct hsr_splat_picture *picture, enum hsr_splat_way way);
 
-/* Its twins for machines with AVX-512, and with AVX2 and fused products: for
- * splats that are small and pictures without weights. */
+/* Its twins for machines with AVX-512, and with AVX2 and fused products. */
 #if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #define HSR_SPLATS_HAVE_TWINS 1
-void hsr_splats_put_avx512(struct hsr_splats *splats,
-                           const struct hsr_placed *placed,
-                           struct hsr_splat_picture *picture,
-                           enum hsr_splat_way way);
-void hsr_splats_put_avx2(struct hsr_splats *splats,
-                         const struct hsr_placed *placed,
-                         struct hsr_splat_picture *picture,
-                         enum hsr_splat_way way);
+hsr_splats_putter hsr_splats_put_avx512, hsr_splats_put_avx2;
 /* For a twin that weighs several pixels at once, `columns` of a row, from pixel
  * (x, j) on: decides those whose bits are set in `doubt`. index[] has what floats
  * say of each, and gets the index; HSR_FOOTPRINT beyond the box. */
