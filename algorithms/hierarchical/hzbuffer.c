@@ -22,7 +22,9 @@
  *             time, by fewer and tighter tests. pyramid=queries emulates a
  *             machine with z-queries (thesis, 3.5.6): its steps are performed
  *             here, and only its latency is a pause. octree=lazy keeps what it
- *             has divided for later frames (thesis, 3.4).
+ *             has divided for later frames (thesis, 3.4). The build that is
+ *             timed projects the octants of a cube together, and tests the
+ *             whole of one before its sides; answers are the same.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "algorithms/hierarchical/cube_list.h"
