@@ -69,22 +69,19 @@ void reduce(Triple &t) {
   }
 }
 
-// Multiplied by one power of two. A zero has no exponent to speak of.
+// Multiplied by the least power of two that makes all of them whole.
 Triple integers_of(const std::array<Exact, 3> &value) {
-  bool any = false;
-  long least = 0;
-  for (const Exact &x : value)
-    if (CGAL::sign(x) != 0 && (!any || x.exp() < least)) {
-      least = x.exp();
-      any = true;
-    }
+  std::array<CGAL::Gmpq, 3> given;
+  mp_bitcnt_t most = 0; // digits behind the point
+  for (size_t k = 0; k < 3; k++) {
+    given[k] = hsr::fraction(value[k]);
+    most = std::max(most, mpz_scan1(mpq_denref(given[k].mpq()), 0));
+  }
   Triple made;
-  for (size_t k = 0; k < 3; k++)
-    if (CGAL::sign(value[k]) != 0)
-      mpz_mul_2exp(made[k].mpz(), value[k].man(),
-                   mp_bitcnt_t(value[k].exp() - least));
-    else
-      made[k] = Gmpz(0);
+  for (size_t k = 0; k < 3; k++) {
+    const mp_bitcnt_t own = mpz_scan1(mpq_denref(given[k].mpq()), 0);
+    mpz_mul_2exp(made[k].mpz(), mpq_numref(given[k].mpq()), most - own);
+  }
   reduce(made);
   return made;
 }
