@@ -22,6 +22,7 @@
 #include "common/polygon/exact_numbers.h"
 
 #include <CGAL/Gmpz.h>
+#include <CGAL/Gmpzf.h>
 
 #include <array>
 #include <cmath>
@@ -32,7 +33,10 @@
 namespace {
 
 using CGAL::Gmpz;
-using hsr::Exact;
+
+// Not hsr::Exact: that loses the sign of an integer from which it is made.
+using Exact = CGAL::Gmpzf;
+
 using Vector = hsr::Vector<Exact>;
 using Triple = std::array<Gmpz, 3>;
 
@@ -69,19 +73,22 @@ void reduce(Triple &t) {
   }
 }
 
-// Multiplied by the least power of two that makes all of them whole.
+// Multiplied by one power of two. A zero has no exponent to speak of.
 Triple integers_of(const std::array<Exact, 3> &value) {
-  std::array<CGAL::Gmpq, 3> given;
-  mp_bitcnt_t most = 0; // digits behind the point
-  for (size_t k = 0; k < 3; k++) {
-    given[k] = hsr::fraction(value[k]);
-    most = std::max(most, mpz_scan1(mpq_denref(given[k].mpq()), 0));
-  }
+  bool any = false;
+  long least = 0;
+  for (const Exact &x : value)
+    if (CGAL::sign(x) != 0 && (!any || x.exp() < least)) {
+      least = x.exp();
+      any = true;
+    }
   Triple made;
-  for (size_t k = 0; k < 3; k++) {
-    const mp_bitcnt_t own = mpz_scan1(mpq_denref(given[k].mpq()), 0);
-    mpz_mul_2exp(made[k].mpz(), mpq_numref(given[k].mpq()), most - own);
-  }
+  for (size_t k = 0; k < 3; k++)
+    if (CGAL::sign(value[k]) != 0)
+      mpz_mul_2exp(made[k].mpz(), value[k].man(),
+                   mp_bitcnt_t(value[k].exp() - least));
+    else
+      made[k] = Gmpz(0);
   reduce(made);
   return made;
 }
