@@ -58,7 +58,8 @@ enum {
                       faces. To save memory it takes an outline of HSR_LARGE to
                       HSR_MOST_LAID_OUT faces, for its own kind of answer */
   HSR_NEEDS_LAID_OUT =
-      1 << 11 /* of what is chosen: takes no outline after all */
+      1 << 11,       /* of what is chosen: takes no outline after all */
+  HSR_SUMS = 1 << 12 /* adds to the sums of an answer that has them */
 };
 
 struct hsr_octree; /* common/trees/octree.h */

@@ -62,6 +62,8 @@ libbench_a_SOURCES = \
   %D%/run/ranks.h \
   %D%/run/ranks_library.h \
   %D%/run/run.c \
+  %D%/run/sums.c \
+  %D%/run/sums.h \
   %D%/scenes.c \
   %D%/run/serve.c \
   %D%/run/serve.h \

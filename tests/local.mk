@@ -23,6 +23,7 @@ tap_programs = \
   %D%/unit/algorithms/grove_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/algorithms/masks_test \
+  %D%/unit/algorithms/octants_test \
   %D%/unit/core/grid_test \
   %D%/unit/core/motion_test \
   %D%/unit/core/octree_test \
@@ -167,6 +168,7 @@ quick_units = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
   %D%/unit/algorithms/masks_test \
+  %D%/unit/algorithms/octants_test \
   %D%/unit/algorithms/prepare_test \
   %D%/unit/algorithms/pyramid_test \
   %D%/unit/algorithms/setup_test \

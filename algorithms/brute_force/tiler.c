@@ -655,6 +655,24 @@ static void compare_queue(struct hsr_tiler *t, struct queue *queue) {
   queue->n = 0;
 }
 
+/* The triangles from the k-th of n on, fewer than there are lanes. The first
+ * one stands in the lanes that are left. */
+struct last {
+  uint32_t vertex[3 * LANES];
+  bool one_sided[LANES];
+};
+
+static struct last last_ones(const uint32_t *v, const bool *one_sided, int k,
+                             int n) {
+  struct last last;
+  for (int l = 0; l < LANES; l++) {
+    int from = k + l < n ? k + l : k;
+    memcpy(last.vertex + 3 * l, v + 3 * from, 3 * sizeof *v);
+    last.one_sided[l] = one_sided[from];
+  }
+  return last;
+}
+
 #include "algorithms/brute_force/tiler_avx2.h"
 #include "algorithms/brute_force/tiler_avx512.h"
 #endif

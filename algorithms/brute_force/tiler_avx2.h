@@ -104,17 +104,19 @@ AVX2 static inline __m256i either(__m256i a, __m256i b, __m256 turned) {
   return _mm256_blendv_epi8(a, b, _mm256_castps_si256(turned));
 }
 
-/* What decide() finds of triangles k to k + 7, of which those to be tiled are
- * kept. They never get ahead of what is still to be read. */
+/* What decide() finds of the first n of triangles k to k + 7, of which those to
+ * be tiled are kept. They never get ahead of what is still to be read. */
 AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
                                       struct hsr_batch *b, const uint32_t *v,
-                                      int k) {
-  const bool *one_sided = sides_from(t, b);
+                                      const bool *one_sided, int k, int n) {
+  const __m256i looked_at = _mm256_castps_si256(first_of_eight(n));
   struct corners8 A = gather_eight(t->corner, v),
                   B = gather_eight(t->corner, v + 1),
                   C = gather_eight(t->corner, v + 2);
-  __m256i unsafe = _mm256_or_si256(
-      _mm256_or_si256(unsafe_eight(&A), unsafe_eight(&B)), unsafe_eight(&C));
+  __m256i unsafe = _mm256_and_si256(
+      looked_at,
+      _mm256_or_si256(_mm256_or_si256(unsafe_eight(&A), unsafe_eight(&B)),
+                      unsafe_eight(&C)));
 
   /* The samples of their boxes: the most triangles of a dense mesh have none. */
   __m256i lo_x = _mm256_min_epi32(_mm256_min_epi32(A.x, B.x), C.x),
@@ -124,9 +126,10 @@ AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
   __m256i x0, x1, y0, y1;
   find_eight(lo_x, hi_x, t->first_x, t->window.x0, t->window.x1, &x0, &x1);
   find_eight(lo_y, hi_y, t->first_y, t->window.y0, t->window.y1, &y0, &y1);
-  __m256i live =
-      _mm256_andnot_si256(unsafe, _mm256_and_si256(_mm256_cmpgt_epi32(x1, x0),
-                                                   _mm256_cmpgt_epi32(y1, y0)));
+  __m256i live = _mm256_andnot_si256(
+      unsafe, _mm256_and_si256(looked_at,
+                               _mm256_and_si256(_mm256_cmpgt_epi32(x1, x0),
+                                                _mm256_cmpgt_epi32(y1, y0))));
   __m256i fast = _mm256_setzero_si256(), general = unsafe;
   if (!_mm256_testz_si256(live, live)) {
     /* The doubled area, negative if seen from the front (y runs down). */
@@ -152,7 +155,7 @@ AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
                small,
                _mm256_cmp_ps(area, _mm256_sub_ps(zero, least), _CMP_LT_OQ));
     __m256i sides =
-        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(one_sided + k)));
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)one_sided));
     __m256 back = _mm256_and_ps(behind, _mm256_castsi256_ps(_mm256_cmpgt_epi32(
                                             sides, _mm256_setzero_si256())));
     __m256 nearest = _mm256_max_ps(_mm256_max_ps(A.q, B.q), C.q);
@@ -198,10 +201,14 @@ AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
 
 AVX2 static void look_avx2(const struct hsr_tiler *t, struct hsr_batch *b) {
   const uint32_t *v = vertices_from(t, b);
+  const bool *sides = sides_from(t, b);
   int k = 0;
   for (; k + LANES_AVX2 <= b->n; k += LANES_AVX2)
-    look_at_eight(t, b, v + 3 * k, k);
-  look_from(t, b, k);
+    look_at_eight(t, b, v + 3 * k, sides + k, k, LANES_AVX2);
+  if (k < b->n) {
+    struct last last = last_ones(v, sides, k, b->n);
+    look_at_eight(t, b, last.vertex, last.one_sided, k, b->n - k);
+  }
 }
 
 /* --- The general way ------------------------------------------------------ */

@@ -81,16 +81,18 @@ AVX512 static inline void keep_lanes(void *row, int to, __mmask16 keep,
                       _mm512_maskz_compress_epi32(keep, lanes));
 }
 
-/* What decide() finds of triangles k to k + 15, of which those to be tiled are
- * kept. They never get ahead of what is still to be read. */
+/* What decide() finds of `lanes` of triangles k to k + 15, of which those to be
+ * tiled are kept. They never get ahead of what is still to be read. */
 AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
                                           struct hsr_batch *b,
-                                          const uint32_t *v, int k) {
+                                          const uint32_t *v, const bool *sides,
+                                          int k, __mmask16 lanes) {
   const __m512 zero = _mm512_setzero_ps();
   struct corners16 A = gather_corners(t->corner, v),
                    B = gather_corners(t->corner, v + 1),
                    C = gather_corners(t->corner, v + 2);
-  __mmask16 unsafe = unsafe_ones(&A) | unsafe_ones(&B) | unsafe_ones(&C);
+  __mmask16 unsafe =
+      lanes & (unsafe_ones(&A) | unsafe_ones(&B) | unsafe_ones(&C));
 
   /* The samples of their boxes: the most triangles of a dense mesh have none. */
   __m512i lo_x = _mm512_min_epi32(_mm512_min_epi32(A.x, B.x), C.x),
@@ -101,7 +103,8 @@ AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
   find_samples(lo_x, hi_x, t->first_x, t->window.x0, t->window.x1, &x0, &x1);
   find_samples(lo_y, hi_y, t->first_y, t->window.y0, t->window.y1, &y0, &y1);
   __mmask16 live = _mm512_mask_cmplt_epi32_mask(
-      _mm512_mask_cmplt_epi32_mask((__mmask16)~unsafe, x0, x1), y0, y1);
+      _mm512_mask_cmplt_epi32_mask((__mmask16)(lanes & ~unsafe), x0, x1), y0,
+      y1);
   __mmask16 fast = 0, general = unsafe;
   if (live) {
     /* The doubled area, negative if seen from the front (y runs down). */
@@ -124,7 +127,7 @@ AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
     __mmask16 behind = _mm512_mask_cmp_ps_mask(small, area, least, _CMP_GT_OQ);
     __mmask16 before = _mm512_mask_cmp_ps_mask(
         small, area, _mm512_sub_ps(zero, least), _CMP_LT_OQ);
-    __m128i bytes = _mm_loadu_si128((const __m128i *)(sides_from(t, b) + k));
+    __m128i bytes = _mm_loadu_si128((const __m128i *)sides);
     __mmask16 back = _mm512_mask_test_epi32_mask(
         behind, _mm512_cvtepu8_epi32(bytes), _mm512_set1_epi32(1));
     __m512 nearest = _mm512_max_ps(_mm512_max_ps(A.q, B.q), C.q);
@@ -163,10 +166,15 @@ AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
 
 AVX512 static void look_avx512(const struct hsr_tiler *t, struct hsr_batch *b) {
   const uint32_t *v = vertices_from(t, b);
+  const bool *sides = sides_from(t, b);
   int k = 0;
   for (; k + LANES <= b->n; k += LANES)
-    look_at_sixteen(t, b, v + 3 * k, k);
-  look_from(t, b, k);
+    look_at_sixteen(t, b, v + 3 * k, sides + k, k, 0xffff);
+  if (k < b->n) {
+    struct last last = last_ones(v, sides, k, b->n);
+    look_at_sixteen(t, b, last.vertex, last.one_sided, k,
+                    first_lanes(b->n - k));
+  }
 }
 
 /* --- The general way ------------------------------------------------------ */

@@ -22,10 +22,13 @@
  *             time, by fewer and tighter tests. pyramid=queries emulates a
  *             machine with z-queries (thesis, 3.5.6): its steps are performed
  *             here, and only its latency is a pause. octree=lazy keeps what it
- *             has divided for later frames (thesis, 3.4).
+ *             has divided for later frames (thesis, 3.4). The build that is
+ *             timed projects the octants of a cube together, and tests the
+ *             whole of one before its sides; answers are the same.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "algorithms/hierarchical/cube_list.h"
+#include "algorithms/hierarchical/cube_octants.h"
 #include "algorithms/hierarchical/movers.h"
 #include "algorithms/hierarchical/pyramid.h"
 #include "algorithms/hierarchical/space_time.h"
@@ -334,6 +337,8 @@ struct walk {
   struct hsr_movers movers;
   bool out_of_memory;
   struct hsr_pyramid pyramid;
+  struct hsr_bounds
+      stale;  /* the pyramid above it is not up to date; or empty */
   bool plain; /* no tests, and the pyramid is left as it is */
   const long *option;
   struct hsr_tally *tally;
@@ -534,21 +539,27 @@ static bool ask(struct walk *w, const struct hsr_placing *placing,
   return visible;
 }
 
-/* cube_visible of the thesis. n_faces: as many are in the cube. *inside: it is
- * all inside of the frustum, and so are the cubes in it. */
+/* *inside: the cube is all inside of the frustum, and so are the cubes in it. */
+static bool is_in_frustum(struct walk *w, const struct hsr_placing *placing,
+                          const struct hsr_octree_box *cube,
+                          struct hsr_subject subject, bool *inside) {
+  HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
+  if (*inside)
+    return true;
+  enum hsr_box_verdict verdict =
+      hsr_cube_classify(&w->frame, placing, cube, INEQUALITIES, subject);
+  *inside = verdict == HSR_BOX_IN;
+  if (verdict == HSR_BOX_OUT)
+    HSR_STEP(w->tally, OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
+  return verdict != HSR_BOX_OUT;
+}
+
+/* cube_visible of the thesis. n_faces: as many are in the cube. */
 static bool is_box_visible(struct walk *w, const struct hsr_placing *placing,
                            struct hsr_octree_box cube, uint64_t n_faces,
                            struct hsr_subject subject, bool *inside) {
-  HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
-  if (!*inside) {
-    enum hsr_box_verdict verdict =
-        hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES, subject);
-    if (verdict == HSR_BOX_OUT) {
-      HSR_STEP(w->tally, OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
-      return false;
-    }
-    *inside = verdict == HSR_BOX_IN;
-  }
+  if (!is_in_frustum(w, placing, &cube, subject, inside))
+    return false;
   struct hsr_cube_image image;
   bool asks = w->option[PYRAMID] == BY_QUERIES;
   if (asks && n_faces < (uint64_t)w->option[THRESHOLD])
@@ -574,6 +585,40 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
                         w->option[VOLUMES] == TIGHT ? node->tight
                                                     : hsr_octree_cube(node),
                         n_faces, subject, inside);
+}
+
+/* Are octants projected and tested together? Not in the counting build, which
+ * counts what the paper's steps read; nor where a test needs more than an
+ * octant's rectangles. */
+static bool tests_together(const struct walk *w) {
+  return !HSR_COUNTING && w->option[PYRAMID] == ON &&
+         w->option[CUBES] != SIDES && !w->option[NEAR] &&
+         !w->frame.job->view->parallel;
+}
+
+/* is_box_visible of an octant, with the same answer. What hides the whole hides
+ * each of its sides. */
+static bool is_octant_visible(struct walk *w, const struct hsr_octants *octants,
+                              int o, const struct hsr_octree_node *node,
+                              struct hsr_subject subject, bool *inside) {
+  struct hsr_octree_box cube =
+      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
+  if (!is_in_frustum(w, &w->frame.placing, &cube, subject, inside))
+    return false;
+  if (!octants->has_image[o])
+    return true;
+  struct hsr_bounds box;
+  if (!hsr_octant_bounds(octants, HSR_WHOLE_CUBE, o, &box) ||
+      hsr_pyramid_hides(&w->pyramid, box, octants->q[HSR_WHOLE_CUBE][o]))
+    return false;
+  if (w->option[CUBES] == WHOLE)
+    return true;
+  for (int side = 0; side < 6; side++)
+    if (octants->front[o] >> side & 1 &&
+        hsr_octant_bounds(octants, side, o, &box) &&
+        !hsr_pyramid_hides(&w->pyramid, box, octants->q[side][o]))
+      return true;
+  return false;
 }
 
 /* How many faces are in a cube of the object at hand, or of the octree of
@@ -680,13 +725,44 @@ static void filter(struct walk *w, struct hsr_batch *b) {
   hsr_tiler_drop(b, drop);
 }
 
+/* Brings the pyramid up to date, before anything is tested. */
+static void refresh(struct walk *w) {
+  if (w->stale.x0 < w->stale.x1)
+    hsr_pyramid_update(&w->pyramid, w->stale);
+  w->stale = (struct hsr_bounds){0, 0, 0, 0};
+}
+
+static long area_of_box(const struct hsr_bounds *b) {
+  return (long)(b->x1 - b->x0) * (b->y1 - b->y0);
+}
+
+static int lesser(int a, int b) {
+  return a < b ? a : b;
+}
+static int greater(int a, int b) {
+  return a > b ? a : b;
+}
+
+/* Something was tiled in a box. Boxes that one box holds without more samples
+ * are brought up to date together. */
+static void make_stale(struct walk *w, struct hsr_bounds box) {
+  const struct hsr_bounds *s = &w->stale;
+  struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
+                            greater(s->x1, box.x1), greater(s->y1, box.y1)};
+  if (area_of_box(&both) > area_of_box(s) + area_of_box(&box)) {
+    refresh(w);
+    both = box;
+  }
+  w->stale = both;
+}
+
 /* A face that is placed on the tiler's screen. */
 static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
            window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
   if (w->option[PYRAMID] == ON && !w->plain)
-    hsr_pyramid_update(&w->pyramid, t->screen.bounds[f]);
+    make_stale(w, t->screen.bounds[f]);
 }
 
 static void tile_generally(struct walk *w, uint32_t f) {
@@ -745,11 +821,12 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
     HSR_STEP(w->tally, FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
              window_of(box_of(r, k)), 0);
     if (tests)
-      hsr_pyramid_update(&w->pyramid, box_of(r, k));
+      make_stale(w, box_of(r, k));
   }
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
       tile_generally(w, b->first + (uint32_t)k);
+  refresh(w);
 }
 
 /* The faces of a cell of the object at hand. */
@@ -774,6 +851,7 @@ static void tile_cell(struct walk *w, uint32_t place) {
   for (uint32_t f = n; f < cell->n_faces; f++)
     if (!is_repeated(w, f))
       tile_generally(w, f);
+  refresh(w);
 }
 
 /* --- The octrees, from front to back -------------------------------------- */
@@ -829,17 +907,29 @@ static void divide_instances(struct walk *w, uint32_t k) {
   }
 }
 
+static bool is_leaf(const struct hsr_octree_node *node) {
+  static const uint32_t none[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE};
+  return !memcmp(node->child, none, sizeof none);
+}
+
+static void render_octants(struct walk *w, const struct hsr_octree_node *node,
+                           bool inside);
+
 /* A cube of the object at hand. One on the list of 1993 is not tested before
- * the list is pruned. */
-static void render_cube(struct walk *w, uint32_t k, bool inside) {
+ * the list is pruned. It may be octant o of those that are projected. */
+static void render_cube(struct walk *w, uint32_t k, bool inside,
+                        const struct hsr_octants *octants, int o) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   bool rendered =
       w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
   struct hsr_subject subject = hsr_cube_subject(w->frame.instance, k);
   if (!(rendered && w->option[COHERENCE] == LIST) &&
-      !is_cube_visible(w, &w->frame.placing, node, faces_in(w, k), subject,
-                       &inside))
+      !(octants ? is_octant_visible(w, octants, o, node, subject, &inside)
+                : is_cube_visible(w, &w->frame.placing, node, faces_in(w, k),
+                                  subject, &inside)))
     return;
   HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (w->next)
@@ -850,11 +940,25 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
   if (!rendered)
     tile_cell(w, k);
   node = &octree->node[k]; /* dividing may have moved it */
+  if (!is_leaf(node))
+    render_octants(w, node, inside);
+}
+
+static void render_octants(struct walk *w, const struct hsr_octree_node *node,
+                           bool inside) {
+  const struct hsr_octree *octree = &w->frame.object->octree;
+  struct hsr_octants octants;
+  bool together = tests_together(w);
+  if (together)
+    hsr_octants_project(&w->frame, &w->frame.placing, octree, node,
+                        w->option[VOLUMES] == TIGHT, &octants);
   int nearest = hsr_cube_nearest(&w->frame.placing, node);
-  for (int o = 0; o < 8; o++) {
-    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
-    if (child != HSR_NO_NODE)
-      render_cube(w, child, inside);
+  uint32_t child[8];
+  memcpy(child, node->child, sizeof child); /* dividing may move the node */
+  for (int k = 0; k < 8; k++) {
+    int o = nearest ^ hsr_octant_order[k];
+    if (child[o] != HSR_NO_NODE)
+      render_cube(w, child[o], inside, together ? &octants : NULL, o);
   }
 }
 
@@ -878,7 +982,7 @@ static void render_instance(struct walk *w, uint32_t i) {
   if (!hsr_cube_is_new(&w->frame, i))
     return;
   take_in_hand(w, i);
-  render_cube(w, 0, false);
+  render_cube(w, 0, false, NULL, 0);
 }
 
 static void render_mover(struct walk *w, uint32_t i) {
@@ -904,13 +1008,6 @@ static bool render_movers(struct walk *w, uint32_t node,
 static bool keeps_movers(const struct walk *w) {
   long how = w->option[MOVERS];
   return how == KEPT || how == BY_SPEED || how == BY_VOLUME;
-}
-
-static bool is_leaf(const struct hsr_octree_node *node) {
-  static const uint32_t none[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
-                                   HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
-                                   HSR_NO_NODE, HSR_NO_NODE};
-  return !memcmp(node->child, none, sizeof none);
 }
 
 /* A cube of instances, both octrees at once: node `still` of those that do not
@@ -954,9 +1051,10 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
     if (mover != HSR_NO_NODE && keeps_movers(w) &&
         hsr_mover_is_empty(&w->movers, mover))
       mover = HSR_NO_NODE;
+    if (child == HSR_NO_NODE && mover == HSR_NO_NODE)
+      continue;
     struct hsr_octree_node octant = hsr_octree_octant(cube, o);
-    if (child != HSR_NO_NODE || mover != HSR_NO_NODE)
-      render_instances(w, &octant, child, mover, inside);
+    render_instances(w, &octant, child, mover, inside);
   }
 }
 
@@ -1140,6 +1238,7 @@ static enum hsr_status render_loose(struct walk *w) {
   touch_for(w, WORK_POLYGONS);
   for (uint32_t k = 0; k < t.screen.n_relevant; k++)
     tile_face(w, &t, t.screen.relevant[k]);
+  refresh(w);
   return HSR_OK;
 }
 

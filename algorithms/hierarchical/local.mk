@@ -17,6 +17,8 @@ algorithm_files += \
   %D%/cube_frame.h \
   %D%/cube_list.c \
   %D%/cube_list.h \
+  %D%/cube_octants.c \
+  %D%/cube_octants.h \
   %D%/hzbuffer.c \
   %D%/movers.c \
   %D%/movers.h \

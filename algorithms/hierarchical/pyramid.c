@@ -4,6 +4,24 @@
 
 #include <string.h>
 
+/* The counting build counts the reads of the paper's recursion. */
+#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
+#include <immintrin.h>
+#define READS_ROWS 1
+#else
+#define READS_ROWS 0
+#endif
+enum { ROW = 8 }; /* entries that are read at once */
+
+static bool reads_rows(void) {
+#if READS_ROWS
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("lzcnt");
+#else
+  return false;
+#endif
+}
+
 static int side_of(const struct hsr_pyramid *p, int level) {
   return 1 << (p->n_levels - 1 - level);
 }
@@ -18,10 +36,11 @@ enum hsr_status hsr_pyramid_init(struct hsr_pyramid *p,
                                  size_t *stride, struct hsr_arena *arena) {
   int width = window->x1 - window->x0, height = window->y1 - window->y0;
   int side = width > height ? width : height;
-  *p = (struct hsr_pyramid){.window = *window, .n_levels = 1};
+  *p = (struct hsr_pyramid){
+      .window = *window, .n_levels = 1, .reads_rows = reads_rows()};
   while (1 << (p->n_levels - 1) < side)
     p->n_levels++;
-  size_t all = (size_t)side_of(p, 0) * (size_t)side_of(p, 0) * 4 / 3 + 1;
+  size_t all = (size_t)side_of(p, 0) * (size_t)side_of(p, 0) * 4 / 3 + 1 + ROW;
   float *far = HSR_NEW(arena, float, all), *nearest = NULL;
   if (near)
     nearest = HSR_NEW(arena, float, all);
@@ -228,12 +247,94 @@ static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
   return true;
 }
 
+static inline struct rectangle entries(const struct rectangle *r, int level) {
+  return (struct rectangle){r->x0 >> level, r->y0 >> level, r->x1 >> level,
+                            r->y1 >> level};
+}
+
+static bool hide_by_recursion(struct hsr_pyramid *p, const struct rectangle *r,
+                              float q) {
+  int level = covering_level(r);
+  return hide(p, r, q, level, entries(r, level));
+}
+
+#if READS_ROWS
+
+#define AVX2 __attribute__((target("avx2,bmi,bmi2,lzcnt")))
+
+/* Which entries of a row are not behind depth q, of so many. */
+AVX2 static inline unsigned open_in_row(const float *from, __m256 q,
+                                        unsigned wanted) {
+  __m256 open = _mm256_cmp_ps(q, _mm256_loadu_ps(from), _CMP_NLT_UQ);
+  return (unsigned)_mm256_movemask_ps(open) & wanted;
+}
+
+/* Of eight by eight bits, those of rows y0 to y1 - 1 and columns x0 to x1 - 1. */
+AVX2 static inline uint64_t bits_within(int x0, int y0, int x1, int y1) {
+  if (x0 >= x1 || y0 >= y1)
+    return 0;
+  uint64_t row = (1u << x1) - (1u << x0);
+  uint64_t rows = row * UINT64_C(0x0101010101010101);
+  return rows >> (64 - 8 * (y1 - y0)) << 8 * y0;
+}
+
+/* hide_by_recursion of at most eight by eight samples, with the same answer. */
+AVX2 static inline bool hide_few(const struct hsr_pyramid *p,
+                                 const struct rectangle *r, float q) {
+  size_t stride = (size_t)1 << (p->n_levels - 1);
+  const float *from = p->far[0] + (size_t)r->y0 * stride + (size_t)r->x0;
+  const unsigned wanted = (2u << (r->x1 - r->x0)) - 1;
+  const __m256 depth = _mm256_set1_ps(q);
+  unsigned open = 0;
+  for (int y = r->y0; y <= r->y1; y++, from += stride)
+    open |= open_in_row(from, depth, wanted);
+  return !open;
+}
+
+/* The same of more. The farthest depth of an entry is that of a sample in it.
+ * So an entry wholly in the rectangle decides. Of the others, those below do. */
+AVX2 static bool hide_many(struct hsr_pyramid *p, const struct rectangle *r,
+                           float q) {
+  const int level = covering_level(r) - 2, side = 1 << level;
+  struct rectangle e = entries(r, level);
+  size_t row = (size_t)(p->n_levels - 1 - level);
+  const float *from = p->far[level] + ((size_t)e.y0 << row) + (size_t)e.x0;
+  const int columns = e.x1 - e.x0 + 1, rows = e.y1 - e.y0 + 1;
+  const unsigned wanted = (1u << columns) - 1;
+  const __m256 depth = _mm256_set1_ps(q);
+  uint64_t open = 0;
+  for (int y = 0; y < rows; y++, from += (size_t)1 << row)
+    open |= (uint64_t)open_in_row(from, depth, wanted) << 8 * y;
+  if (!open)
+    return true;
+  int left = (r->x0 & (side - 1)) != 0, top = (r->y0 & (side - 1)) != 0;
+  int right = ((r->x1 + 1) & (side - 1)) != 0,
+      bottom = ((r->y1 + 1) & (side - 1)) != 0;
+  if (open & bits_within(left, top, columns - right, rows - bottom))
+    return false;
+  for (; open; open &= open - 1) {
+    int at = __builtin_ctzll(open), x = e.x0 + at % ROW, y = e.y0 + at / ROW;
+    if (!hide(p, r, q, level - 1, below(r, level - 1, x, y)))
+      return false;
+  }
+  return true;
+}
+
+AVX2 static bool hide_by_rows(struct hsr_pyramid *p, const struct rectangle *r,
+                              float q) {
+  return r->x1 - r->x0 < ROW && r->y1 - r->y0 < ROW ? hide_few(p, r, q)
+                                                    : hide_many(p, r, q);
+}
+
+#endif
+
 bool hsr_pyramid_hides(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
-  int level = covering_level(&r);
-  struct rectangle e = {r.x0 >> level, r.y0 >> level, r.x1 >> level,
-                        r.y1 >> level};
-  return hide(p, &r, q * HSR_CLEAR, level, e);
+#if READS_ROWS
+  if (p->reads_rows)
+    return hide_by_rows(p, &r, q * HSR_CLEAR);
+#endif
+  return hide_by_recursion(p, &r, q * HSR_CLEAR);
 }
 
 /* The largest value of e + ex x + ey y over the samples of a box, counted from

@@ -55,6 +55,7 @@ struct hsr_pyramid {
   int n_levels; /* the last one is one cell, the apex */
   float *far[HSR_PYRAMID_LEVELS];  /* 2^(n_levels - 1 - level) cells a side */
   float *near[HSR_PYRAMID_LEVELS]; /* NULL: not kept. near[0] is far[0] */
+  bool reads_rows; /* the fast test reads rows of entries, on some machines */
   struct hsr_pyramid_count count;
 };
 

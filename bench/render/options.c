@@ -258,7 +258,8 @@ static const struct argp_option entries[] = {
      0},
     {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
      "draw a scene larger than memory in so many parts, one after the other, "
-     "and put their pictures together (standard: as many as mpirun starts "
+     "and put their pictures together, or add up the splats of a grid's "
+     "parts (standard: as many as mpirun starts "
      "processes, each of which draws its own)",
      0},
     {"views", VIEWS, "A-B", 0, "make a picture of each of these views", 10},
@@ -480,7 +481,9 @@ static enum hsr_status check_parts(const struct render_options *o,
     return HSR_OK;
   bool folds = kind->fold && kind->fold->of == HSR_IDS &&
                variant->listed->plain->kind == HSR_IDS;
-  if (kind != HSR_IDS && !folds)
+  bool adds = kind->summing && kind->summing->fits(&variant->choice.form) &&
+              variant->listed->plain->flags & HSR_SUMS;
+  if (kind != HSR_IDS && !folds && !adds)
     return hsr_fail(err, HSR_E_USAGE,
                     "--sort-last is not for %s, which %s draws: those of parts "
                     "do not make up that of the scene",

@@ -2,10 +2,13 @@
 /* hsr render --sort-last: a scene larger than memory, part by part. Each rank
  * opens and draws one part after the other, and keeps only what is seen; at last
  * the ranks put their pictures together (bench/run/composite.h). A kind that is
- * folded from pictures of ids is folded at last, by rank 0, from whole pictures. */
+ * folded from pictures of ids is folded at last, by rank 0, from whole pictures.
+ * Of a kind that is summed, the parts of a grid are drawn into the same sums, and
+ * those of all ranks are added. */
 #include "bench/render/render.h"
 #include "bench/run/composite.h"
 #include "bench/run/ranks.h"
+#include "bench/run/sums.h"
 #include "bench/terminal/terminal.h"
 
 #include <stdlib.h>
@@ -15,12 +18,14 @@ struct sorting {
   struct render *render;
   const struct hsr_algorithm *algorithm;
   const struct hsr_variant *variant;
-  struct hsr_choice choice;    /* of pictures of ids */
+  struct hsr_choice choice;    /* of pictures of ids, or of what is summed */
   const struct hsr_fold *fold; /* NULL: that picture is wanted itself */
   struct hsr_view view;        /* that is wanted */
   struct hsr_part part;
   struct composite *composite; /* a picture */
   long n;
+  const struct hsr_summing *summing; /* NULL: pictures of ids are wanted */
+  struct hsr_answer sums;            /* .body is NULL at first */
   struct progress progress;
 };
 
@@ -48,6 +53,16 @@ static enum hsr_status draw_and_add(struct sorting *s, long k,
   return status;
 }
 
+/* Adds the part to the sums. */
+static enum hsr_status draw_and_sum(struct sorting *s, struct hsr_error *err) {
+  struct render *r = s->render;
+  double begin = seconds_now();
+  enum hsr_status status =
+      crew_render(r->crew, &r->setup, &s->view, &s->sums, &r->tally, err);
+  r->draw += seconds_now() - begin;
+  return status;
+}
+
 /* The part's world and its own pictures. */
 static enum hsr_status draw_open_part(struct sorting *s,
                                       struct hsr_error *err) {
@@ -61,7 +76,17 @@ static enum hsr_status draw_open_part(struct sorting *s,
         hsr_setup_init(&r->setup, s->algorithm, &s->choice, &r->world, err);
   for (long k = 0; k < s->n && !status; k++)
     status = draw_and_add(s, k, err);
+  if (!status && s->summing)
+    status = draw_and_sum(s, err);
   return status;
+}
+
+static enum hsr_status begin_sums(struct sorting *s, struct hsr_error *err) {
+  if (s->sums.body)
+    return HSR_OK;
+  enum hsr_status status =
+      hsr_answer_make(&s->sums, &s->variant->choice.form, &s->view, false, err);
+  return status ? status : s->summing->begin(&s->sums, err);
 }
 
 /* With the first part it is known what there is to draw. */
@@ -71,6 +96,8 @@ static enum hsr_status begin_pictures(struct sorting *s,
   const struct render_options *o = r->options;
   enum hsr_status status =
       choose_view(&o->view, r->scene, (int)o->supersamples, &s->view, err);
+  if (!status && s->summing)
+    status = begin_sums(s, err);
   for (long k = 0; k < s->n && !status; k++) {
     status = choose_picture(s, k, err);
     if (!status && !s->composite[k].ids)
@@ -169,6 +196,35 @@ static enum hsr_status shade_and_write(struct sorting *s,
   return status ? status : write_picture(r, err);
 }
 
+/* What was summed becomes the picture of rank 0. */
+static enum hsr_status finish_sums(struct sorting *s, struct hsr_error *err) {
+  struct render *r = s->render;
+  s->summing->finish(&s->sums);
+  r->view = s->view;
+  r->answer = s->sums;
+  s->sums = (struct hsr_answer){.body = NULL};
+  r->setup.algorithm = s->algorithm;
+  r->scene = hsr_scene_new(r->options->scene.name);
+  enum hsr_status status = r->scene ? shade_picture(r, err) : HSR_E_NOMEM;
+  if (!r->scene)
+    hsr_fail_nomem(err);
+  return status ? status : write_picture(r, err);
+}
+
+static enum hsr_status gather_sums(struct sorting *s, struct hsr_error *err) {
+  struct render *r = s->render;
+  struct sums_sent sent;
+  uint64_t *sums;
+  size_t n = s->summing->sums(&s->sums, &sums);
+  double begin = seconds_now();
+  enum hsr_status status = sums_gather(sums, n, &sent, err);
+  r->compose += seconds_now() - begin;
+  r->sent_bytes += sent.bytes;
+  r->sent_messages += sent.messages;
+  r->n_faces = s->part.all;
+  return status || ranks_own() ? status : finish_sums(s, err);
+}
+
 static enum hsr_status gather(struct sorting *s, struct hsr_error *err) {
   struct render *r = s->render;
   enum hsr_status status = HSR_OK;
@@ -198,9 +254,12 @@ enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
                       .progress = progress_begin(stderr)};
   r->kind = variant->choice.form.type;
   r->view_number = r->options->view.view;
-  s.choice.form = hsr_form_standard(HSR_IDS);
-  s.n = s.fold ? s.fold->n(&variant->choice.form) : 1;
-  s.composite = calloc((size_t)s.n, sizeof *s.composite);
+  s.summing = r->kind->summing;
+  s.part.keeps_grid = s.summing;
+  if (!s.summing)
+    s.choice.form = hsr_form_standard(HSR_IDS);
+  s.n = s.fold ? s.fold->n(&variant->choice.form) : !s.summing;
+  s.composite = calloc((size_t)s.n + 1, sizeof *s.composite);
   enum hsr_status status = s.composite ? HSR_OK : hsr_fail_nomem(err);
   if (!status && parts < ranks_count())
     status = hsr_fail(err, HSR_E_USAGE,
@@ -211,9 +270,11 @@ enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
     status = draw_parts(&s, err);
   progress_end(&s.progress);
   if (!status)
-    status = gather(&s, err);
+    status = s.summing ? gather_sums(&s, err) : gather(&s, err);
   for (long k = 0; s.composite && k < s.n; k++)
     composite_free(&s.composite[k]);
   free(s.composite);
+  if (s.sums.body)
+    hsr_answer_free(&s.sums);
   return status;
 }

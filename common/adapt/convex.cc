@@ -118,8 +118,11 @@ namespace hsr {
 
 Convex_pieces::Convex_pieces(const hsr_world &world)
     : world_(world), whole_(whole_of(world)),
-      face_of_(whole_.mesh.n_planes, UINT32_MAX), turned_(whole_.n_faces),
-      reach_(whole_.n_faces), level_(whole_.mesh.n_planes) {
+      tables_(std::make_shared<Tables>()) {
+  face_of_.resize(whole_.mesh.n_planes, UINT32_MAX);
+  turned_.resize(whole_.n_faces);
+  reach_.resize(whole_.n_faces);
+  level_.resize(whole_.mesh.n_planes);
   for (uint32_t f = 0; f < whole_.n_faces; f++) {
     uint32_t &first = face_of_[whole_.mesh.plane[f]];
     if (first == UINT32_MAX) {
@@ -137,6 +140,9 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
   }
 }
 
+Convex_pieces::Convex_pieces(const Convex_pieces &other)
+    : world_(other.world_), whole_(other.whole_), tables_(other.tables_) {}
+
 // --- Exact corners ----------------------------------------------------------
 
 template <class T> FacePlane<T> Convex_pieces::plane_of(uint32_t plane) const {
@@ -146,10 +152,10 @@ template <class T> FacePlane<T> Convex_pieces::plane_of(uint32_t plane) const {
 }
 
 const FacePlane<Exact> &Convex_pieces::exact_plane(uint32_t plane) const {
-  exact_.resize(level_.size());
-  if (!exact_[plane])
-    exact_[plane] = plane_of<Exact>(plane);
-  return *exact_[plane];
+  const auto known = exact_.find(plane);
+  return known != exact_.end()
+             ? known->second
+             : exact_.emplace(plane, plane_of<Exact>(plane)).first->second;
 }
 
 template <class T>
@@ -241,6 +247,7 @@ int Convex_pieces::exact_side(const Convex &piece, size_t k,
   } catch (const CGAL::Uncertain_conversion_exception &) {
     // Below, with the rounding mode restored.
   }
+  const std::lock_guard<std::mutex> guard(has_exact_);
   return side_of(exact_corner(piece, k), exact_plane(plane));
 }
 
@@ -298,6 +305,7 @@ void Convex_pieces::locate(const Convex &piece, size_t k,
       return;
     }
   }
+  const std::lock_guard<std::mutex> guard(has_exact_);
   const Homogeneous<Exact> &h = exact_corner(piece, k);
   for (int c = 0; c < 3; c++) {
     const Safe_interval x = quotient(h.p[c], h.w);

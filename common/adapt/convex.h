@@ -25,7 +25,8 @@
 #include "common/exact/exact_plane.h"
 
 #include <memory>
-#include <optional>
+#include <mutex>
+#include <unordered_map>
 
 namespace hsr {
 
@@ -65,11 +66,16 @@ struct Level {
   int front; // +1 where x, y or z is greater; 0: the plane is another
 };
 
-// Not for several threads at once: it keeps the exact planes that were asked for.
+// It keeps the exact planes that were asked for. Several threads may ask on which
+// side a piece is, or divide pieces of their own; one at a time has exact numbers.
 class Convex_pieces {
 public:
   // Pieces of the faces of `world`, which is borrowed.
   explicit Convex_pieces(const hsr_world &world);
+  // The same planes, also those that are added to either, but none that is exact
+  // yet: for a thread of its own. Pieces of both must share no exact corner.
+  Convex_pieces(const Convex_pieces &other);
+  Convex_pieces &operator=(const Convex_pieces &) = delete;
 
   // Adds the plane x, y or z = at, whose front is where the coordinate is
   // greater. Returns its number.
@@ -106,12 +112,20 @@ public:
   }
 
 private:
+  struct Tables {
+    std::vector<uint32_t> face_of;   // a plane: the first face in it
+    std::vector<signed char> turned; // a face of whole_
+    std::vector<double> reach;       // a face of whole_
+    std::vector<Level> level;        // a plane
+  };
   const hsr_world &world_, &whole_;
-  std::vector<uint32_t> face_of_;   // a plane: the first face in it
-  std::vector<signed char> turned_; // a face of whole_
-  std::vector<double> reach_;       // a face of whole_
-  std::vector<Level> level_;        // a plane
-  mutable std::vector<std::optional<FacePlane<Exact>>> exact_; // a plane
+  const std::shared_ptr<Tables> tables_; // of all copies
+  std::vector<uint32_t> &face_of_ = tables_->face_of;
+  std::vector<signed char> &turned_ = tables_->turned;
+  std::vector<double> &reach_ = tables_->reach;
+  std::vector<Level> &level_ = tables_->level;
+  mutable std::unordered_map<uint32_t, FacePlane<Exact>> exact_; // a plane
+  mutable std::mutex has_exact_; // guards exact_ and exact corners
 
   const FacePlane<Exact> &exact_plane(uint32_t plane) const;
   const Homogeneous<Exact> &exact_corner(const Convex &piece, size_t k) const;

@@ -68,6 +68,18 @@ struct hsr_fold {
               const struct hsr_view *view, long k);
 };
 
+/* How the answers to a view of the parts of a scene are added up: by sums of
+ * whole numbers, to which an algorithm that has HSR_SUMS adds what it draws. */
+struct hsr_summing {
+  bool (*fits)(const struct hsr_form *form);
+  /* Gives the answer sums, all 0. HSR_E_NOMEM. */
+  enum hsr_status (*begin)(struct hsr_answer *answer, struct hsr_error *err);
+  /* How many there are, and the first. */
+  size_t (*sums)(const struct hsr_answer *answer, uint64_t **first);
+  /* Makes the answer of the sums of all parts. */
+  void (*finish)(struct hsr_answer *answer);
+};
+
 /* Two answers of one form to one view. All borrowed. */
 struct hsr_comparison {
   const struct hsr_view *view;
@@ -140,10 +152,11 @@ struct hsr_answer_type {
   const char *places;  /* "samples": what is compared; a plural in s */
   const char *grains;  /* "samples": the unit of a view's size, m x n */
 
-  const struct hsr_option *options; /* of its form; if the kind is folded, the
+  const struct hsr_option *options;  /* of its form; if the kind is folded, the
                                        first option is the one that asks for
                                        it */
-  const struct hsr_fold *fold;      /* NULL: algorithms make it themselves */
+  const struct hsr_fold *fold;       /* NULL: algorithms make it themselves */
+  const struct hsr_summing *summing; /* NULL: parts are not added up */
   bool by_windows; /* each window of it can be made alone, and in any order */
   bool by_places;  /* m x n places are compared, and each can be asked for
                       alone; false: it is made and compared as a whole */
@@ -298,6 +311,11 @@ uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
 struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
 struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer);
 uint16_t *hsr_answer_colours_of(const struct hsr_answer *answer);
+
+/* Of a composited picture with sums: 5 m n of them, red, green, blue, opacity and
+ * the weight, which is counted with `normalise` alone. NULL: it has none. */
+enum { HSR_SPLAT_SUMS = 5 };
+uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer);
 struct hsr_shadowed *hsr_answer_shadowed_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.

@@ -89,31 +89,86 @@ static size_t count(const struct hsr_answer *answer) {
   return CHANNELS * (size_t)answer->m * (size_t)answer->n;
 }
 
+struct body {
+  uint64_t *sums; /* NULL: there are none */
+  uint16_t rgba[];
+};
+
+static uint16_t *rgba_of(const struct hsr_answer *answer) {
+  return ((struct body *)answer->body)->rgba;
+}
+
 uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer) {
-  return answer->form.type == &hsr_answer_composited ? answer->body : NULL;
+  bool is_one = answer->form.type == &hsr_answer_composited && answer->body;
+  return is_one ? rgba_of(answer) : NULL;
 }
 
 static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
-  answer->body = calloc(count(answer), sizeof(uint16_t));
+  answer->body =
+      calloc(1, sizeof(struct body) + count(answer) * sizeof(uint16_t));
   return answer->body ? HSR_OK : hsr_fail_nomem(err);
 }
 
 /* Premultiplied red exceeds the opacity nowhere in a picture. */
 static void unset(struct hsr_answer *answer) {
-  uint16_t *rgba = answer->body;
+  uint16_t *rgba = rgba_of(answer);
   for (size_t k = 0; k < count(answer); k++)
     rgba[k] = k % CHANNELS ? 0 : UINT16_MAX;
 }
 
 static void free_body(struct hsr_answer *answer) {
+  if (answer->body)
+    free(((struct body *)answer->body)->sums);
   free(answer->body);
 }
 
 static int arrays(const struct hsr_answer *answer,
                   struct hsr_array array[HSR_MOST_ARRAYS]) {
-  array[0] = (struct hsr_array){answer->body, CHANNELS * sizeof(uint16_t)};
+  array[0] = (struct hsr_array){rgba_of(answer), CHANNELS * sizeof(uint16_t)};
   return 1;
 }
+
+/* --- Sums of parts -------------------------------------------------------- */
+
+uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer) {
+  return hsr_answer_rgba_of(answer) ? ((struct body *)answer->body)->sums
+                                    : NULL;
+}
+
+static bool is_summed(const struct hsr_form *form) {
+  return hsr_form_splatting(form).model == HSR_XRAY;
+}
+
+static size_t sums_of(const struct hsr_answer *answer, uint64_t **first) {
+  *first = hsr_answer_splat_sums_of(answer);
+  return HSR_SPLAT_SUMS * (size_t)answer->m * (size_t)answer->n;
+}
+
+static enum hsr_status begin_sums(struct hsr_answer *answer,
+                                  struct hsr_error *err) {
+  struct body *body = answer->body;
+  uint64_t *none;
+  body->sums = calloc(sums_of(answer, &none), sizeof *body->sums);
+  return body->sums ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void finish_sums(struct hsr_answer *answer) {
+  struct hsr_splatting splatting = hsr_form_splatting(&answer->form);
+  const uint64_t *sum = hsr_answer_splat_sums_of(answer);
+  uint16_t *rgba = rgba_of(answer);
+  for (size_t k = 0; k < count(answer); k += CHANNELS, sum += HSR_SPLAT_SUMS)
+    for (size_t c = 0; c < CHANNELS; c++) {
+      uint64_t E = splatting.normalise
+                       ? sum[c]
+                       : hsr_splat_exposed(sum[c], splatting.exposure);
+      rgba[k + c] = hsr_splat_channel(&splatting, E, sum[CHANNELS]);
+    }
+}
+
+static const struct hsr_summing summing = {.fits = is_summed,
+                                           .begin = begin_sums,
+                                           .sums = sums_of,
+                                           .finish = finish_sums};
 
 /* --- Comparing ------------------------------------------------------------ */
 
@@ -148,7 +203,7 @@ static void say_distances(uint16_t *all, size_t n,
 
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
-  const uint16_t *got = c->got->body, *wanted = c->wanted->body;
+  const uint16_t *got = rgba_of(c->got), *wanted = rgba_of(c->wanted);
   uint16_t *distances = malloc((c->n + 1) * sizeof *distances);
   difference->compared = c->n;
   for (size_t k = 0; k < c->n; k++) {
@@ -173,7 +228,7 @@ static enum hsr_status show_difference(const struct hsr_comparison *c,
                                        const struct hsr_showing *showing,
                                        float *rgb, struct hsr_error *err) {
   static const float mark[3] = {1.0f, .35f, 0.0f};
-  const uint16_t *got = c->got->body, *wanted = c->wanted->body;
+  const uint16_t *got = rgba_of(c->got), *wanted = rgba_of(c->wanted);
   (void)showing, (void)err;
   size_t n = count(c->got) / CHANNELS;
   for (size_t k = 0; k < n; k++, got += CHANNELS, wanted += CHANNELS) {
@@ -193,7 +248,7 @@ static enum hsr_status show_difference(const struct hsr_comparison *c,
 static enum hsr_status shade(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, struct hsr_error *err) {
-  const uint16_t *rgba = answer->body;
+  const uint16_t *rgba = rgba_of(answer);
   size_t n = count(answer) / CHANNELS;
   (void)showing;
   shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
@@ -220,7 +275,7 @@ static bool fits(const char *path) {
 
 static void print(const struct hsr_answer *answer,
                   const struct hsr_showing *showing, FILE *out) {
-  const uint16_t *rgba = answer->body;
+  const uint16_t *rgba = rgba_of(answer);
   size_t n = count(answer) / CHANNELS, covered = 0;
   (void)showing;
   for (size_t k = 0; k < n; k++)
@@ -234,7 +289,7 @@ static void print(const struct hsr_answer *answer,
  * then on. */
 static enum hsr_status paint(struct hsr_answer *answer,
                              const struct hsr_event *event) {
-  uint16_t *rgba = answer->body;
+  uint16_t *rgba = rgba_of(answer);
   const struct hsr_window *w = &event->window;
   memcpy(rgba + CHANNELS * ((size_t)w->y0 * (size_t)answer->m + (size_t)w->x0),
          event->part, CHANNELS * sizeof *rgba);
@@ -250,7 +305,7 @@ static json_t *part_json(const void *part, const struct hsr_view *view) {
 /* All channels, pixel after pixel. */
 static json_t *rgba_json(const struct hsr_answer *answer,
                          const struct hsr_view *view) {
-  const uint16_t *rgba = answer->body;
+  const uint16_t *rgba = rgba_of(answer);
   (void)view;
   return hsr_channels_json(rgba, count(answer));
 }
@@ -262,6 +317,7 @@ const struct hsr_answer_type hsr_answer_composited = {
     .places = "pixels",
     .grains = "pixels",
     .options = options,
+    .summing = &summing,
     .by_windows = true,
     .by_places = true,
     .takes = 1 << HSR_PALETTE,

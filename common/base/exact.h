@@ -9,8 +9,9 @@
 #ifndef HSR_COMMON_BASE_EXACT_H
 #define HSR_COMMON_BASE_EXACT_H
 
-#include <CGAL/Gmpzf.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
 
 #include <cmath>
 
@@ -18,7 +19,7 @@ namespace hsr {
 
 // For use where CGAL has directed the rounding upwards.
 using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::Gmpzf;
+using Exact = CGAL::Mpzf;
 
 // For use anywhere.
 using Safe_interval = CGAL::Interval_nt<true>;
@@ -36,11 +37,21 @@ inline Safe_interval scaled_outward(const Safe_interval &x, double exponent) {
           scaled(x.sup(), exponent, INFINITY)};
 }
 
-// An interval that holds the integer `man` of x, times 2^-exponent. Its ends are
-// 0 or from 1/2 to 1, and equal if the integer is a double.
+// x as a quotient of integers in lowest terms: the denominator is a power of
+// two, so one of both is odd.
+inline CGAL::Gmpq fraction(const Exact &x) {
+  return CGAL::Gmpq(x);
+}
+
+// An interval that holds x, times 2^-exponent. Its ends are 0 or from 1/2 to 1,
+// and equal if 53 digits are enough.
 inline Safe_interval leading_digits(const Exact &x, long *exponent) {
-  const double towards_zero = mpz_get_d_2exp(exponent, x.man());
-  if (mpz_sizeinbase(x.man(), 2) <= 53)
+  const CGAL::Gmpq whole = fraction(x);
+  const mpz_srcptr digits = mpq_numref(whole.mpq());
+  const double towards_zero = mpz_get_d_2exp(exponent, digits);
+  *exponent -= long(mpz_sizeinbase(mpq_denref(whole.mpq()), 2)) - 1;
+  if (mpz_sgn(digits) == 0 ||
+      mpz_sizeinbase(digits, 2) - mpz_scan1(digits, 0) <= 53)
     return towards_zero;
   const double ulp = 0x1p-53; // of a number from 1/2 to 1
   return towards_zero < 0 ? Safe_interval(towards_zero - ulp, towards_zero)
@@ -51,8 +62,7 @@ inline Safe_interval leading_digits(const Exact &x, long *exponent) {
 inline Interval interval_of(const Exact &x) {
   long digits;
   const Safe_interval part = leading_digits(x, &digits);
-  const double exponent = double(digits) + double(x.exp());
-  const Safe_interval held = scaled_outward(part, exponent);
+  const Safe_interval held = scaled_outward(part, double(digits));
   return {held.inf(), held.sup()};
 }
 
@@ -63,9 +73,7 @@ inline Safe_interval quotient(const Exact &a, const Exact &b) {
   long digits_a, digits_b;
   const Safe_interval part =
       leading_digits(a, &digits_a) / leading_digits(b, &digits_b);
-  const double of_a = double(digits_a) + double(a.exp()),
-               of_b = double(digits_b) + double(b.exp());
-  return scaled_outward(part, of_a - of_b);
+  return scaled_outward(part, double(digits_a) - double(digits_b));
 }
 
 inline Safe_interval quotient(const Interval &a, const Interval &b) {

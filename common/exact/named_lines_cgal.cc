@@ -22,6 +22,7 @@
 #include "common/polygon/exact_numbers.h"
 
 #include <CGAL/Gmpz.h>
+#include <CGAL/Gmpzf.h>
 
 #include <array>
 #include <cmath>
@@ -32,7 +33,10 @@
 namespace {
 
 using CGAL::Gmpz;
-using hsr::Exact;
+
+// Not hsr::Exact: that loses the sign of an integer from which it is made.
+using Exact = CGAL::Gmpzf;
+
 using Vector = hsr::Vector<Exact>;
 using Triple = std::array<Gmpz, 3>;
 

@@ -51,6 +51,10 @@ struct hsr_lit_point {
   double sx, sy;
   double low[3], high[3]; /* P undisplaced lies between these; they are not
                              finite where that cannot be told */
+  /* The row of the light ray (docs/shadow-picture.md): row(v) is the product of
+   * row and v - from, whose components are off by no more than these. They are
+   * not finite where that cannot be told. */
+  double row[3], row_error, from[3], from_error;
 };
 
 /* f is the visible face of sample (i, j). */

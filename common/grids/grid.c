@@ -300,6 +300,30 @@ enum hsr_status hsr_grid_init(struct hsr_grid *grid,
   return status ? status : make_sides(grid, keep->all_sides, err);
 }
 
+/* Items from .. to - 1 of an array; NULL of NULL. */
+static void *cut_array(void *array, uint32_t from, uint32_t to, size_t size) {
+  if (!array)
+    return NULL;
+  memmove(array, (char *)array + from * size, (to - from) * size);
+  void *smaller = realloc(array, (to - from + (size_t)1) * size);
+  return smaller ? smaller : array;
+}
+
+void hsr_grid_cut(struct hsr_grid *g, uint32_t from, uint32_t to) {
+  g->x = cut_array(g->x, from, to, sizeof *g->x);
+  g->sides = cut_array(g->sides, from, to, sizeof *g->sides);
+  g->rgb = cut_array(g->rgb, from, to, sizeof *g->rgb);
+  g->level = cut_array(g->level, from, to, sizeof *g->level);
+  g->steep = cut_array(g->steep, from, to, sizeof *g->steep);
+  g->normal = cut_array(g->normal, from, to, sizeof *g->normal);
+  g->n_cells = to - from;
+  for (size_t row = 0; row <= n_rows(g); row++) {
+    uint32_t cell = g->row[row];
+    g->row[row] = cell < from ? 0 : (cell < to ? cell : to) - from;
+  }
+  number_faces(g, NULL); /* they are no more than before */
+}
+
 void hsr_grid_free(struct hsr_grid *grid) {
   for (int axis = 0; axis < 3; axis++) {
     free(grid->bound[axis]);

@@ -84,6 +84,11 @@ enum hsr_status hsr_grid_init(struct hsr_grid *grid,
                               struct hsr_error *err);
 void hsr_grid_free(struct hsr_grid *grid);
 
+/* Leaves of the kept cells those from `from` to `to` - 1, and frees the memory of
+ * the rest. They keep their places and sides; cells and faces are numbered anew.
+ * None may be left. */
+void hsr_grid_cut(struct hsr_grid *grid, uint32_t from, uint32_t to);
+
 /* The kept cell at these indices; UINT32_MAX if it is not kept. */
 uint32_t hsr_grid_cell(const struct hsr_grid *grid, const uint32_t at[3]);
 

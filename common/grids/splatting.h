@@ -24,4 +24,18 @@ struct hsr_splatting {
   double threshold; /* 0..1000 */
 };
 
+/* xray: sum exposure / 65536, rounded down; of large ones at least 65535. */
+static inline uint64_t hsr_splat_exposed(uint64_t sum, uint64_t exposure) {
+  bool is_most = exposure && sum > UINT64_MAX / exposure;
+  return is_most ? UINT16_MAX : sum * exposure >> 16;
+}
+
+/* The answer of a channel E; the weight is that of its pixel. */
+static inline uint16_t hsr_splat_channel(const struct hsr_splatting *splatting,
+                                         uint64_t E, uint64_t weight) {
+  if (splatting->normalise)
+    E = weight ? 65536 * E / weight : 0;
+  return E < UINT16_MAX ? (uint16_t)E : UINT16_MAX;
+}
+
 #endif

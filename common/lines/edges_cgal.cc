@@ -132,7 +132,7 @@ uint32_t add_point(Edges &made, hsr_exact_points &exact,
   made.x.push_back(exact.rounded(point, 0));
   made.y.push_back(exact.rounded(point, 1));
   made.z.push_back(exact.rounded(point, 2));
-  exact.points.push_back(point);
+  exact.add(point);
   return number;
 }
 
@@ -174,10 +174,10 @@ struct Touching {
     scale = Interval(1);
     if (p < world->mesh.n_vertices)
       return point<Interval>(world, p);
-    const Exact_point &exact = edges->exact->points[p - world->mesh.n_vertices];
-    scale = interval_of(exact.denominator);
-    return {interval_of(exact.at[0]), interval_of(exact.at[1]),
-            interval_of(exact.at[2])};
+    const hsr_exact_points::Rough &rough =
+        edges->exact->rough[p - world->mesh.n_vertices];
+    scale = rough.denominator;
+    return {rough.at[0], rough.at[1], rough.at[2]};
   }
 
   bool is_corner(uint32_t p, uint32_t f) const {

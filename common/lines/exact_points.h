@@ -13,6 +13,20 @@ struct hsr_exact_points {
   // points[k] is point n_vertices + k.
   std::vector<hsr::Exact_point> points;
 
+  // Intervals that hold their coordinates, and denominators.
+  struct Rough {
+    hsr::Interval at[3], denominator;
+  };
+  std::vector<Rough> rough;
+
+  void add(const hsr::Exact_point &point) {
+    points.push_back(point);
+    rough.push_back(
+        {{hsr::interval_of(point.at[0]), hsr::interval_of(point.at[1]),
+          hsr::interval_of(point.at[2])},
+         hsr::interval_of(point.denominator)});
+  }
+
   // A coordinate, with a relative error of at most 2^-50.
   static double rounded(const hsr::Exact_point &point, int axis);
 };

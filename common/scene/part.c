@@ -145,9 +145,20 @@ static void swap_contents(struct hsr_scene *from, struct hsr_scene *to) {
   to->n_instances = kept.n_instances;
 }
 
+static void cut_grid(struct hsr_grid *grid, struct hsr_part *part) {
+  uint32_t all = grid->n_faces;
+  hsr_part_set(part, grid->n_cells);
+  part->all = all;
+  hsr_grid_cut(grid, part->first, part->first + part->n_faces);
+}
+
 enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
                               struct hsr_error *err) {
   struct cut cut = {.from = scene, .object = NONE};
+  if (part->keeps_grid && scene->grid) {
+    cut_grid(scene->grid, part);
+    return HSR_OK;
+  }
   enum hsr_status status = hsr_scene_make_faces(scene, err);
   if (status)
     return status;

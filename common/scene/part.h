@@ -27,6 +27,8 @@ double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]);
 /* Which part is wanted, and what is known of it once it is made. */
 struct hsr_part {
   uint32_t number, of;     /* from 0 */
+  bool keeps_grid;         /* a grid stays one, and has an interval of its kept
+                              cells: `first` and `n_faces` are those of cells */
   uint32_t least_views;    /* the scene is to have so many views at least */
   uint32_t first, n_faces; /* the ids of the part are first, first + 1, ... */
   uint32_t all;            /* faces of the scene */
@@ -38,8 +40,8 @@ struct hsr_part {
 void hsr_part_set(struct hsr_part *part, uint32_t all);
 
 /* Leaves the wanted part of a finished scene, with the views of the whole, and
- * frees the rest. Id first + k becomes k. A grid becomes faces. A part may have
- * no face. HSR_E_NOMEM. */
+ * frees the rest. Id first + k becomes k. A grid becomes faces, unless it is
+ * kept. A part may have no face. HSR_E_NOMEM. */
 enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
                               struct hsr_error *err);
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Source      as in bsp.h. A few tried planes are enough to find a good one: H.
-//             Fuchs, G. Abram and E. Grant, "Near Real-Time Shaded Display of
-//             Rigid Objects", SIGGRAPH 1983.
+// Source      as in bsp.h
 // Medians     The root's side is a power of two, 2^s; its corner is a multiple
 //             of 2^(s-3); and 2^s is at least 2^-30 times the largest
 //             coordinate. So the centre of a cube that is divided, at most 19
@@ -14,18 +12,21 @@
 //             more than 16, so there are at most 16 times as many in all. A
 //             cube that holds a vertex of many faces is not divided either: one
 //             octant would have them all, and others some.
-// Splitters   are planes of pieces. A few are tried, each with all pieces of
-//             the group or with some. The price of a plane is the pieces that
-//             it cuts, and those on its larger side.
+// Threads     cubes are divided until there are some leaves. Their groups of more
+//             than FEW pieces are divided one after the other; several threads
+//             look at the pieces of a large one. What is left is subtrees, in
+//             the order in which one thread would come to them. Each is made by
+//             one thread in memory of its own, with exact numbers of its own.
+//             Then all are put one after the other.
 // Loose       faces are found while the trees are made. The trees are then made
 //             again without them.
-// No stack    is as deep as a tree may be: the work that is left is in a list.
-#include "common/trees/bsp.h"
-#include "common/adapt/convex.h"
+#include "common/base/share.h"
+#include "common/trees/bsp_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace {
@@ -35,26 +36,11 @@ using namespace hsr;
 const int MOST_DEPTH = 20;
 const double MOST_GROWTH = 16;
 
-// Limits, beyond which it is of no use: pieces; questions about sides of
-// planes.
-const size_t MOST_PIECES = 1 << 22;
-const uint64_t MOST_QUESTIONS = 2000000000;
+// A larger group is divided before the threads take subtrees.
+const size_t FEW = 512;
 
-// How many planes are tried for a group; with how many pieces each; and the
-// price of a cut, in pieces on the larger side. A cut piece is one more in
-// every picture; a deep tree costs only while it is made.
-const size_t TRIED_PLANES = 12, WEIGHED_PIECES = 128;
-const size_t PRICE_OF_CUT = 8;
-
-// The most parts of a face that is not flat. Its parts keep all its corners, so
-// more planes would cut each of them.
-const uint32_t MOST_PARTS = 32;
-
-const unsigned BOTH = FRONT | BEHIND;
-
-using Group = std::vector<uint32_t>; // pieces, by ascending faces
-
-struct Too_many {};
+// They begin when leaves with more pieces wait. Not later, for the sake of memory.
+const size_t BATCH = 16384;
 
 const hsr_box EMPTY = {{INFINITY, INFINITY, INFINITY},
                        {-INFINITY, -INFINITY, -INFINITY}};
@@ -73,7 +59,9 @@ void grow(hsr_box &box, const Point &at, double error) {
 class Maker {
 public:
   Maker(const hsr_world &world, uint32_t most)
-      : world_(world), most_(most), shapes_(world), parts_(world.n_faces) {
+      : world_(world), most_(most),
+        threads_(hsr_threads(world.outline.scene->threads)), shapes_(world),
+        parts_(world.n_faces), own_shapes_(size_t(threads_)) {
     // What is seen of such a face may be anywhere: it is loose from the start.
     for (uint32_t f = 0; f < world.n_faces; f++)
       if (!std::isfinite(shapes_.reach(hsr_world_parent(&world, f))))
@@ -85,10 +73,10 @@ public:
 private:
   const hsr_world &world_;
   const uint32_t most_;
+  const int threads_;
   Convex_pieces shapes_;
-  uint64_t questions_ = 0;
-  uint32_t n_new_loose_ = 0;
-  size_t n_open_ = 0;           // pieces in open cubes
+  Bsp_budget budget_;
+  uint64_t questions_ = 0;      // not yet spent
   std::vector<uint32_t> parts_; // a face that is not flat; more than there may
                                 // be: it is loose
 
@@ -112,7 +100,8 @@ private:
   std::map<std::pair<size_t, double>, uint32_t> median_;
 
   void start_again();
-  bool make_cubes();
+  bool make_all();
+  size_t count_loose() const;
   bool is_loose(uint32_t f) const { return parts_[f] > MOST_PARTS; }
   void add_cube(const double centre[3], double half);
   void make_root(const std::vector<Convex> &pieces);
@@ -123,40 +112,29 @@ private:
                 size_t octant, std::vector<Convex> *into);
   void find_tight_boxes();
 
-  // --- The tree of a leaf
-  struct Open_group {
-    Group group;
-    uint32_t parent; // a node; HSR_NO_BSP: the leaf
-    bool in_front;
+  // --- The trees of leaves
+  struct Item {     // a node of a large group, or a subtree
+    uint32_t cube;  // the leaf
+    uint32_t above; // the item of the node above it; HSR_NO_BSP: none
+    bool in_front, is_subtree;
     uint32_t depth;
+    std::vector<Convex> pieces; // of a subtree
+    Bsp_part part;
+    Part_counts counts;
   };
-  std::vector<Open_group> open_groups_;
-  std::vector<Convex> pieces_; // of the leaf
-  struct Placed {              // a corner that is handed over
-    Point at;
-    double error;
-    uint32_t corner;
-  };
-  std::vector<Placed> placed_;
+  std::vector<Item> items_;
+  size_t n_waiting_ = 0;                                   // pieces of items
+  std::vector<std::unique_ptr<Convex_pieces>> own_shapes_; // of a thread
 
-  void make_leaf(uint32_t cube, std::vector<Convex> &&pieces);
   unsigned about(const Convex &piece, uint32_t plane);
-  size_t price_of(const Group &group, uint32_t plane);
-  uint32_t choose_plane(const Group &group);
-  void link(const Open_group &open, uint32_t cube);
-  void split(const Group &group, Open_group &front, Open_group &behind);
-  void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
-  void place(const Convex &piece);
-  void place_points(hsr_bsp_cube &leaf);
   bool may_part(const Convex &piece);
-  void check_size(size_t n_more) const;
+  void divide_leaf(uint32_t cube, std::vector<Convex> &&pieces);
+  void make_subtrees();
+  void make_items();
+  void append(Item &item, std::vector<uint32_t> &root);
+  void place_points(hsr_bsp_cube &leaf);
+  std::vector<Placed> placed_; // of a leaf
 };
-
-uint32_t size_of(size_t n) {
-  if (n >= UINT32_MAX)
-    throw std::bad_alloc();
-  return uint32_t(n);
-}
 
 // --- Cubes ------------------------------------------------------------------
 
@@ -266,6 +244,12 @@ bool Maker::divide(Open_cube &open) {
   std::vector<Convex> into[8];
   for (Convex &piece : open.pieces)
     hand_out(std::move(piece), planes, 0, 0, into);
+  size_t n = 0;
+  for (const std::vector<Convex> &pieces : into)
+    n += pieces.size();
+  budget_.spend(questions_,
+                n > open.pieces.size() ? n - open.pieces.size() : 0);
+  questions_ = 0;
   for (size_t octant = 0; octant < 8; octant++) {
     if (into[octant].empty())
       continue;
@@ -276,15 +260,13 @@ bool Maker::divide(Open_cube &open) {
     const uint32_t child = size_of(cubes_.size());
     cubes_[open.cube].child[octant] = child;
     add_cube(centre, cube.half / 2);
-    n_open_ += into[octant].size();
-    check_size(0);
     open_.push_back({child, open.depth + 1, growth, std::move(into[octant])});
   }
   return true;
 }
 
 void Maker::make() {
-  while (!make_cubes())
+  while (!make_all())
     start_again();
   find_tight_boxes();
 }
@@ -298,12 +280,15 @@ void Maker::start_again() {
   for (std::vector<double> *c : {&x_, &y_, &z_, &error_})
     c->clear();
   most_depth_ = 0;
+  items_.clear();
+  n_waiting_ = 0;
+  budget_.forget_pieces();
   for (uint32_t &parts : parts_)
     parts = parts > MOST_PARTS ? parts : 0;
 }
 
-// Makes all cubes. False if a face turned out to be loose.
-bool Maker::make_cubes() {
+// Makes all cubes and trees. False if a face turned out to be loose.
+bool Maker::make_all() {
   std::vector<Convex> all;
   for (uint32_t f = 0; f < world_.n_faces; f++) {
     Convex piece;
@@ -311,17 +296,28 @@ bool Maker::make_cubes() {
       all.push_back(std::move(piece));
   }
   make_root(all);
-  n_open_ = all.size();
-  n_new_loose_ = 0;
+  budget_.spend(0, all.size());
+  const size_t n_loose = count_loose();
   open_.push_back({0, 0, 1, std::move(all)});
   while (!open_.empty()) {
     Open_cube next = std::move(open_.back());
     open_.pop_back();
-    n_open_ -= next.pieces.size();
-    if (!divide(next))
-      make_leaf(next.cube, std::move(next.pieces));
+    if (divide(next) || next.pieces.empty())
+      continue;
+    n_waiting_ += next.pieces.size();
+    divide_leaf(next.cube, std::move(next.pieces));
+    if (n_waiting_ > BATCH)
+      make_items();
   }
-  return !n_new_loose_;
+  make_items();
+  return count_loose() == n_loose;
+}
+
+size_t Maker::count_loose() const {
+  size_t n = 0;
+  for (uint32_t parts : parts_)
+    n += parts > MOST_PARTS;
+  return n;
 }
 
 // Finds the tight boxes of cubes that are no leaves. Children come after
@@ -336,20 +332,11 @@ void Maker::find_tight_boxes() {
       }
 }
 
-// --- The tree of a leaf -----------------------------------------------------
-
-void Maker::check_size(size_t n_more) const {
-  if (made_.size() + n_open_ + n_more > MOST_PIECES ||
-      questions_ > MOST_QUESTIONS)
-    throw Too_many();
-}
+// --- The trees of leaves ----------------------------------------------------
 
 // Counts the division of a piece; false if its face is loose.
 bool Maker::may_part(const Convex &piece) {
-  if (shapes_.is_flat(piece))
-    return true;
-  n_new_loose_ += parts_[piece.from] == MOST_PARTS;
-  return parts_[piece.from]++ < MOST_PARTS;
+  return shapes_.is_flat(piece) || parts_[piece.from]++ < MOST_PARTS;
 }
 
 unsigned Maker::about(const Convex &piece, uint32_t plane) {
@@ -357,132 +344,137 @@ unsigned Maker::about(const Convex &piece, uint32_t plane) {
   return shapes_.about(piece, plane);
 }
 
-// The price of dividing a group by a plane, judged by some of its pieces.
-size_t Maker::price_of(const Group &group, uint32_t plane) {
-  const size_t step = std::max<size_t>(1, group.size() / WEIGHED_PIECES);
-  size_t n[4] = {0};
-  for (size_t k = 0; k < group.size(); k += step) {
-    const unsigned where = about(pieces_[group[k]], plane);
-    n[where & UNSURE ? BOTH : where]++;
-  }
-  return PRICE_OF_CUT * n[BOTH] + std::max(n[FRONT], n[BEHIND]);
-}
-
-uint32_t Maker::choose_plane(const Group &group) {
-  const size_t step = std::max<size_t>(1, group.size() / TRIED_PLANES);
-  uint32_t best = pieces_[group[0]].plane;
-  if (group.size() == 1)
-    return best;
-  size_t least = SIZE_MAX;
-  for (size_t k = step / 2; k < group.size(); k += step) {
-    const uint32_t plane = pieces_[group[k]].plane;
-    const size_t price = price_of(group, plane);
-    if (price < least) {
-      least = price;
-      best = plane;
-    }
-  }
-  return best;
-}
-
-void Maker::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
-  check_size(pieces_.size());
-  if (!may_part(pieces_[piece]))
+// Divides what is too large for a subtree, and lists what is left.
+void Maker::divide_leaf(uint32_t cube, std::vector<Convex> &&pieces) {
+  if (pieces.size() <= FEW) {
+    items_.push_back({cube,
+                      HSR_NO_BSP,
+                      false,
+                      true,
+                      1,
+                      std::move(pieces),
+                      {},
+                      Part_counts(parts_)});
     return;
-  Convex other = shapes_.part(pieces_[piece], plane, -1);
-  pieces_[piece] = shapes_.part(pieces_[piece], plane, +1);
-  front.push_back(piece);
-  behind.push_back(uint32_t(pieces_.size()));
-  pieces_.push_back(std::move(other));
-}
-
-void Maker::link(const Open_group &open, uint32_t cube) {
-  const uint32_t node = size_of(nodes_.size());
-  if (open.parent == HSR_NO_BSP)
-    cubes_[cube].root = node;
-  else if (open.in_front)
-    nodes_[open.parent].front = node;
-  else
-    nodes_[open.parent].behind = node;
-}
-
-// Makes a node of the group's pieces that lie in the plane, and divides the
-// rest into the groups on either side.
-void Maker::split(const Group &group, Open_group &front, Open_group &behind) {
-  const uint32_t plane = choose_plane(group), node = size_of(nodes_.size());
-  const uint32_t first = size_of(made_.size());
-  for (uint32_t p : group) {
-    const unsigned where =
-        pieces_[p].plane == plane ? 0 : about(pieces_[p], plane);
-    if (pieces_[p].plane == plane) {
-      place(pieces_[p]);
-      pieces_[p] = {};
-    } else if (where == BOTH || where & UNSURE)
-      cut(p, plane, front.group, behind.group);
-    else
-      (where == BEHIND ? behind : front).group.push_back(p);
   }
-  front.parent = behind.parent = node;
-  nodes_.push_back(
-      {plane, HSR_NO_BSP, HSR_NO_BSP, first, size_of(made_.size()) - first});
-}
-
-void Maker::make_leaf(uint32_t cube, std::vector<Convex> &&pieces) {
-  const size_t first = made_.size();
-  pieces_ = std::move(pieces);
-  Group all(pieces_.size());
-  for (uint32_t p = 0; p < all.size(); p++)
-    all[p] = p;
-  if (!all.empty())
-    open_groups_.push_back({std::move(all), HSR_NO_BSP, false, 1});
-  while (!open_groups_.empty()) {
-    const Open_group next = std::move(open_groups_.back());
-    open_groups_.pop_back();
-    most_depth_ = std::max(most_depth_, next.depth);
-    Open_group front = {{}, 0, true, next.depth + 1};
-    Open_group behind = {{}, 0, false, next.depth + 1};
-    link(next, cube);
-    split(next.group, front, behind);
+  struct Open {
+    uint32_t above;
+    bool in_front;
+    uint32_t depth;
+    Group group;
+  };
+  std::vector<Open> open;
+  Tree_maker maker(shapes_, budget_, threads_, pieces);
+  Group all(pieces.size());
+  std::iota(all.begin(), all.end(), 0u);
+  open.push_back({HSR_NO_BSP, false, 1, std::move(all)});
+  while (!open.empty()) {
+    const Open next = std::move(open.back());
+    open.pop_back();
+    const uint32_t number = size_of(items_.size());
+    const bool is_subtree = next.group.size() <= FEW;
+    items_.push_back({cube,
+                      next.above,
+                      next.in_front,
+                      is_subtree,
+                      next.depth,
+                      {},
+                      {},
+                      Part_counts(parts_)});
+    Item &item = items_.back();
+    if (is_subtree) {
+      item.pieces.reserve(next.group.size());
+      for (uint32_t p : next.group)
+        item.pieces.push_back(std::move(pieces[p]));
+      continue;
+    }
+    Open front = {number, true, next.depth + 1, {}};
+    Open behind = {number, false, next.depth + 1, {}};
+    item.part.depth = 1;
+    maker.split(next.group, item.counts, item.part, front.group, behind.group);
+    item.counts.add_to(parts_);
     if (!behind.group.empty())
-      open_groups_.push_back(std::move(behind));
+      open.push_back(std::move(behind));
     if (!front.group.empty())
-      open_groups_.push_back(std::move(front));
+      open.push_back(std::move(front));
   }
-  for (size_t k = first; k < made_.size(); k++)
-    cubes_[cube].most_corners =
-        std::max(cubes_[cube].most_corners, made_[k].n_corners);
-  place_points(cubes_[cube]);
+}
+
+// Each thread has planes of its own; and the pieces of a subtree share no exact
+// corner with those of another.
+void Maker::make_subtrees() {
+  std::vector<Item *> subtrees;
+  for (Item &item : items_)
+    if (item.is_subtree) {
+      for (Convex &piece : item.pieces)
+        for (Corner &corner : piece.corners)
+          corner.exact.reset();
+      subtrees.push_back(&item);
+    }
+  share(threads_, size_of(subtrees.size()), [&](uint32_t k, int thread) {
+    Item &item = *subtrees[k];
+    std::unique_ptr<Convex_pieces> &own = own_shapes_[size_t(thread)];
+    if (!own)
+      own = std::make_unique<Convex_pieces>(shapes_);
+    Tree_maker(*own, budget_, 1, item.pieces).make(item.counts, item.part);
+    item.pieces = {};
+  });
+  for (const Item *item : subtrees)
+    item->counts.add_to(parts_);
+}
+
+template <class T>
+void add_all(std::vector<T> &to, const std::vector<T> &from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+// Puts an item after what there is. root[k] is the node where item k begins.
+void Maker::append(Item &item, std::vector<uint32_t> &root) {
+  Bsp_part &part = item.part;
+  const uint32_t node = size_of(nodes_.size()), piece = size_of(made_.size()),
+                 corner = size_of(corners_.size()), cut = size_of(cuts_.size());
+  root.push_back(node);
+  if (item.above == HSR_NO_BSP)
+    cubes_[item.cube].root = node;
+  else
+    (item.in_front ? nodes_[root[item.above]].front
+                   : nodes_[root[item.above]].behind) = node;
+  for (hsr_bsp_node &made : part.nodes) {
+    for (uint32_t *child : {&made.front, &made.behind})
+      *child = *child == HSR_NO_BSP ? HSR_NO_BSP : *child + node;
+    made.first_piece += piece;
+  }
+  for (hsr_bsp_piece &made : part.pieces) {
+    made.first_corner += corner;
+    made.first_cut += cut;
+    uint32_t &most = cubes_[item.cube].most_corners;
+    most = std::max(most, made.n_corners);
+  }
+  for (Placed &placed : part.placed)
+    placed.corner += corner;
+  add_all(nodes_, part.nodes);
+  add_all(made_, part.pieces);
+  add_all(corners_, part.corners);
+  add_all(cuts_, part.cuts);
+  add_all(placed_, part.placed);
+  most_depth_ = std::max(most_depth_, item.depth - 1 + part.depth);
+  part = {};
+}
+
+// Makes what waits, and puts it after what there is.
+void Maker::make_items() {
+  std::vector<uint32_t> root;
+  make_subtrees();
+  for (size_t k = 0; k < items_.size(); k++) {
+    append(items_[k], root);
+    if (k + 1 == items_.size() || items_[k + 1].cube != items_[k].cube)
+      place_points(cubes_[items_[k].cube]);
+  }
+  items_.clear();
+  n_waiting_ = 0;
 }
 
 // --- The result -------------------------------------------------------------
-
-// The side of a plane on which a piece was kept when the plane cut it.
-int kept_side(const Convex &piece, uint32_t plane) {
-  const auto cut =
-      std::find_if(piece.cuts.begin(), piece.cuts.end(),
-                   [&](const hsr_cut &c) { return c.face == plane; });
-  return cut->side;
-}
-
-void Maker::place(const Convex &piece) {
-  hsr_bsp_piece made = {piece.from, size_of(corners_.size()),
-                        size_of(piece.corners.size()), size_of(cuts_.size()),
-                        0};
-  const auto side_of = [](int side) {
-    return side > 0 ? HSR_BSP_FRONT : HSR_BSP_BEHIND;
-  };
-  for (const Corner &c : piece.corners) {
-    placed_.push_back({c.at, c.error, size_of(corners_.size())});
-    corners_.push_back(
-        {0, c.a, c.b == NO_VERTEX ? side_of(kept_side(piece, c.a)) : c.b});
-  }
-  if (!shapes_.is_flat(piece)) {
-    for (const hsr_cut &cut : piece.cuts)
-      cuts_.push_back({0, cut.face, side_of(cut.side)});
-    made.n_cuts = size_of(piece.cuts.size());
-  }
-  made_.push_back(made);
-}
 
 // The points of a leaf's corners, each once.
 void Maker::place_points(hsr_bsp_cube &leaf) {

@@ -5,6 +5,8 @@ libhsr_a_SOURCES += \
   %D%/box.c \
   %D%/bsp.cc \
   %D%/bsp.h \
+  %D%/bsp_tree.cc \
+  %D%/bsp_tree.h \
   %D%/grain.c \
   %D%/grain.h \
   %D%/octree.c \

@@ -48,18 +48,23 @@ int hsr_octant_that_holds(const struct hsr_octree_node *cube,
   return octant;
 }
 
-/* Puts a primitive into every octant that it meets. */
-static bool push(const struct hsr_octree_builder *b,
-                 const struct hsr_octree_node *cube, uint32_t k,
-                 struct hsr_octree_list *octants) {
-  const struct hsr_primitives *p = b->primitives;
+static void find_octant_boxes(const struct hsr_octree_node *cube,
+                              struct hsr_box box[8]) {
   for (int o = 0; o < 8; o++) {
     struct hsr_octree_node child = hsr_octree_octant(cube, o);
-    struct hsr_box box = hsr_cube_box(&child);
-    if (hsr_boxes_meet(&b->bounds[k], &box) && p->meets(p->context, k, &box) &&
-        !append(&octants[o], k))
-      return false;
+    box[o] = hsr_cube_box(&child);
   }
+}
+
+/* Puts a primitive into every octant that it meets. */
+static bool push(const struct hsr_octree_builder *b,
+                 const struct hsr_box box[8], uint32_t k,
+                 struct hsr_octree_list *octants) {
+  const struct hsr_primitives *p = b->primitives;
+  for (int o = 0; o < 8; o++)
+    if (hsr_boxes_meet(&b->bounds[k], &box[o]) &&
+        p->meets(p->context, k, &box[o]) && !append(&octants[o], k))
+      return false;
   return true;
 }
 
@@ -69,11 +74,13 @@ bool hsr_octree_part(const struct hsr_octree_builder *b,
                      struct hsr_octree_list *own,
                      struct hsr_octree_list octants[8]) {
   double small = b->rule->small * 4 * cube->half * cube->half;
+  struct hsr_box box[8];
+  find_octant_boxes(cube, box);
   for (uint32_t i = 0; i < list->n; i++) {
     uint32_t k = list->k[i];
     int octant = hsr_octant_that_holds(cube, &b->bounds[k]);
     bool good = octant >= 0          ? append(&octants[octant], k)
-                : b->area[k] < small ? push(b, cube, k, octants)
+                : b->area[k] < small ? push(b, box, k, octants)
                                      : append(own, k);
     if (!good)
       return false;

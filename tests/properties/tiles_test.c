@@ -142,8 +142,10 @@ static bool is_same(const struct hsr_answer *a, size_t k,
                             *q = hsr_answer_shadowed_of(b);
   if (p && q)
     return p->ids[k] == q->ids[l] && p->lit[k] == q->lit[l];
-  size_t channels = a->form.type == HSR_COMPOSITED ? 4 : 3;
-  const uint16_t *x = a->body, *y = b->body;
+  bool splats = a->form.type == HSR_COMPOSITED;
+  size_t channels = splats ? 4 : 3;
+  const uint16_t *x = splats ? hsr_answer_rgba_of(a) : hsr_answer_colours_of(a),
+                 *y = splats ? hsr_answer_rgba_of(b) : hsr_answer_colours_of(b);
   return !memcmp(x + channels * k, y + channels * l, channels * sizeof *x);
 }
 

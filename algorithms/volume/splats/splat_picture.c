@@ -80,10 +80,7 @@ void hsr_splats_write(struct hsr_splats *s, int i, int j,
                    4 * ((size_t)j * (size_t)s->view->m + (size_t)i);
   bool any = false;
   for (int c = 0; c <= OPACITY; c++) {
-    uint64_t value = E[c];
-    if (s->splatting.normalise)
-      value = E[HSR_SPLAT_WEIGHT] ? 65536 * value / E[HSR_SPLAT_WEIGHT] : 0;
-    rgba[c] = (uint16_t)(value < UINT16_MAX ? value : UINT16_MAX);
+    rgba[c] = hsr_splat_channel(&s->splatting, E[c], E[HSR_SPLAT_WEIGHT]);
     any |= rgba[c] > 0;
   }
   if (any)

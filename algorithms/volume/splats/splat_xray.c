@@ -44,15 +44,30 @@ static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
     move_sums(m);
 }
 
-/* min(65535, sum exposure / 65536), rounded down. */
-static uint64_t exposed(uint64_t sum, uint64_t exposure) {
-  bool is_most = exposure && sum > UINT64_MAX / exposure;
-  return is_most ? UINT16_MAX : sum * exposure >> 16;
+/* Adds what was drawn to the sums of an answer that is made of parts. */
+static void add_to(uint64_t *sums, struct hsr_splats *s,
+                   const struct model *m) {
+  const struct hsr_window *w = &s->window;
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++) {
+      size_t at = hsr_splats_at(s, &m->picture, i, j);
+      uint64_t *sum =
+          sums + HSR_SPLAT_SUMS * ((size_t)j * (size_t)s->view->m + (size_t)i);
+      for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
+        sum[c] += m->all[at][c];
+      if (m->picture.weight)
+        sum[HSR_SPLAT_WEIGHT] += m->picture.weight[at];
+    }
 }
 
 static void finish(struct hsr_splats *s, struct model *m) {
   const struct hsr_window *w = &s->window;
+  uint64_t *sums = hsr_answer_splat_sums_of(s->job->answer);
   move_sums(m);
+  if (sums) {
+    add_to(sums, s, m);
+    return;
+  }
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
       uint64_t E[HSR_SPLAT_CHANNELS] = {0};
@@ -60,7 +75,7 @@ static void finish(struct hsr_splats *s, struct model *m) {
       for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
         E[c] = s->splatting.normalise
                    ? m->all[at][c]
-                   : exposed(m->all[at][c], s->splatting.exposure);
+                   : hsr_splat_exposed(m->all[at][c], s->splatting.exposure);
       if (s->splatting.normalise)
         E[HSR_SPLAT_WEIGHT] = m->picture.weight[at];
       hsr_splats_write(s, i, j, E);
@@ -92,7 +107,7 @@ static const struct hsr_line outline[] = {
     {NULL, 0}};
 
 const struct hsr_algorithm HSR_ALGORITHM(splat_xray) = {
-    HSR_OF_SPLATS,
+    HSR_OF_SPLATS_WITH(HSR_SUMS),
     .name = "splat-xray",
     .title = "Splatting of an X-ray picture",
     .authors = "L. Westover; J. E. Swan II",

@@ -63,9 +63,11 @@ enum {
   [HSR_SPLAT_FOLDS] = {"folds", "sums of pixels put over the picture",         \
                        HSR_SAMPLE, HSR_OF_NOTHING, HSR_OF_WINDOW}
 
-#define HSR_OF_SPLATS                                                          \
+#define HSR_OF_SPLATS_WITH(more)                                               \
   .taxonomy = HSR_VOLUME_SPACE, .coherence = "object",                         \
-  .subjects = 1 << HSR_GRID, .kind = HSR_COMPOSITED, .flags = HSR_INSTANCED
+  .subjects = 1 << HSR_GRID, .kind = HSR_COMPOSITED,                           \
+  .flags = HSR_INSTANCED | (more)
+#define HSR_OF_SPLATS HSR_OF_SPLATS_WITH(0)
 
 /* --- The frame ------------------------------------------------------------ */
 

@@ -32,11 +32,11 @@ Point<T> point_at(const Numbers &n, uint32_t e, const T &numerator,
 class At_point {
 public:
   At_point(const Numbers &n, uint32_t e, uint32_t f, double t)
-      : n_(n), e_(e), f_(f), t_(t), is_double_(true) {}
+      : n_(n), e_(e), f_(f), exact_{Exact(t), Exact(1)}, rough_{t, 1} {}
   At_point(const Numbers &n, uint32_t e, uint32_t f, const Exact &numerator,
            const Exact &denominator)
-      : n_(n), e_(e), f_(f), t_(0), is_double_(false), numerator_(numerator),
-        denominator_(denominator) {}
+      : n_(n), e_(e), f_(f), exact_{numerator, denominator},
+        rough_{hsr::interval_of(numerator), hsr::interval_of(denominator)} {}
 
   bool hides() const {
     if (!is_before())
@@ -49,17 +49,19 @@ public:
 private:
   const Numbers &n_;
   uint32_t e_, f_;
-  double t_;
-  bool is_double_;
-  Exact numerator_, denominator_;
 
+  template <class T> struct Ratio { T numerator, denominator; };
+  Ratio<Exact> exact_;
+  Ratio<Interval> rough_;
+
+  template <class T> const Ratio<T> &t() const {
+    if constexpr (std::is_same<T, Exact>::value)
+      return exact_;
+    else
+      return rough_;
+  }
   template <class T> Point<T> point() const {
-    if (is_double_)
-      return point_at<T>(n_, e_, T(t_), T(1));
-    T numerator, denominator;
-    convert(numerator_, numerator);
-    convert(denominator_, denominator);
-    return point_at<T>(n_, e_, numerator, denominator);
+    return point_at<T>(n_, e_, t<T>().numerator, t<T>().denominator);
   }
 
   int row(uint32_t q) const {

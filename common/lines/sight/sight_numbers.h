@@ -170,11 +170,13 @@ template <> inline const Eye<Exact> &Numbers::eye<Exact>() const {
   return exact;
 }
 
-inline void convert(const Exact &from, Interval &to) {
-  to = interval_of(from);
-}
-inline void convert(const Exact &from, Exact &to) {
-  to = from;
+// What is known of a point that is no vertex.
+template <class T>
+const auto &given_point(const hsr_exact_points &given, uint32_t k) {
+  if constexpr (std::is_same<T, Exact>::value)
+    return given.points[k];
+  else
+    return given.rough[k];
 }
 
 template <class T> Point<T> Numbers::found_point(uint32_t p) const {
@@ -183,13 +185,10 @@ template <class T> Point<T> Numbers::found_point(uint32_t p) const {
     const double v[3] = {w->mesh.x[p], w->mesh.y[p], w->mesh.z[p]};
     return eye<T>().seen_point(lift<T>(v) - eye<T>().E, T(1));
   }
-  const Exact_point &from = sight->edges->exact->points[p - w->mesh.n_vertices];
-  vec<T> at;
-  T d;
-  convert(from.at[0], at.x);
-  convert(from.at[1], at.y);
-  convert(from.at[2], at.z);
-  convert(from.denominator, d);
+  const auto &from =
+      given_point<T>(*sight->edges->exact, p - w->mesh.n_vertices);
+  const vec<T> at = {from.at[0], from.at[1], from.at[2]};
+  const T &d = from.denominator;
   return eye<T>().seen_point(at - d * eye<T>().E, d);
 }
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What several threads import, lay out and prepare is what one does, to the last
- * bit: faces, planes, octrees, cells, and the counts of a frame. */
+ * bit: faces, planes, octrees, cells, BSP trees, and the counts of a frame. */
 #include "algorithms/hierarchical/cubes.h"
 #include "common/base/share.h"
+#include "common/trees/bsp.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -150,6 +151,58 @@ static void test_cubes(struct tap *tap, const char *name) {
   hsr_scene_delete(one);
 }
 
+/* --- BSP trees ------------------------------------------------------------ */
+
+static bool same_trees(const struct hsr_bsp *a, const struct hsr_bsp *b) {
+  return a->n_cubes == b->n_cubes && a->n_nodes == b->n_nodes &&
+         a->n_pieces == b->n_pieces && a->n_corners == b->n_corners &&
+         a->n_cuts == b->n_cuts && a->n_points == b->n_points &&
+         a->n_medians == b->n_medians && a->n_loose == b->n_loose &&
+         a->most_depth == b->most_depth &&
+         are_bytes(a->cube, b->cube, a->n_cubes, sizeof *a->cube) &&
+         are_bytes(a->node, b->node, a->n_nodes, sizeof *a->node) &&
+         are_bytes(a->piece, b->piece, a->n_pieces, sizeof *a->piece) &&
+         are_bytes(a->corner, b->corner, a->n_corners, sizeof *a->corner) &&
+         are_bytes(a->cut, b->cut, a->n_cuts, sizeof *a->cut) &&
+         are_bytes(a->x, b->x, a->n_points, 8) &&
+         are_bytes(a->y, b->y, a->n_points, 8) &&
+         are_bytes(a->z, b->z, a->n_points, 8) &&
+         are_bytes(a->error, b->error, a->n_points, 8) &&
+         are_bytes(a->loose, b->loose, a->n_loose, 4);
+}
+
+static void make_trees(const char *name, uint32_t most, int threads,
+                       struct hsr_scene **scene, struct hsr_world *world,
+                       struct hsr_bsp *bsp) {
+  struct hsr_bsp_rule rule = {.most = most};
+  struct hsr_error err = {.text = "out of memory"};
+  *scene = open_by(name, threads);
+  if (hsr_world_init(world, *scene, &err) ||
+      hsr_bsp_init(bsp, world, &rule, &err))
+    stop(name, err.text);
+}
+
+/* The faces of the scene are convex. */
+static void test_trees(struct tap *tap, const char *name, uint32_t most) {
+  struct hsr_scene *one, *scene;
+  struct hsr_world world, of_many;
+  struct hsr_bsp wanted, got;
+  make_trees(name, most, 1, &one, &world, &wanted);
+  bool same = true;
+  for (int k = 1; k < CREWS; k++) {
+    make_trees(name, most, crews[k], &scene, &of_many, &got);
+    same &= same_trees(&wanted, &got);
+    hsr_bsp_free(&got);
+    hsr_world_free(&of_many);
+    hsr_scene_delete(scene);
+  }
+  ok(tap, same, "trees of %s: %u cubes, %u nodes, %u pieces, %u loose", name,
+     wanted.n_cubes, wanted.n_nodes, wanted.n_pieces, wanted.n_loose);
+  hsr_bsp_free(&wanted);
+  hsr_world_free(&world);
+  hsr_scene_delete(one);
+}
+
 /* --- Frames --------------------------------------------------------------- */
 
 static void draw(const char *name, const char *algorithm, int threads,
@@ -260,7 +313,7 @@ static void test_off(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(6 + 4 + 4 + 5);
+  struct tap tap = plan(6 + 4 + 4 + 6 + 5);
   test_off(&tap);
   test_world(&tap, "sphere:30000");
   test_world(&tap, "soup:20000:3");
@@ -270,6 +323,12 @@ int main(void) {
   test_cubes(&tap, "soup:20000:3");
   test_cubes(&tap, "harbor");
   test_cubes(&tap, "office:1");
+  test_trees(&tap, "terrain:128", 0);
+  test_trees(&tap, "terrain", 30);
+  test_trees(&tap, "soup:1500:3", 0);
+  test_trees(&tap, "soup:3000:3", 30);
+  test_trees(&tap, "twist:60", 0);
+  test_trees(&tap, "sphere:3000", 0);
   test_frame(&tap, "sphere:30000", "hzbuffer");
   test_frame(&tap, "sphere:30000", "clark");
   test_frame(&tap, "soup:5000:3", "octree-raycast");

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Octants in lanes against one cube after another; and the pyramid's test of
+ * rows at once against a look at every sample. Both are of the build that is
+ * timed, and use the vector unit that the machine has. */
+#include "algorithms/hierarchical/cube_octants.h"
+#include "algorithms/hierarchical/pyramid.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 97, N = 61 };
+
+static void stop(const char *text) {
+  printf("Bail out! %s\n", text);
+  exit(99);
+}
+
+/* --- Octants -------------------------------------------------------------- */
+
+struct held {
+  long images, none, parts, wrong;
+};
+
+/* Part k of octant o against what hsr_cube_bounds says of the same corners. */
+static bool is_same_part(const struct hsr_cube_frame *frame,
+                         const struct hsr_octants *octants, int k, int o,
+                         const struct hsr_cube_image *image) {
+  static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const unsigned char *corner = k == HSR_WHOLE_CUBE ? all : hsr_cube_side[k];
+  int n = k == HSR_WHOLE_CUBE ? 8 : 4;
+  float q = 0;
+  for (int c = 0; c < n; c++)
+    q = fmaxf(q, image->q[corner[c]]);
+  struct hsr_bounds one, lane;
+  bool covers = hsr_cube_bounds(frame, image, corner, n, &one);
+  return hsr_octant_bounds(octants, k, o, &lane) == covers &&
+         octants->q[k][o] == q && (!covers || !memcmp(&one, &lane, sizeof one));
+}
+
+static void look_at_octants(const struct hsr_cube_frame *frame,
+                            const struct hsr_octree_node *node, bool tight,
+                            struct held *held) {
+  const struct hsr_octree *octree = &frame->object->octree;
+  struct hsr_octants octants;
+  hsr_octants_project(frame, &frame->placing, octree, node, tight, &octants);
+  for (int o = 0; o < 8; o++) {
+    if (node->child[o] == HSR_NO_NODE)
+      continue;
+    const struct hsr_octree_node *child = &octree->node[node->child[o]];
+    struct hsr_octree_box box = tight ? child->tight : hsr_octree_cube(child);
+    struct hsr_cube_image image;
+    bool has_image = hsr_cube_project(frame, &frame->placing, &box, &image);
+    held->images += has_image;
+    held->none += !has_image;
+    held->wrong += octants.has_image[o] != has_image;
+    held->wrong += has_image && (unsigned)octants.front[o] != image.front;
+    for (int k = 0; k < HSR_CUBE_PARTS && has_image; k++) {
+      held->parts++;
+      held->wrong += !is_same_part(frame, &octants, k, o, &image);
+    }
+  }
+}
+
+/* From one of the scene's own places, or close to a corner of its first object's
+ * root cube. */
+static struct hsr_camera camera_of(const struct hsr_scene *scene, int c,
+                                   uint64_t *seed) {
+  struct hsr_camera camera = scene->views[(uint32_t)c % scene->n_views];
+  for (int k = 0; k < 3 && c % 2; k++)
+    camera.eye[k] +=
+        (double)draw_integer(seed, -64, 64) / 64 * fabs(camera.eye[k]);
+  return camera;
+}
+
+static void look_from(const struct hsr_camera *camera,
+                      const struct hsr_world *outline,
+                      const struct hsr_cubes *cubes, struct held *held) {
+  struct hsr_error err;
+  struct hsr_view view;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  if (hsr_view_init(&view, camera, M, N, &err))
+    stop(err.text);
+  view.window = (struct hsr_window){5, 3, M - 9, N};
+  struct hsr_job job = {
+      .world = outline, .view = &view, .scratch = &scratch, .tally = &tally};
+  struct hsr_cube_frame frame;
+  memset(&frame, 0, sizeof frame);
+  if (hsr_cube_frame_begin(&frame, &job, cubes))
+    stop("out of memory");
+  for (uint32_t i = 0; i < cubes->scene->n_instances; i++) {
+    hsr_cube_instance(&frame, i);
+    for (uint32_t k = 0; k < frame.object->octree.n_nodes; k++)
+      for (int tight = 0; tight < 2; tight++)
+        look_at_octants(&frame, &frame.object->octree.node[k], tight, held);
+  }
+  hsr_arena_free(&scratch);
+}
+
+static void test_octants(struct tap *tap, const char *name, uint64_t *seed) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_octree_rule rule = {.small = 0.1, .most = 20, .least = 20};
+  struct hsr_world outline;
+  struct hsr_cubes cubes;
+  struct held held = {.wrong = 0};
+  struct hsr_scene *scene = NULL;
+  if (hsr_scene_open(name, NULL, &scene, &err) ||
+      hsr_world_outline(&outline, scene, &err) ||
+      hsr_cubes_init(&cubes, &outline, &rule, &err))
+    stop(err.text);
+  for (int c = 0; c < 6; c++) {
+    struct hsr_camera camera = camera_of(scene, c, seed);
+    look_from(&camera, &outline, &cubes, &held);
+  }
+  ok(tap, !held.wrong && held.images > 500 && held.none > 20,
+     "%s: %ld octants have an image, %ld have none; of %ld sides and wholes "
+     "and "
+     "what else is known of them %ld differ from one cube at a time",
+     name, held.images, held.none, held.parts, held.wrong);
+  hsr_cubes_free(&cubes);
+  hsr_world_free(&outline);
+  hsr_scene_delete(scene);
+}
+
+/* --- The pyramid ---------------------------------------------------------- */
+
+/* Is every sample of a box nearer than q? */
+static bool is_hidden(const struct hsr_pyramid *p, size_t stride,
+                      struct hsr_bounds box, float q) {
+  for (int j = box.y0; j < box.y1; j++)
+    for (int i = box.x0; i < box.x1; i++) {
+      float z = p->far[0][(size_t)(j - p->window.y0) * stride +
+                          (size_t)(i - p->window.x0)];
+      if (!(q * HSR_CLEAR < z))
+        return false;
+    }
+  return true;
+}
+
+static struct hsr_bounds draw_box(const struct hsr_window *w, uint64_t *seed) {
+  int most = 1 << draw_integer(seed, 0, 7);
+  int x0 = (int)draw_integer(seed, w->x0, w->x1 - 1);
+  int y0 = (int)draw_integer(seed, w->y0, w->y1 - 1);
+  int x1 = x0 + (int)draw_integer(seed, 1, most);
+  int y1 = y0 + (int)draw_integer(seed, 1, most);
+  return (struct hsr_bounds){x0, y0, x1 < w->x1 ? x1 : w->x1,
+                             y1 < w->y1 ? y1 : w->y1};
+}
+
+/* All samples are near but for a few, so that boxes of any size may be hidden. */
+static void test_pyramid(struct tap *tap, const struct hsr_window *window,
+                         uint64_t *seed) {
+  struct hsr_pyramid p;
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  size_t stride;
+  long hidden = 0, open = 0, wrong = 0;
+  if (hsr_pyramid_init(&p, window, false, &stride, &arena))
+    stop("out of memory");
+  for (int round = 0; round < 40; round++) {
+    hsr_pyramid_clear(&p);
+    for (int j = 0; j < window->y1 - window->y0; j++)
+      for (int i = 0; i < window->x1 - window->x0; i++) {
+        int64_t kind = draw_integer(seed, 0, 50 << round % 8);
+        p.far[0][(size_t)j * stride + (size_t)i] =
+            kind == 0   ? 0.25f
+            : kind == 1 ? NAN
+            : kind == 2 ? HUGE_VALF
+                        : 0.5f + (float)draw_integer(seed, 0, 99) / 128;
+      }
+    hsr_pyramid_update(&p, (struct hsr_bounds){window->x0, window->y0,
+                                               window->x1, window->y1});
+    for (int k = 0; k < 500; k++) {
+      struct hsr_bounds box = draw_box(window, seed);
+      float q = (float)draw_integer(seed, 10, 90) / 128;
+      bool truth = is_hidden(&p, stride, box, q);
+      hidden += truth;
+      open += !truth;
+      wrong += hsr_pyramid_hides(&p, box, q) != truth;
+    }
+  }
+  ok(tap, !wrong && hidden > 500 && open > 500,
+     "a window of %d x %d: %ld boxes are hidden, %ld are not; %ld are wrong",
+     window->x1 - window->x0, window->y1 - window->y0, hidden, open, wrong);
+  hsr_arena_free(&arena);
+}
+
+int main(void) {
+  static const char *const scenes[] = {"office:1", "office:3", "terrain:40:0",
+                                       "soup:3000:3"};
+  static const struct hsr_window windows[] = {
+      {0, 0, 128, 128}, {3, 5, 103, 66}, {7, 1, 20, 150}, {0, 0, 9, 5}};
+  enum {
+    SCENES = sizeof scenes / sizeof *scenes,
+    WINDOWS = sizeof windows / sizeof *windows
+  };
+  struct tap tap = plan(SCENES + WINDOWS);
+  uint64_t seed = 17;
+  for (int k = 0; k < SCENES; k++)
+    test_octants(&tap, scenes[k], &seed);
+  for (int k = 0; k < WINDOWS; k++)
+    test_pyramid(&tap, &windows[k], &seed);
+  return finish(&tap);
+}
