@@ -76,7 +76,7 @@ struct column {
 
 AVX2 static inline struct column column_of(const struct footprint *f, float dx,
                                            int past) {
-  __m256 column = past ? _mm256_add_ps(all((float)past), f->column) : f->column,
+  __m256 column = _mm256_add_ps(all((float)past), f->column),
          X = _mm256_add_ps(all(dx), column);
   return (struct column){X, _mm256_mul_ps(f->xx, _mm256_mul_ps(X, X)),
                          _mm256_mul_ps(f->xy, X),
@@ -189,18 +189,15 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   }
 }
 
-/* All columns of the box. What is not wider than a piece is put at once. */
+/* All columns of the box. */
 AVX2 static inline __attribute__((always_inline)) void
 put_box(struct hsr_splats *s, const struct hsr_placed *p,
         struct hsr_splat_picture *picture, int columns, bool blurred,
         enum hsr_splat_way way) {
   const struct footprint f = footprint_of(s, p, columns, blurred);
   const int width = p->box.x1 - p->box.x0;
-  if (columns < ALL)
-    put_columns(s, p, picture, &f, 0, columns, blurred, way);
-  else
-    for (int past = 0; past < width; past += columns)
-      put_columns(s, p, picture, &f, past, columns, blurred, way);
+  for (int past = 0; past < width; past += columns)
+    put_columns(s, p, picture, &f, past, columns, blurred, way);
 }
 
 /* Each way has code of its own. */
