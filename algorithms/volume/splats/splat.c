@@ -11,7 +11,8 @@
  *             pixels is kept. A splat is left out if all blocks that it may touch
  *             have too little room. A piece of a row of samples is left out if
  *             they have too little for the most opaque splat of the palette.
- *             From time to time all blocks are looked at again.
+ *             From time to time the blocks are looked at again that splats have
+ *             been drawn into.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
@@ -23,7 +24,7 @@
 
 #include <string.h>
 
-enum { BLOCK = 8, DRAWN_BETWEEN_LOOKS = 16384 };
+enum { BLOCK = 4, DRAWN_BETWEEN_LOOKS = 4096 };
 
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
 
@@ -71,7 +72,8 @@ struct model {
   uint32_t most;  /* the greatest opacity that a splat gives to a pixel */
   uint32_t *room; /* the greatest of each block, when it was last looked at */
   int blocks;     /* a row */
-  int drawn;      /* since the last look */
+  int drawn;      /* splats since the last look, and where they were */
+  struct hsr_window where;
 };
 
 /* --- Over ----------------------------------------------------------------- */
@@ -92,6 +94,7 @@ static void empty_blocks(const struct hsr_splats *s, struct model *m) {
   for (size_t k = 0; k < blocks_of(s, m); k++)
     m->room[k] = 65536;
   m->drawn = 0;
+  m->where = hsr_splats_none(s);
 }
 
 /* The most that a splat gives to a pixel, be it opacity or weight. */
@@ -111,7 +114,7 @@ static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
   return HSR_OK;
 }
 
-/* The least opacity of the pixels of a block: of rows, and then of columns. */
+/* The greatest room of a block: by the least opacity of each of its columns. */
 static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
                         int x0, int y0) {
   int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
@@ -135,26 +138,34 @@ static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
   return 65536 - opacity;
 }
 
+/* The blocks that a part of the window touches: indices, and one more. */
+static struct hsr_window blocks_in(const struct hsr_splats *s,
+                                   const struct hsr_window *box) {
+  int x = s->window.x0, y = s->window.y0;
+  return (struct hsr_window){(box->x0 - x) / BLOCK, (box->y0 - y) / BLOCK,
+                             (box->x1 - x + BLOCK - 1) / BLOCK,
+                             (box->y1 - y + BLOCK - 1) / BLOCK};
+}
+
 static void look_at_blocks(struct hsr_splats *s, struct model *m) {
-  int height = s->window.y1 - s->window.y0;
-  uint32_t *room = m->room;
-  for (int y = 0; y < height; y += BLOCK)
-    for (int k = 0; k < m->blocks; k++, room++)
+  const struct hsr_window blocks = blocks_in(s, &m->where);
+  for (int y = blocks.y0; y < blocks.y1; y++)
+    for (int x = blocks.x0; x < blocks.x1; x++) {
+      uint32_t *room = &m->room[(size_t)y * (size_t)m->blocks + (size_t)x];
       if (*room * m->most >= 65536)
-        *room = room_of(s, m, BLOCK * k, y);
+        *room = room_of(s, m, BLOCK * x, BLOCK * y);
+    }
   m->drawn = 0;
+  m->where = hsr_splats_none(s);
 }
 
 static bool is_hidden(const struct hsr_splats *s, uint32_t opacity,
                       uint32_t energy, const struct hsr_window *box) {
   const struct model *m = s->model;
   uint32_t most = most_given(s, opacity, energy);
-  int x0 = (box->x0 - s->window.x0) / BLOCK,
-      x1 = (box->x1 - 1 - s->window.x0) / BLOCK,
-      y0 = (box->y0 - s->window.y0) / BLOCK,
-      y1 = (box->y1 - 1 - s->window.y0) / BLOCK;
-  for (int y = y0; y <= y1; y++)
-    for (int x = x0; x <= x1; x++)
+  const struct hsr_window blocks = blocks_in(s, box);
+  for (int y = blocks.y0; y < blocks.y1; y++)
+    for (int x = blocks.x0; x < blocks.x1; x++)
       if (m->room[(size_t)y * (size_t)m->blocks + (size_t)x] * most >= 65536)
         return false;
   return true;
@@ -163,6 +174,7 @@ static bool is_hidden(const struct hsr_splats *s, uint32_t opacity,
 static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
   hsr_splats_put(s, p, &m->picture, HSR_PUT_UNDER);
+  hsr_splats_widen(&m->where, &p->box);
   if (++m->drawn == DRAWN_BETWEEN_LOOKS)
     look_at_blocks(s, m);
 }

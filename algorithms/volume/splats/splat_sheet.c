@@ -22,16 +22,9 @@ struct model {
   struct hsr_window drawn; /* of the sheet */
 };
 
-static void extend(struct hsr_window *w, const struct hsr_window *by) {
-  w->x0 = by->x0 < w->x0 ? by->x0 : w->x0;
-  w->y0 = by->y0 < w->y0 ? by->y0 : w->y0;
-  w->x1 = by->x1 > w->x1 ? by->x1 : w->x1;
-  w->y1 = by->y1 > w->y1 ? by->y1 : w->y1;
-}
-
 static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  extend(&m->drawn, &p->box);
+  hsr_splats_widen(&m->drawn, &p->box);
   hsr_splats_put(s, p, &m->sheet, HSR_PUT_ADD);
 }
 
@@ -46,8 +39,7 @@ static int sheet_axis(const struct hsr_view *view) {
 
 static void draw_sheet(struct hsr_splats *s, int axis, uint32_t k) {
   struct model *m = s->model;
-  const struct hsr_window *w = &s->window;
-  m->drawn = (struct hsr_window){w->x1, w->y1, w->x0, w->y0};
+  m->drawn = hsr_splats_none(s);
   hsr_splats_visit_slice(s, axis, k);
   hsr_splats_fold(s, &m->sheet, &m->drawn, &m->picture);
 }

@@ -386,6 +386,21 @@ enum hsr_status hsr_splats_open(struct hsr_splats *splats,
 #define hsr_splats_clear HSR_OF_BUILD(hsr_splats_clear)
 void hsr_splats_clear(struct hsr_splat_picture *picture);
 
+/* Widens a part of the window by another one. */
+static inline void hsr_splats_widen(struct hsr_window *w,
+                                    const struct hsr_window *by) {
+  w->x0 = by->x0 < w->x0 ? by->x0 : w->x0;
+  w->y0 = by->y0 < w->y0 ? by->y0 : w->y0;
+  w->x1 = by->x1 > w->x1 ? by->x1 : w->x1;
+  w->y1 = by->y1 > w->y1 ? by->y1 : w->y1;
+}
+
+/* The part of the window that is widened first: none. */
+static inline struct hsr_window hsr_splats_none(const struct hsr_splats *s) {
+  const struct hsr_window *w = &s->window;
+  return (struct hsr_window){w->x1, w->y1, w->x0, w->y0};
+}
+
 /* Where pixel (i, j) is in a picture. */
 static inline size_t hsr_splats_at(const struct hsr_splats *splats,
                                    const struct hsr_splat_picture *picture,
