@@ -254,8 +254,10 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h
 %C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
 %C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
-%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
-%C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
+%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc \
+  %D%/unit/files/folder.h
+%C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc \
+  %D%/unit/files/folder.h
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
@@ -270,11 +272,13 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_export_read_cells_SOURCES = %D%/export/read_cells.cc
 %C%_export_read_cells_LDADD = $(VTK_CELLS_LIBS)
 %C%_export_read_cells_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
+%C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc \
+  %D%/unit/files/folder.h
 %C%_unit_files_image_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_vtp_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_unit_files_volume_xml_test_SOURCES = %D%/unit/files/volume_xml_test.cc
+%C%_unit_files_volume_xml_test_SOURCES = %D%/unit/files/volume_xml_test.cc \
+  %D%/unit/files/folder.h
 %C%_unit_files_volume_xml_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
 %C%_unit_files_volume_xml_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h

@@ -4,6 +4,7 @@
 // wrong is refused in the same words.
 #include "common/files/mesh/exchange.h"
 #include "tests/tap.h"
+#include "tests/unit/files/folder.h"
 
 #include <array>
 #include <cmath>
@@ -12,21 +13,9 @@
 #include <cstring>
 #include <map>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
-
-std::string directory;
-
-std::string file(const std::string &name, const std::string &text) {
-  const std::string path = directory + "/" + name;
-  std::FILE *out = std::fopen(path.c_str(), "wb");
-  if (!out || std::fwrite(text.data(), 1, text.size(), out) != text.size() ||
-      std::fclose(out))
-    std::exit(99);
-  return path;
-}
 
 template <class Value> void put(std::string &text, Value value) {
   char bytes[sizeof value];
@@ -249,15 +238,12 @@ void try_stl(tap *t) {
 } // namespace
 
 int main() {
-  char name[] = "/tmp/hsr-binary-XXXXXX";
-  if (!mkdtemp(name))
+  if (!make_directory())
     return 99;
-  directory = name;
   struct tap t = plan(4 + 6 + 2 + 5);
   try_ply(&t);
   try_bad_ply(&t);
   try_polygons(&t);
   try_stl(&t);
-  const std::string clean = "rm -rf '" + directory + "'";
-  return finish(&t) | (std::system(clean.c_str()) != 0);
+  return finish(&t) | !remove_directory();
 }

@@ -2,13 +2,13 @@
 // Mesh files: the same cube in every format, its solidity, and what is dropped.
 #include "common/files/mesh/exchange.h"
 #include "tests/tap.h"
+#include "tests/unit/files/folder.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <unistd.h>
 
 namespace {
 
@@ -23,17 +23,6 @@ const double CUBE[8][3] = {{0, 0, 0},       {0.1, 0, 0},  {0.1, 0, 0.1},
                            {0.1, 0.1, 0.1}, {0, 0.1, 0.1}};
 const int FACES[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
                          {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-
-std::string directory;
-
-std::string file(const std::string &name, const std::string &text) {
-  const std::string path = directory + "/" + name;
-  std::FILE *out = std::fopen(path.c_str(), "wb");
-  if (!out || std::fwrite(text.data(), 1, text.size(), out) != text.size() ||
-      std::fclose(out))
-    std::exit(99);
-  return path;
-}
 
 std::string numbers(const double *p) {
   char text[100];
@@ -429,10 +418,8 @@ void try_sequence(tap *t) {
 } // namespace
 
 int main() {
-  char name[] = "/tmp/hsr-exchange-XXXXXX";
-  if (!mkdtemp(name))
+  if (!make_directory())
     return 99;
-  directory = name;
   const bool vtk = hsr_exchange_has_vtk();
   struct tap t =
       plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 3 + 2 + 1 + 1);
@@ -455,6 +442,5 @@ int main() {
   try_binary_stl(&t);
   try_places(&t);
   try_sequence(&t);
-  const std::string clean = "rm -rf '" + directory + "'";
-  return finish(&t) | (std::system(clean.c_str()) != 0);
+  return finish(&t) | !remove_directory();
 }

@@ -4,6 +4,7 @@
 // hand. Bad ones are refused. More of those are in tests/bad.
 #include "common/files/volume/volume_data.h"
 #include "tests/tap.h"
+#include "tests/unit/files/folder.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -24,12 +25,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
-
-std::string directory;
 
 /* A volume as it is read; empty if it is refused, with the message. */
 struct Read {
@@ -51,11 +49,7 @@ void take(Read &read, const hsr_volume &volume) {
 }
 
 Read read(const std::string &text, bool rectilinear) {
-  const std::string path = directory + (rectilinear ? "/a.vtr" : "/a.vti");
-  std::FILE *out = std::fopen(path.c_str(), "wb");
-  if (!out || std::fwrite(text.data(), 1, text.size(), out) != text.size() ||
-      std::fclose(out))
-    std::exit(99);
+  const std::string path = file(rectilinear ? "a.vtr" : "a.vti", text);
   hsr_volume_file file = {};
   file.format = rectilinear ? HSR_VTK_GRID : HSR_VTK_IMAGE;
   file.path = path.c_str();
@@ -472,15 +466,12 @@ void try_cuts(tap *t) {
 } // namespace
 
 int main() {
-  char name[] = "/tmp/hsr-volume-xml-XXXXXX";
-  if (!mkdtemp(name))
+  if (!make_directory())
     return 99;
-  directory = name;
   struct tap t = plan(16 + 6 + std::size(FAULTS) + 3 + 1);
   try_ways(&t);
   try_odd(&t);
   try_faults(&t);
   try_cuts(&t);
-  const std::string clean = "rm -rf '" + directory + "'";
-  return finish(&t) | (std::system(clean.c_str()) != 0);
+  return finish(&t) | !remove_directory();
 }

@@ -5,6 +5,7 @@
 #include "common/files/mesh/exchange.h"
 #include "common/voxels/voxels.h"
 #include "tests/tap.h"
+#include "tests/unit/files/folder.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -25,20 +26,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <unistd.h>
 
 namespace {
-
-std::string directory;
 
 /* The one object of a text, or NULL. The scene is the caller's. */
 const struct hsr_object *read(struct hsr_scene *scene,
                               const std::string &text) {
-  const std::string path = directory + "/mesh.vtp";
-  std::FILE *out = std::fopen(path.c_str(), "wb");
-  if (!out || std::fwrite(text.data(), 1, text.size(), out) != text.size() ||
-      std::fclose(out))
-    std::exit(99);
+  const std::string path = file("mesh.vtp", text);
   struct hsr_error err = {HSR_OK, ""};
   if (!hsr_mesh_read(scene, path.c_str(), nullptr, &err))
     return &scene->objects[0];
@@ -328,16 +322,13 @@ void try_voxels(tap *t) {
 } // namespace
 
 int main() {
-  char name[] = "/tmp/hsr-vtp-XXXXXX";
-  if (!mkdtemp(name))
+  if (!make_directory())
     return 99;
-  directory = name;
   struct tap t = plan(8 + 1 + 1 + 4 + 3);
   try_ways(&t);
   try_borders(&t);
   try_pieces(&t);
   try_drawing(&t);
   try_voxels(&t);
-  const std::string clean = "rm -rf '" + directory + "'";
-  return finish(&t) | (std::system(clean.c_str()) != 0);
+  return finish(&t) | !remove_directory();
 }
