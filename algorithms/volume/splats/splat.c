@@ -11,8 +11,8 @@
  *             pixels is kept. A splat is left out if all blocks that it may touch
  *             have too little room. A piece of a row of samples is left out if
  *             they have too little for the most opaque splat of the palette.
- *             From time to time the blocks are looked at again that splats have
- *             been drawn into.
+ *             The blocks that splats have been drawn into are looked at again
+ *             when as many splats were drawn as there are blocks, and not a few.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
@@ -24,7 +24,7 @@
 
 #include <string.h>
 
-enum { BLOCK = 4, DRAWN_BETWEEN_LOOKS = 4096 };
+enum { BLOCK = 4, FEW = 4096 };
 
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
 
@@ -147,6 +147,12 @@ static struct hsr_window blocks_in(const struct hsr_splats *s,
                              (box->y1 - y + BLOCK - 1) / BLOCK};
 }
 
+static int count_blocks(const struct hsr_splats *s,
+                        const struct hsr_window *box) {
+  const struct hsr_window blocks = blocks_in(s, box);
+  return (blocks.x1 - blocks.x0) * (blocks.y1 - blocks.y0);
+}
+
 static void look_at_blocks(struct hsr_splats *s, struct model *m) {
   const struct hsr_window blocks = blocks_in(s, &m->where);
   for (int y = blocks.y0; y < blocks.y1; y++)
@@ -175,7 +181,7 @@ static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
   hsr_splats_put(s, p, &m->picture, HSR_PUT_UNDER);
   hsr_splats_widen(&m->where, &p->box);
-  if (++m->drawn == DRAWN_BETWEEN_LOOKS)
+  if (++m->drawn >= FEW && m->drawn >= count_blocks(s, &m->where))
     look_at_blocks(s, m);
 }
 

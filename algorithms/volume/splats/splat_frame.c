@@ -121,25 +121,11 @@ static void draw_batch(struct hsr_splats *s) {
   b->n = 0;
 }
 
-/* What is far away in memory is asked for early: what a colour needs, when a sample
- * is taken; and the first samples of the rows beside a row, one of which is next. */
+/* What a colour needs is far away in memory, so it is asked for early. */
 static inline void ask_for_colour(const struct hsr_grid *g, uint32_t cell) {
   __builtin_prefetch(&g->normal[cell]);
   if (g->rgb)
     __builtin_prefetch(&g->rgb[cell]);
-}
-
-static void ask_for_rows(const struct hsr_grid *g, size_t row) {
-  const uint32_t cells[2] = {g->row[row > 0 ? row - 1 : 0], g->row[row + 1]};
-  for (int side = 0; side < 2; side++)
-    if (cells[side] < g->n_cells) {
-      const uint32_t *x = &g->x[cells[side]];
-      __builtin_prefetch(x);
-      __builtin_prefetch(x + 16);
-      __builtin_prefetch(x + 32);
-      __builtin_prefetch(&g->level[cells[side]]);
-      __builtin_prefetch(&g->steep[cells[side]]);
-    }
 }
 
 /* `n` kept samples of a row, from a cell on, up or down. A sample of opacity 0 gives
@@ -263,7 +249,6 @@ static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
   const struct hsr_grid *g = s->grid;
   size_t row = (size_t)k * g->n[1] + j;
   uint32_t begin = g->row[row], end = g->row[row + 1];
-  ask_for_rows(g, row);
   if (begin == end)
     return;
   if (lo > 0)
