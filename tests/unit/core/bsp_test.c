@@ -556,7 +556,8 @@ int main(int argc, char **argv) {
       "lattice:60:5",  "lattice:60:6", "nested-solids", "one-sided",
       "shared-edges",  "sliver",       "needle-fan",    "non-planar",
       "huge-and-tiny", "behind-eye",   "near-plane",    "eye-in-plane",
-      "sphere:300",    "mesh:cross",   "mesh:anchor",   "tower:2"};
+      "sphere:300",    "mesh:cross",   "mesh:anchor",   "tower:2",
+      "terrain:100"};
   static const uint32_t most[] = {0, 4, 30};
   enum { MOST = sizeof most / sizeof *most };
   static struct fixture fixture, *x = &fixture;
