@@ -11,8 +11,8 @@
  *             pixels is kept. A splat is left out if all blocks that it may touch
  *             have too little room. A piece of a row of samples is left out if
  *             they have too little for the most opaque splat of the palette.
- *             The blocks that splats have been drawn into are looked at again
- *             when as many splats were drawn as there are blocks, and not a few.
+ *             Once FEW splats were drawn, and as many as there are blocks around
+ *             them, these blocks are looked at again.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.

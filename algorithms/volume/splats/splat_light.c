@@ -114,8 +114,8 @@ static void gather(const struct hsr_splats *s, const struct hsr_placed *p,
   }
 }
 
-/* The quotient by 65535 of an integer below 2^35, rounded down. Half a unit more
- * keeps it away from whole numbers by more than doubles err. */
+/* floor(x / 65535), x being an integer below 2^35. With 0.5 added, the quotient is
+ * farther from whole numbers than doubles err. */
 static inline double by_one(double x) {
   return (double)(int32_t)((x + 0.5) * (1.0 / ONE));
 }

@@ -192,8 +192,8 @@ AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
 }
 
 /* Puts the columns of the box from x0 + past on, as many as are weighed at once.
- * What is beyond the box stays as it is. It is put all the same, since a branch that
- * is not foreseen takes longer. */
+ * Pixels beyond the box get a weight of 0 and stay as they are. To leave them out
+ * would take a branch, which the processor often guesses wrong. */
 AVX512 static inline __attribute__((always_inline)) void
 put_columns(struct hsr_splats *s, const struct hsr_placed *p,
             struct hsr_splat_picture *picture, const struct footprint *f,
