@@ -60,8 +60,8 @@ static struct hsr_box face_bounds(const void *context, uint32_t k) {
   for (uint32_t c = 0; c < loop.n; c++)
     for (int a = 0; a < 3; a++) {
       double x = loop.x[3 * (size_t)loop.vertex[c] + (size_t)a];
-      box.lo[a] = fmin(box.lo[a], x);
-      box.hi[a] = fmax(box.hi[a], x);
+      box.lo[a] = x < box.lo[a] ? x : box.lo[a];
+      box.hi[a] = x > box.hi[a] ? x : box.hi[a];
     }
   return box;
 }
@@ -88,13 +88,13 @@ static double face_area(const void *context, uint32_t k) {
 }
 
 /* Flat faces are in the hull of their corners. */
-static bool face_meets(const void *context, uint32_t k,
-                       const struct hsr_box *cube) {
+static unsigned face_meets(const void *context, uint32_t k,
+                           const struct hsr_eight_boxes *boxes) {
   const struct faces *faces = context;
   struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
   double n[3];
   face_normal(&loop, n);
-  return hsr_box_meets_polygon(cube, loop, n, 0);
+  return hsr_boxes_that_meet_polygon(boxes, loop, n, 0);
 }
 
 static void find_bounds(const struct hsr_object *object,
@@ -264,12 +264,6 @@ static double area_of(const void *context, uint32_t k) {
   return side * side;
 }
 
-static bool always_meets(const void *context, uint32_t k,
-                         const struct hsr_box *cube) {
-  const struct still *still = context;
-  return hsr_boxes_meet(&still->bounds[k], cube);
-}
-
 /* Whether an instance's own root cube lies in a cube. */
 static bool holds_root(const struct hsr_cubes *cubes,
                        const struct hsr_octree_node *node, uint32_t i) {
@@ -313,8 +307,7 @@ static enum hsr_status place_still(struct hsr_cubes *cubes,
   double side = largest;
   while (side < longest_side(all))
     side *= 2;
-  struct hsr_primitives primitives = {n, still, bounds_of, area_of,
-                                      always_meets};
+  struct hsr_primitives primitives = {n, still, bounds_of, area_of, NULL};
   struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
   struct hsr_octree *octree = &cubes->octree;
   if (cubes->lazy) {

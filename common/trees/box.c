@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Boxes against convex polyhedra and polygons, and the proofs of the bounds.
+/* Boxes against convex polyhedra, and the proofs of the bounds, also those of
+ * box_polygon.c.
  *
  * Notation    u = 2^-53; a hat marks a computed value; |.|_1 a sum of absolute
  *             components; s the largest coordinate, in size, of the box and of
@@ -404,77 +405,4 @@ enum hsr_box_verdict hsr_box_classify(const struct hsr_polyhedron *poly,
         (meet ? comparisons_to_hold(box, &poly->bounds) : 0) + done.refining;
   }
   return verdict;
-}
-
-/* --- The test of a polygon ------------------------------------------------ */
-
-static void corner(const struct hsr_loop *polygon, uint32_t k, double p[3]) {
-  size_t at = polygon->stride * polygon->vertex[k];
-  p[0] = polygon->x[at];
-  p[1] = polygon->y[at];
-  p[2] = polygon->z[at];
-}
-
-/* Is the box certainly farther along the normal than all corners? The corners
- * are tried from `first` on, which is the likeliest to show that it is not. */
-static bool beyond(const struct hsr_box *box, const struct hsr_loop *polygon,
-                   uint32_t first, const double normal[3], double slack,
-                   double size) {
-  double margin = sum_of_sizes(normal) * (slack + 16 * U * size) + TINY;
-  double n_vertex[3];
-  for (int k = 0; k < 3; k++)
-    n_vertex[k] = normal[k] < 0 ? box->hi[k] : box->lo[k];
-  double least = dot(normal, n_vertex);
-  for (uint32_t i = 0, k = first; i < polygon->n; i++) {
-    double p[3];
-    corner(polygon, k, p);
-    if (!(least > dot(normal, p) + margin))
-      return false;
-    k = k + 1 < polygon->n ? k + 1 : 0;
-  }
-  return true;
-}
-
-/* In the view along axis u: is the box certainly outside an edge-line? In an
- * edge-on view these are on the plane, which was tried. */
-static bool outside_edge(const struct hsr_box *box,
-                         const struct hsr_loop *polygon, int u,
-                         const double plane_normal[3], double slack,
-                         double size) {
-  if (plane_normal[u] == 0)
-    return false;
-  double turn = plane_normal[u] > 0 ? 1 : -1;
-  int k = (u + 1) % 3, l = (u + 2) % 3;
-  double a[3], b[3], normal[3] = {0};
-  corner(polygon, polygon->n - 1, a);
-  for (uint32_t i = 0; i < polygon->n; i++) {
-    corner(polygon, i, b);
-    normal[k] = turn * (b[l] - a[l]);
-    normal[l] = turn * (a[k] - b[k]);
-    if (beyond(box, polygon, i, normal, slack, size))
-      return true;
-    memcpy(a, b, sizeof a);
-  }
-  return false;
-}
-
-bool hsr_box_meets_polygon(const struct hsr_box *box, struct hsr_loop polygon,
-                           const double normal[3], double slack) {
-  struct hsr_box bounds = nothing;
-  for (uint32_t k = 0; k < polygon.n; k++) {
-    double p[3];
-    corner(&polygon, k, p);
-    hold(&bounds, p, slack);
-  }
-  if (!hsr_boxes_meet(box, &bounds))
-    return false;
-  double size = hsr_max(box_size(box), box_size(&bounds));
-  const double behind[3] = {-normal[0], -normal[1], -normal[2]};
-  if (beyond(box, &polygon, 0, normal, slack, size) ||
-      beyond(box, &polygon, 0, behind, slack, size))
-    return false;
-  for (int u = 0; u < 3; u++)
-    if (outside_edge(box, &polygon, u, normal, slack, size))
-      return false;
-  return true;
 }

@@ -122,15 +122,23 @@ enum hsr_box_verdict hsr_box_classify(const struct hsr_polyhedron *poly,
                                       const struct hsr_box *box, unsigned *cut,
                                       struct hsr_box_work *work);
 
-/* Whether the box meets a planar convex polygon: section A.4, last paragraph.
- * `normal` may have any length and may be rounded; seen from its side, the
- * corners go counterclockwise. If the polygon is not convex, the answer is yes
- * for every box that meets its convex hull, and perhaps for more. The polygon
- * may leave that hull, because its corners were rounded or its plane does not
- * pass through all of them: but no point of it may be farther than `slack`
- * (world units) from the hull in any coordinate. */
-bool hsr_box_meets_polygon(const struct hsr_box *box, struct hsr_loop polygon,
-                           const double normal[3], double slack);
+/* Eight boxes, by columns. size[o] is the largest coordinate of box o. */
+struct hsr_eight_boxes {
+  double lo[3][8], hi[3][8], size[8];
+};
+void hsr_put_box(struct hsr_eight_boxes *boxes, int o,
+                 const struct hsr_box *box);
+
+/* Which of eight boxes meet a planar convex polygon, bit o for box o: section
+ * A.4, last paragraph. `normal` may have any length and may be rounded; seen
+ * from its side, the corners go counterclockwise. If the polygon is not convex,
+ * each box that meets its convex hull is said to meet it, and perhaps more. The
+ * polygon may leave that hull, because its corners were rounded or its plane
+ * does not pass through all of them: but no point of it may be farther than
+ * `slack` (world units) from the hull in any coordinate. */
+unsigned hsr_boxes_that_meet_polygon(const struct hsr_eight_boxes *boxes,
+                                     struct hsr_loop polygon,
+                                     const double normal[3], double slack);
 
 #ifdef __cplusplus
 }

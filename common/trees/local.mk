@@ -3,6 +3,7 @@ nobase_pkginclude_HEADERS += \
   %D%/box.h
 libhsr_a_SOURCES += \
   %D%/box.c \
+  %D%/box_polygon.c \
   %D%/bsp.cc \
   %D%/bsp.h \
   %D%/bsp_tree.cc \

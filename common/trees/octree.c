@@ -48,22 +48,55 @@ int hsr_octant_that_holds(const struct hsr_octree_node *cube,
   return octant;
 }
 
-static void find_octant_boxes(const struct hsr_octree_node *cube,
-                              struct hsr_box box[8]) {
+/* The octants of a cube. Those below a median plane, and those above it, are in
+ * one and the same range along its axis. */
+static void find_octants(const struct hsr_octree_node *cube,
+                         struct hsr_eight_boxes *boxes) {
+  const struct hsr_octree_node first = hsr_octree_octant(cube, 0),
+                               last = hsr_octree_octant(cube, 7);
+  const struct hsr_box range[2] = {hsr_cube_box(&first), hsr_cube_box(&last)};
   for (int o = 0; o < 8; o++) {
-    struct hsr_octree_node child = hsr_octree_octant(cube, o);
-    box[o] = hsr_cube_box(&child);
+    struct hsr_box box;
+    for (int k = 0; k < 3; k++) {
+      box.lo[k] = range[o >> k & 1].lo[k];
+      box.hi[k] = range[o >> k & 1].hi[k];
+    }
+    hsr_put_box(boxes, o, &box);
   }
+}
+
+/* Which octants a box meets. *certain: each of them is met by every connected
+ * set whose bounds the box is. That is so of a box within the cube that crosses
+ * one median plane. */
+static unsigned octants_of_box(const struct hsr_eight_boxes *boxes,
+                               const struct hsr_box *box, bool *certain) {
+  static const unsigned below[3] = {0x55, 0x33, 0x0f};
+  unsigned octants = 0xff;
+  int crossed = 0;
+  bool within = true;
+  for (int k = 0; k < 3; k++) {
+    const double *lo = boxes->lo[k], *hi = boxes->hi[k];
+    bool low = box->lo[k] <= hi[0] && lo[0] <= box->hi[k];
+    bool high = box->lo[k] <= hi[7] && lo[7] <= box->hi[k];
+    octants &= (low ? below[k] : 0) | (high ? 0xff & ~below[k] : 0);
+    crossed += low && high;
+    within &= lo[0] <= box->lo[k] && box->hi[k] <= hi[7];
+  }
+  *certain = within && crossed <= 1;
+  return octants;
 }
 
 /* Puts a primitive into every octant that it meets. */
 static bool push(const struct hsr_octree_builder *b,
-                 const struct hsr_box box[8], uint32_t k,
+                 const struct hsr_eight_boxes *boxes, uint32_t k,
                  struct hsr_octree_list *octants) {
   const struct hsr_primitives *p = b->primitives;
-  for (int o = 0; o < 8; o++)
-    if (hsr_boxes_meet(&b->bounds[k], &box[o]) &&
-        p->meets(p->context, k, &box[o]) && !append(&octants[o], k))
+  bool certain;
+  unsigned met = octants_of_box(boxes, &b->bounds[k], &certain);
+  if (p->meets && !certain)
+    met &= p->meets(p->context, k, boxes);
+  for (; met; met &= met - 1)
+    if (!append(&octants[__builtin_ctz(met)], k))
       return false;
   return true;
 }
@@ -74,13 +107,13 @@ bool hsr_octree_part(const struct hsr_octree_builder *b,
                      struct hsr_octree_list *own,
                      struct hsr_octree_list octants[8]) {
   double small = b->rule->small * 4 * cube->half * cube->half;
-  struct hsr_box box[8];
-  find_octant_boxes(cube, box);
+  struct hsr_eight_boxes boxes;
+  find_octants(cube, &boxes);
   for (uint32_t i = 0; i < list->n; i++) {
     uint32_t k = list->k[i];
     int octant = hsr_octant_that_holds(cube, &b->bounds[k]);
     bool good = octant >= 0          ? append(&octants[octant], k)
-                : b->area[k] < small ? push(b, box, k, octants)
+                : b->area[k] < small ? push(b, &boxes, k, octants)
                                      : append(own, k);
     if (!good)
       return false;

@@ -45,14 +45,17 @@ struct hsr_octree {
 };
 
 /* What is put into cubes: primitives 0 .. n-1, through functions that get
- * `context`. `area` is compared with the area of a face of a cube; `meets` may
- * say yes in doubt. */
+ * `context`. Each is connected, and `bounds` is the smallest box that holds it.
+ * `area` is compared with the area of a face of a cube. `meets` tells which of
+ * eight boxes it meets, bit o for box o, and may say yes in doubt; NULL: those
+ * that its bounds meet. */
 struct hsr_primitives {
   uint32_t n;
   const void *context;
   struct hsr_box (*bounds)(const void *context, uint32_t k);
   double (*area)(const void *context, uint32_t k);
-  bool (*meets)(const void *context, uint32_t k, const struct hsr_box *cube);
+  unsigned (*meets)(const void *context, uint32_t k,
+                    const struct hsr_eight_boxes *boxes);
 };
 
 struct hsr_octree_rule {

@@ -321,14 +321,14 @@ static double no_area(const void *context, uint32_t k) {
   return -1;
 }
 
-static bool face_meets(const void *context, uint32_t k,
-                       const struct hsr_box *cube) {
+static unsigned face_meets(const void *context, uint32_t k,
+                           const struct hsr_eight_boxes *boxes) {
   const struct placed *placed = context;
   const struct hsr_mesh *mesh = &placed->world->mesh;
   uint32_t f = placed->face[k];
   const double normal[3] = {mesh->nx[f], mesh->ny[f], mesh->nz[f]};
-  return hsr_box_meets_polygon(cube, hsr_face_loop(placed->world, f), normal,
-                               0);
+  return hsr_boxes_that_meet_polygon(boxes, hsr_face_loop(placed->world, f),
+                                     normal, 0);
 }
 
 static enum hsr_status build_octree(struct prepared *p,

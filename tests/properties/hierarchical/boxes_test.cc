@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -553,7 +554,13 @@ bool says_meets(const Polygon<double> &polygon, const Point<double> &normal,
   const double *xyz = polygon[0].data();
   const hsr_loop loop = {xyz, xyz + 1, xyz + 2,
                          3,   vertex,  uint32_t(polygon.size())};
-  return hsr_box_meets_polygon(&box, loop, normal.data(), slack);
+  hsr_eight_boxes boxes;
+  for (int o = 0; o < 8; o++)
+    hsr_put_box(&boxes, o, &box);
+  const unsigned met =
+      hsr_boxes_that_meet_polygon(&boxes, loop, normal.data(), slack);
+  assert(met == 0 || met == 0xff);
+  return met != 0;
 }
 
 bool truly_meets(const Polygon<double> &polygon, const hsr_box &box) {

@@ -45,14 +45,15 @@ static double area_of(const void *context, uint32_t k) {
   return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 }
 
-static bool meets(const void *context, uint32_t k, const struct hsr_box *cube) {
+static unsigned meets(const void *context, uint32_t k,
+                      const struct hsr_eight_boxes *boxes) {
   static const uint32_t vertex[] = {0, 1, 2};
   const double *x = corner[k][0];
   struct hsr_loop loop = {x, x + 1, x + 2, 3, vertex, 3};
   double n[3];
   (void)context;
   normal_of(k, n);
-  return hsr_box_meets_polygon(cube, loop, n, 0);
+  return hsr_boxes_that_meet_polygon(boxes, loop, n, 0);
 }
 
 static const struct hsr_primitives triangles = {N, NULL, bounds_of, area_of,
@@ -337,15 +338,9 @@ static double no_area(const void *context, uint32_t k) {
   return 0;
 }
 
-static bool meets_here(const void *context, uint32_t k,
-                       const struct hsr_box *cube) {
-  struct hsr_box box = here(context, k);
-  return hsr_boxes_meet(&box, cube);
-}
-
 static void try_points(struct tap *tap, double x, const char *where) {
   struct hsr_box box = {{x, x, x}, {x, x, x}};
-  struct hsr_primitives points = {100, &box, here, no_area, meets_here};
+  struct hsr_primitives points = {100, &box, here, no_area, NULL};
   bool good = true;
   for (int pushed = 0; pushed < 2; pushed++) {
     struct hsr_octree_rule rule = {pushed ? 0.1 : 0, 20, 20};

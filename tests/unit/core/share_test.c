@@ -134,12 +134,7 @@ static double area_of(const void *context, uint32_t k) {
   return a * b;
 }
 
-static bool meets(const void *context, uint32_t k, const struct hsr_box *cube) {
-  (void)context;
-  return hsr_boxes_meet(&box[k], cube);
-}
-
-static const struct hsr_primitives boxes = {N, NULL, bounds_of, area_of, meets};
+static const struct hsr_primitives boxes = {N, NULL, bounds_of, area_of, NULL};
 static const double lo[3] = {0, 0, 0};
 
 /* The octree of one recursion. */

@@ -76,20 +76,12 @@ static double area_of(const void *context, uint32_t f) {
               w->mesh.nz[f] * w->mesh.nz[f]);
 }
 
-/* A face counts as meeting each cube that its box meets. */
-static bool meets(const void *context, uint32_t f, const struct hsr_box *cube) {
-  (void)context;
-  (void)f;
-  (void)cube;
-  return true;
-}
-
 /* A face is in the smallest cube that holds it; a small one is in all cubes
  * that its box meets. */
 static enum hsr_status make_octree(struct prepared *p,
                                    const struct hsr_world *world, long leaf) {
   struct hsr_primitives faces = {world->n_faces, world, bounds_of, area_of,
-                                 meets};
+                                 NULL};
   struct hsr_octree_rule rule = {0.1, (uint32_t)leaf, 1};
   struct hsr_box box = hsr_all_points(&p->separate).tight;
   double side = 0;
