@@ -30,7 +30,7 @@
  *             refuses a picture that divides too much.
  * Cost        every polygon is examined once at least, and once more for each
  *             clip polygon that is taken before it and does not remove it. */
-#include "algorithms/image_space/area/sorting/areas.h"
+#include "algorithms/image_space/area/sorting/area_slots.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -107,6 +107,7 @@ struct state {
   const struct hsr_job *job;
   struct hsr_tally *tally;
   struct hsr_clipper c;
+  struct hsr_area_slots slots; /* the lists that are still to be done */
   struct hsr_polygons *polygons;
   uint64_t left; /* polygons that may still be clipped */
   bool refused;
@@ -305,23 +306,75 @@ static void examine(struct state *s, struct hsr_area *polygon,
   hsr_areas_join(outside, &out);
 }
 
-static void process(struct state *s, struct hsr_area_list list) {
-  struct hsr_area *clip, *polygon;
-  while ((clip = hsr_areas_pop(&list)) && !s->c.failed && !s->c.faulty) {
-    struct hsr_area_list inside = {NULL, NULL}, outside = {NULL, NULL};
+/* Counts the polygons of a slot, whose boxes are not near the clip polygon's. */
+static void count_apart(struct state *s, size_t k,
+                        const struct hsr_area *clip) {
+  const struct hsr_area_slot *slot = hsr_area_slot(&s->slots, k);
+  for (struct hsr_area *a = slot->list.first; a && HSR_COUNTING; a = a->next)
+    HSR_STEP(s->tally, EXAMINED, HSR_FACE(slot->face), HSR_FACE(clip->face),
+             HSR_NOWHERE, 0);
+}
+
+/* Examines the polygons of a slot. Returns whether none is left. */
+static bool examine_slot(struct state *s, size_t k, const struct hsr_area *clip,
+                         struct hsr_area_list *inside) {
+  struct hsr_area_slot *slot = hsr_area_slot(&s->slots, k);
+  struct hsr_area_list outside = {NULL, NULL};
+  struct hsr_area *polygon;
+  while ((polygon = hsr_areas_pop(&slot->list)) && !s->c.failed && !s->c.faulty)
+    examine(s, polygon, clip, inside, &outside);
+  slot->list = outside;
+  hsr_area_slots_box(&s->slots, k);
+  return !outside.first;
+}
+
+/* Examines all polygons from slot k on; returns how many slots are empty now
+ * that were not. */
+static size_t examine_all(struct state *s, size_t k,
+                          const struct hsr_area *clip,
+                          struct hsr_area_list *inside) {
+  size_t end = hsr_area_slots_n(&s->slots), n, emptied = 0;
+  for (; k < end; k += n) {
+    uint8_t near[HSR_SLOTS_AT_ONCE];
+    n = end - k < HSR_SLOTS_AT_ONCE ? end - k : HSR_SLOTS_AT_ONCE;
+    if (!hsr_area_slots_near(&s->slots, k, n, clip, near) && !HSR_COUNTING)
+      continue;
+    for (size_t i = 0; i < n; i++)
+      if (near[i])
+        emptied += examine_slot(s, k + i, clip, inside);
+      else
+        count_apart(s, k + i, clip);
+  }
+  return emptied;
+}
+
+static void process(struct state *s, struct hsr_area_list *list) {
+  size_t first = hsr_area_slots_n(&s->slots), k = first, empty = 0;
+  if (!hsr_area_slots_add(&s->slots, s->job->scratch, list))
+    s->c.failed = true;
+  while (k < hsr_area_slots_n(&s->slots) && !s->c.failed && !s->c.faulty) {
+    struct hsr_area *clip = hsr_areas_pop(&hsr_area_slot(&s->slots, k)->list);
+    if (!clip) {
+      k++;
+      continue;
+    }
+    struct hsr_area_list inside = {NULL, NULL};
     HSR_STEP(s->tally, CLIP, HSR_FACE(clip->face), HSR_NOTHING, HSR_NOWHERE, 0);
-    while ((polygon = hsr_areas_pop(&list)) && !s->c.failed && !s->c.faulty)
-      examine(s, polygon, clip, &inside, &outside);
+    empty += examine_all(s, k, clip, &inside);
     if (inside.first) {
       HSR_STEP(s->tally, RECURSION, HSR_FACE(clip->face), HSR_NOTHING,
                HSR_NOWHERE, 0);
       hsr_areas_push(&inside, clip);
-      process(s, inside);
+      process(s, &inside);
     } else {
       display(s, clip);
     }
-    list = outside;
+    if (2 * empty > hsr_area_slots_n(&s->slots) - k) {
+      hsr_area_slots_close(&s->slots, k);
+      empty = 0;
+    }
   }
+  hsr_area_slots_cut(&s->slots, first);
 }
 
 /* --- A picture ------------------------------------------------------------ */
@@ -339,7 +392,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   s.polygons->world = job->world;
   sort(&s, &list);
-  process(&s, list);
+  process(&s, &list);
   hsr_polygons_sort(s.polygons);
   bool failed = s.c.failed || hsr_named_lines_failed(s.c.lines);
   job->tally->exact[HSR_ASK_EDGE] += hsr_named_lines_exact(s.c.lines);
