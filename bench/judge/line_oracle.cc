@@ -23,9 +23,9 @@
  * Ties        a form that is zero at P(t) has the sign of its derivative along
  *             R, and if that is zero, along -U. t and w stay as they are.
  * Departures  none: there is no paper.
- * Cost        four comparisons for every edge and every face that begins left
- *             of the edge's right end; some hundred operations where boxes
- *             overlap. Rational numbers where edges meet by place, not by
+ * Cost        five comparisons for every edge and every face in the cells of the
+ *             screen that the edge's box meets; some hundred operations where
+ *             boxes overlap. Rational numbers where edges meet by place, not by
  *             vertex number, and where a vertex lies in the plane of a face
  *             that it is not of.
  *
@@ -418,6 +418,22 @@ struct hider {
   uint32_t face;
 };
 
+/* The screen in square cells, and in each the hiders whose boxes meet it. A hider
+ * with a wide box is in no cell, but looked at for every edge. */
+struct grid {
+  static constexpr int SIDE = 64, MOST_CELLS = 64;
+  std::vector<std::vector<uint32_t>> cell{SIDE * SIDE}; /* row after row */
+  std::vector<uint32_t> wide;
+
+  /* The row or column of a coordinate; what is beyond the screen is put to its
+   * border. It never decreases as x grows. */
+  static int along(double x) {
+    const double k = (x + 1) * (SIDE / 2);
+    return k >= SIDE - 1 ? SIDE - 1 : k >= 0 ? static_cast<int>(k) : 0;
+  }
+  void add(uint32_t number, const screen_box &box);
+};
+
 struct edge {
   hsr_edge_name name;
   const side *own; /* the own faces, of an edge of faces */
@@ -468,6 +484,7 @@ private:
 
   /* An edge. */
   enum hsr_status draw_edge();
+  void look_at(uint32_t number);
   bool begin_edge();
   const vec<Exact> &exact_end(int end);
   int sign_at_end(const recipe &which, const Interval &guess, int end);
@@ -506,7 +523,11 @@ private:
   std::vector<plane<Interval>> planes; /* a face */
   std::vector<std::unique_ptr<plane<Exact>>> exact_planes;
   std::vector<signed char> c; /* a face: the sign of its c */
-  std::vector<hider> hiders;  /* by `box.left` */
+  std::vector<hider> hiders;
+  grid cells; /* numbers of hiders */
+  std::vector<uint32_t>
+      looked;           /* a hider: the last edge it was looked at for */
+  uint32_t n_edges = 0; /* begun so far */
 
   edge e;
   form<Interval> across; /* of the plane through the eye and the edge */
@@ -632,9 +653,21 @@ artist::artist(const hsr_job &a_job, const shape &a_shape)
     if (exists(f) && c[f])
       add_hider(f);
   }
-  std::sort(hiders.begin(), hiders.end(), [](const hider &a, const hider &b) {
-    return a.box.left < b.box.left;
-  });
+  looked.resize(hiders.size());
+  for (uint32_t k = 0; k < hiders.size(); k++)
+    cells.add(k, hiders[k].box);
+}
+
+void grid::add(uint32_t number, const screen_box &box) {
+  const int x0 = along(box.left), x1 = along(box.right), y0 = along(box.low),
+            y1 = along(box.high);
+  if ((x1 - x0 + 1) * (y1 - y0 + 1) > MOST_CELLS) {
+    wide.push_back(number);
+    return;
+  }
+  for (int y = y0; y <= y1; y++)
+    for (int x = x0; x <= x1; x++)
+      cell[y * SIDE + x].push_back(number);
 }
 
 int artist::decide_c(uint32_t f) {
@@ -1093,19 +1126,31 @@ enum hsr_status artist::emit() {
   return status;
 }
 
+void artist::look_at(uint32_t number) {
+  const hider &h = hiders[number];
+  if (looked[number] == n_edges)
+    return;
+  looked[number] = n_edges;
+  HSR_STEP(job.tally, LINE_BOX, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
+  if (h.box.left > image.right || h.box.right < image.left ||
+      h.box.low > image.high || h.box.high < image.low ||
+      h.box.nearest >= image.farthest)
+    return;
+  if (!is_own(h.face))
+    hide(h.face);
+}
+
 enum hsr_status artist::draw_edge() {
   if (!begin_edge())
     return HSR_OK;
-  for (const hider &h : hiders) {
-    if (h.box.left > image.right)
-      break;
-    HSR_STEP(job.tally, LINE_BOX, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
-    if (h.box.right < image.left || h.box.low > image.high ||
-        h.box.high < image.low || h.box.nearest >= image.farthest)
-      continue;
-    if (!is_own(h.face))
-      hide(h.face);
-  }
+  n_edges++;
+  for (uint32_t number : cells.wide)
+    look_at(number);
+  const int x1 = grid::along(image.right), y1 = grid::along(image.high);
+  for (int y = grid::along(image.low); y <= y1; y++)
+    for (int x = grid::along(image.left); x <= x1; x++)
+      for (uint32_t number : cells.cell[y * grid::SIDE + x])
+        look_at(number);
   return emit();
 }
 
