@@ -4,7 +4,8 @@ nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/setup.h %D%/variant.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c \
   %D%/list.def %D%/proposals.def
 
-algorithm_files = %D%/glass.c %D%/glass.h %D%/shadow.c %D%/shadow.h \
+algorithm_files = %D%/box_rows.c %D%/box_rows.h %D%/glass.c %D%/glass.h \
+  %D%/shadow.c %D%/shadow.h \
   %D%/object_space/corner_boxes.c %D%/object_space/corner_boxes.h
 include %D%/object_space/volumes/local.mk
 include %D%/object_space/edges/local.mk

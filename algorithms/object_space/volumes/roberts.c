@@ -39,12 +39,14 @@
  *             environment. Alone, a face that is not convex is as many volumes
  *             as it has convex parts: with n corners, up to n of them for each
  *             of its n edges */
+#include "algorithms/box_rows.h"
 #include "algorithms/object_space/corner_boxes.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
   BACK_CULL,
@@ -126,6 +128,9 @@ struct frame {
   struct hsr_growing stack, visible; /* struct fragment, of the current edge */
   struct hsr_growing kept;           /* memory for the next `visible` */
   struct hsr_growing events;         /* of a face apart */
+
+  struct hsr_box_rows body_box; /* of a body that has volumes */
+  uint8_t *near; /* a body: 1 if its box overlaps that of the current edge */
 
   struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
   bool sorted;
@@ -342,6 +347,42 @@ static enum hsr_status sort_boxes(struct frame *frame) {
   return hsr_corner_boxes_sort(&frame->boxes, arena);
 }
 
+/* Where the volumes of body c end. */
+static uint32_t end_of_body(const struct frame *frame, uint32_t c) {
+  const struct collection *body = frame->bodies.items;
+  return c + 1 < frame->bodies.n ? body[c + 1].first
+                                 : (uint32_t)frame->volume.n - 1;
+}
+
+static struct hsr_float_box float_box(const struct hsr_extent *extent) {
+  return (struct hsr_float_box){
+      hsr_float_below(extent->x0), hsr_float_below(extent->y0),
+      hsr_float_above(extent->x1), hsr_float_above(extent->y1)};
+}
+
+/* Puts the bodies' boxes side by side. */
+static enum hsr_status list_boxes(struct frame *frame) {
+  struct hsr_arena *arena = frame->job->scratch;
+  const struct collection *body = frame->bodies.items;
+  size_t n = frame->bodies.n;
+  float *bound = HSR_NEW(arena, float, 4 * n);
+  frame->near = HSR_NEW(arena, uint8_t, n);
+  if (!bound || !frame->near)
+    return HSR_E_NOMEM;
+  frame->body_box =
+      (struct hsr_box_rows){bound, bound + n, bound + 2 * n, bound + 3 * n};
+  for (uint32_t c = 0; c < n; c++) {
+    bool empty = body[c].first == end_of_body(frame, c);
+    struct hsr_float_box box =
+        empty ? hsr_no_float_box() : float_box(&body[c].extent);
+    frame->body_box.x0[c] = box.x0;
+    frame->body_box.y0[c] = box.y0;
+    frame->body_box.x1[c] = box.x1;
+    frame->body_box.y1[c] = box.y1;
+  }
+  return HSR_OK;
+}
+
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   const struct environment *environment = job->prepared;
   const struct hsr_volumes *volumes = &environment->volumes;
@@ -366,7 +407,7 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->sorted = job->option[BOXES] == HSR_BY_CORNER;
   if (!begin_volume(frame, &nowhere))
     return HSR_E_NOMEM;
-  return frame->sorted ? sort_boxes(frame) : HSR_OK;
+  return frame->sorted ? sort_boxes(frame) : list_boxes(frame);
 }
 
 /* --- The edge/volume test ------------------------------------------------- */
@@ -486,25 +527,53 @@ static bool is_in_the_way(const struct frame *frame, uint32_t e,
   return true;
 }
 
+/* The minimax test of an edge with body c: whether that is out of the way. */
+static bool is_body_out(const struct frame *frame, uint32_t e,
+                        const struct hsr_extent *extent, uint32_t c) {
+  const struct collection *body = frame->bodies.items;
+  if (!is_out(frame, e, extent, &body[c].extent, c, BODY_IN_THE_WAY))
+    return false;
+  HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(c), HSR_NOWHERE, 0);
+  return true;
+}
+
+/* The first body from c on whose box may overlap the edge's; or how many bodies
+ * there are. Those before it fail the minimax test. */
+static uint32_t next_near_body(const struct frame *frame, uint32_t e,
+                               const struct hsr_extent *extent, uint32_t c) {
+  uint32_t n = (uint32_t)frame->bodies.n;
+  const uint8_t *found = memchr(frame->near + c, 1, n - c);
+  uint32_t next = found ? (uint32_t)(found - frame->near) : n;
+  const struct collection *body = frame->bodies.items;
+  for (; HSR_COUNTING && c < next; c++)
+    if (body[c].first < end_of_body(frame, c))
+      is_body_out(frame, e, extent, c);
+  return next;
+}
+
 /* The first volume from v on that is in the way. */
 static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
                                 const struct hsr_extent *extent, uint32_t v) {
   const struct volume *volume = frame->volume.items;
-  const struct collection *collection = frame->bodies.items;
+  const struct collection *body = frame->bodies.items;
   uint32_t n = (uint32_t)frame->volume.n - 1,
            n_bodies = (uint32_t)frame->bodies.n;
   while (v < n) {
     uint32_t c = volume[v].collection;
-    if (v == collection[c].first &&
-        is_out(frame, e, extent, &collection[c].extent, c, BODY_IN_THE_WAY)) {
-      HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
-               HSR_VOLUME(c), HSR_NOWHERE, 0);
-      v = c + 1 < n_bodies ? collection[c + 1].first : n;
-    } else if (is_in_the_way(frame, e, extent, v)) {
-      break;
-    } else {
-      v++;
+    if (v == body[c].first) {
+      c = next_near_body(frame, e, extent, c);
+      if (c == n_bodies)
+        return n;
+      v = body[c].first;
+      if (is_body_out(frame, e, extent, c)) {
+        v = end_of_body(frame, c);
+        continue;
+      }
     }
+    if (is_in_the_way(frame, e, extent, v))
+      break;
+    v++;
   }
   return v;
 }
@@ -674,6 +743,9 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
     struct hsr_image_box box = image_box(&extent);
     frame->n_near = hsr_corner_boxes_find(&frame->boxes, &box,
                                           hsr_edge_subject(frame->edges, e));
+  } else {
+    struct hsr_float_box box = float_box(&extent);
+    hsr_box_rows_near(&frame->body_box, 0, frame->bodies.n, &box, frame->near);
   }
   if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
       !hide_apart(frame, e, &all))

@@ -1,24 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/area/sorting/area_slots.h"
-#include "common/base/vector.h"
+#include "algorithms/box_rows.h"
 
-#include <math.h>
-
-struct box {
-  float lo[2], hi[2];
-};
-
-static const struct box nowhere = {{INFINITY, INFINITY},
-                                   {-INFINITY, -INFINITY}};
-
-/* The next floats that are not inside of the area's box. */
-static void enclose(struct box *box, const struct hsr_area *area) {
-  for (int d = 0; d < 2; d++) {
-    float lo = nextafterf((float)area->lo[d], -INFINITY),
-          hi = nextafterf((float)area->hi[d], INFINITY);
-    box->lo[d] = lo < box->lo[d] ? lo : box->lo[d];
-    box->hi[d] = hi > box->hi[d] ? hi : box->hi[d];
-  }
+/* Widens a box by that of an area. */
+static void enclose(struct hsr_float_box *box, const struct hsr_area *area) {
+  box->x0 = fminf(box->x0, hsr_float_below(area->lo[0]));
+  box->y0 = fminf(box->y0, hsr_float_below(area->lo[1]));
+  box->x1 = fmaxf(box->x1, hsr_float_above(area->hi[0]));
+  box->y1 = fmaxf(box->y1, hsr_float_above(area->hi[1]));
 }
 
 static float *numbers(const struct hsr_growing *array) {
@@ -26,15 +15,15 @@ static float *numbers(const struct hsr_growing *array) {
 }
 
 static void put_box(struct hsr_area_slots *slots, size_t k,
-                    const struct box *box) {
-  for (int d = 0; d < 2; d++) {
-    numbers(&slots->lo[d])[k] = box->lo[d];
-    numbers(&slots->hi[d])[k] = box->hi[d];
-  }
+                    const struct hsr_float_box *box) {
+  numbers(&slots->lo[0])[k] = box->x0;
+  numbers(&slots->lo[1])[k] = box->y0;
+  numbers(&slots->hi[0])[k] = box->x1;
+  numbers(&slots->hi[1])[k] = box->y1;
 }
 
 void hsr_area_slots_box(struct hsr_area_slots *slots, size_t k) {
-  struct box box = nowhere;
+  struct hsr_float_box box = hsr_no_float_box();
   for (struct hsr_area *a = hsr_area_slot(slots, k)->list.first; a; a = a->next)
     enclose(&box, a);
   put_box(slots, k, &box);
@@ -84,26 +73,13 @@ void hsr_area_slots_close(struct hsr_area_slots *slots, size_t k) {
   hsr_area_slots_cut(slots, n);
 }
 
-HSR_VECTOR static bool find_near(const float *lo0, const float *lo1,
-                                 const float *hi0, const float *hi1, size_t n,
-                                 const struct box *box, uint8_t *near) {
-  unsigned any = 0;
-  float x0 = box->lo[0], y0 = box->lo[1], x1 = box->hi[0], y1 = box->hi[1];
-  for (size_t i = 0; i < n; i++) {
-    unsigned overlaps =
-        (lo0[i] <= x1) & (hi0[i] >= x0) & (lo1[i] <= y1) & (hi1[i] >= y0);
-    near[i] = (uint8_t)overlaps;
-    any |= overlaps;
-  }
-  return any;
-}
-
 bool hsr_area_slots_near(const struct hsr_area_slots *slots, size_t k, size_t n,
                          const struct hsr_area *area,
                          uint8_t near[HSR_SLOTS_AT_ONCE]) {
-  struct box box = nowhere;
+  struct hsr_float_box box = hsr_no_float_box();
   enclose(&box, area);
-  return find_near(numbers(&slots->lo[0]) + k, numbers(&slots->lo[1]) + k,
-                   numbers(&slots->hi[0]) + k, numbers(&slots->hi[1]) + k, n,
-                   &box, near);
+  const struct hsr_box_rows rows = {
+      numbers(&slots->lo[0]), numbers(&slots->lo[1]), numbers(&slots->hi[0]),
+      numbers(&slots->hi[1])};
+  return hsr_box_rows_near(&rows, k, n, &box, near);
 }
