@@ -32,20 +32,46 @@ bool hsr_shadow_faces(struct hsr_shadow *shadow, uint32_t f,
   return faces;
 }
 
+static void count_test(struct hsr_shadow *shadow,
+                       const struct hsr_lit_point *point, int i, int j,
+                       uint32_t face, bool blocks) {
+  struct hsr_tally *tally = shadow->job->tally;
+  (void)point, (void)i, (void)j, (void)face, (void)blocks; /* for the trace */
+  HSR_TOUCH(tally, i, j);
+  HSR_STEP(tally, shadow->first + HSR_SHADOW_TESTS, HSR_FACE(face),
+           HSR_FACE(point->face), HSR_AT(i, j), blocks);
+}
+
 uint32_t hsr_shadow_test(struct hsr_shadow *shadow,
                          const struct hsr_lit_point *point, int i, int j,
                          const uint32_t *face, uint32_t n) {
-  struct hsr_tally *tally = shadow->job->tally;
-  (void)i, (void)j; /* for the trace */
   for (uint32_t k = 0; k < n; k++) {
-    bool blocks = hsr_blocks(&shadow->lighting, point, face[k], tally);
-    HSR_TOUCH(tally, i, j);
-    HSR_STEP(tally, shadow->first + HSR_SHADOW_TESTS, HSR_FACE(face[k]),
-             HSR_FACE(point->face), HSR_AT(i, j), blocks);
+    bool blocks =
+        hsr_blocks(&shadow->lighting, point, face[k], shadow->job->tally);
+    count_test(shadow, point, i, j, face[k], blocks);
     if (blocks)
       return k;
   }
   return n;
+}
+
+bool hsr_shadow_blocked(struct hsr_shadow *shadow,
+                        const struct hsr_light_balls *balls,
+                        const struct hsr_lit_point *point, int i, int j) {
+  enum { AT_ONCE = 256 };
+  uint8_t beside[AT_ONCE];
+  for (uint32_t k = 0, n; k < shadow->n_blockers; k += n) {
+    n = shadow->n_blockers - k < AT_ONCE ? shadow->n_blockers - k : AT_ONCE;
+    hsr_light_balls_beside(balls, point, k, n, beside);
+    for (uint32_t l = 0; l < n; l++) {
+      const uint32_t *face = &shadow->blocker[k + l];
+      if (beside[l])
+        count_test(shadow, point, i, j, *face, false);
+      else if (!hsr_shadow_test(shadow, point, i, j, face, 1))
+        return true;
+    }
+  }
+  return false;
 }
 
 void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,

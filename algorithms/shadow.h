@@ -22,6 +22,7 @@ extern "C" {
 #define hsr_shadow_begin HSR_OF_BUILD(hsr_shadow_begin)
 #define hsr_shadow_faces HSR_OF_BUILD(hsr_shadow_faces)
 #define hsr_shadow_test HSR_OF_BUILD(hsr_shadow_test)
+#define hsr_shadow_blocked HSR_OF_BUILD(hsr_shadow_blocked)
 #define hsr_shadow_lit HSR_OF_BUILD(hsr_shadow_lit)
 
 struct hsr_shadow {
@@ -48,6 +49,11 @@ bool hsr_shadow_faces(struct hsr_shadow *shadow, uint32_t f,
 uint32_t hsr_shadow_test(struct hsr_shadow *shadow,
                          const struct hsr_lit_point *point, int i, int j,
                          const uint32_t *face, uint32_t n);
+
+/* Whether any of the faces that may block does. Of these `balls` are. */
+bool hsr_shadow_blocked(struct hsr_shadow *shadow,
+                        const struct hsr_light_balls *balls,
+                        const struct hsr_lit_point *point, int i, int j);
 
 /* Shows that the samples [x0, x1) of row j, where f is visible, are lit. */
 void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,

@@ -82,14 +82,14 @@ static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
 }
 
 /* Shows the sample lit, if f faces the light and no face blocks it. */
-static void cast_shadow_ray(struct hsr_shadow *shadow, uint32_t f, int i,
-                            int j) {
+static void cast_shadow_ray(struct hsr_shadow *shadow,
+                            const struct hsr_light_balls *balls, uint32_t f,
+                            int i, int j) {
   struct hsr_lit_point point;
   if (!hsr_shadow_faces(shadow, f, HSR_AT(i, j)))
     return;
   hsr_lit_point_find(&shadow->lighting, f, i, j, &point);
-  if (hsr_shadow_test(shadow, &point, i, j, shadow->blocker,
-                      shadow->n_blockers) == shadow->n_blockers)
+  if (!hsr_shadow_blocked(shadow, balls, &point, i, j))
     hsr_shadow_lit(shadow, f, i, i + 1, j);
 }
 
@@ -104,7 +104,10 @@ static enum hsr_status render(const struct hsr_job *job,
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch, job->tally))
     return hsr_fail_nomem(err);
   struct hsr_shadow shadow;
-  if (job->lit && hsr_shadow_begin(&shadow, job, &screen, SHADOWS))
+  struct hsr_light_balls balls;
+  if (job->lit && (hsr_shadow_begin(&shadow, job, &screen, SHADOWS) ||
+                   hsr_light_balls_make(&balls, job->world, shadow.blocker,
+                                        shadow.n_blockers, job->scratch)))
     return hsr_fail_nomem(err);
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
@@ -112,7 +115,7 @@ static enum hsr_status render(const struct hsr_job *job,
       uint32_t f = visible_face(&screen, i, j, job->tally);
       job->ids[(size_t)j * job->ids_stride + (size_t)i] = f;
       if (job->lit && f != HSR_BACKGROUND)
-        cast_shadow_ray(&shadow, f, i, j);
+        cast_shadow_ray(&shadow, &balls, f, i, j);
     }
   return HSR_OK;
 }

@@ -12,6 +12,7 @@ libhsr_a_SOURCES += \
   %D%/exact_plane.h \
   %D%/footprint.h \
   %D%/footprint_cgal.cc \
+  %D%/light_balls.c \
   %D%/named_lines_cgal.cc \
   %D%/order.c \
   %D%/pair.c \

@@ -66,6 +66,24 @@ bool hsr_blocks(const struct hsr_lighting *lighting,
                 const struct hsr_lit_point *point, uint32_t g,
                 struct hsr_tally *tally);
 
+/* Balls about faces, side by side in memory: face k's corners are within r[k] of
+ * (x[k], y[k], z[k]). */
+struct hsr_light_balls {
+  float *x, *y, *z, *r;
+};
+
+/* Makes the balls of n faces. Memory is taken from the arena. HSR_E_NOMEM. */
+enum hsr_status hsr_light_balls_make(struct hsr_light_balls *balls,
+                                     const struct hsr_world *world,
+                                     const uint32_t *face, uint32_t n,
+                                     struct hsr_arena *arena);
+
+/* Sets beside[i] to 1 if ball k + i is certainly to one side of the light ray's
+ * row, else to 0, for n balls. Such a face does not block the light from P. */
+void hsr_light_balls_beside(const struct hsr_light_balls *balls,
+                            const struct hsr_lit_point *point, uint32_t k,
+                            uint32_t n, uint8_t *beside);
+
 /* Whether face g may block the light from any point of face f, by their planes:
  * a part of g lies before f as the light sees it, and a part of f behind g. f
  * faces the light, and hsr_may_block holds for g. A face that is not flat is
