@@ -826,16 +826,35 @@ bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
 
 /* --- Rows and columns ----------------------------------------------------- */
 
+/* The first row at or below sy, where the error of sy leaves no doubt; else
+ * HSR_ROW_UNKNOWN. */
+static inline int first_row(double sy, double first, int n) {
+  double row = hsr_within(sy - first, n);
+  int next = hsr_round_up(row);
+  int certain = (next - row > HSR_DELTA) & (row - next + 1 > HSR_DELTA);
+  return certain ? next : HSR_ROW_UNKNOWN;
+}
+
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
                    struct hsr_tally *tally) {
-  double row = hsr_within(screen->sy[v] - hsr_sample_y(screen->view, 0),
-                          screen->view->n);
-  int next = hsr_round_up(row);
-  if (next - row > HSR_DELTA && row - next + 1 > HSR_DELTA)
-    return next;
+  double first = hsr_sample_y(screen->view, 0);
+  int row = first_row(screen->sy[v], first, screen->view->n);
+  if (row != HSR_ROW_UNKNOWN)
+    return row;
   /* Only the line of the nearest row may pass through the vertex. */
-  int j = (int)nearbyint(row);
+  int j = (int)nearbyint(hsr_within(screen->sy[v] - first, screen->view->n));
   return hsr_row_side_exact(screen, v, j, tally) < 0 ? j : j + 1;
+}
+
+HSR_VECTOR static void first_rows(size_t count, const double *restrict sy,
+                                  double first, int n, int *restrict row) {
+  for (size_t v = 0; v < count; v++)
+    row[v] = first_row(sy[v], first, n);
+}
+
+void hsr_vertex_rows(const struct hsr_screen *screen, int *row) {
+  first_rows(screen->world->mesh.n_vertices, screen->sy,
+             hsr_sample_y(screen->view, 0), screen->view->n, row);
 }
 
 void hsr_edge_init(struct hsr_edge *edge, const struct hsr_screen *screen,

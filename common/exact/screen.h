@@ -261,6 +261,12 @@ static inline int hsr_round_up(double place) {
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
                    struct hsr_tally *tally);
 
+/* The same of all vertices at once, in row[0 .. n_vertices): HSR_ROW_UNKNOWN
+ * where hsr_vertex_row is to be asked, anything for a vertex that is not safely
+ * before the eye. */
+enum { HSR_ROW_UNKNOWN = -1 };
+void hsr_vertex_rows(const struct hsr_screen *screen, int *row);
+
 /* An edge of a whole face on the screen, to be followed from row to row. It
  * crosses the row at sy within `tolerance` pixels of x + slope * sy. */
 struct hsr_edge {

@@ -2,8 +2,9 @@
 /* The Y bucket sort of edges and the X sort list: see scan_line.h. */
 #include "algorithms/image_space/point/scan_line.h"
 
-/* No more edges in a bucket. */
-static const uint32_t NONE = UINT32_MAX;
+#include "common/base/vector.h"
+
+#include <string.h>
 
 /* --- Y sort --------------------------------------------------------------- */
 
@@ -16,12 +17,15 @@ static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
     edge.end_row = w->y1;
   if (row >= edge.end_row)
     return;
-  uint32_t *bucket = &s->bucket[row - w->y0];
-  edge.next = *bucket;
-  *bucket = s->n_edges;
+  edge.row = row;
   s->edge[s->n_edges++] = edge;
   HSR_STEP(s->tally, HSR_Y_SORT, hsr_scan_subject(&edge), HSR_NOTHING,
            hsr_window_make(w->x0, row, w->x1, edge.end_row), 0);
+}
+
+static int row_of(const struct hsr_scan *s, uint32_t v) {
+  int row = s->vertex_row[v];
+  return row != HSR_ROW_UNKNOWN ? row : hsr_vertex_row(&s->screen, v, s->tally);
 }
 
 static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
@@ -30,10 +34,10 @@ static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
   uint32_t f = piece->face, n = hsr_face_size(world, f);
   const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t a = vertex[n - 1];
-  int row_a = hsr_vertex_row(&s->screen, a, s->tally);
+  int row_a = row_of(s, a);
   for (uint32_t k = 0; k < n; k++) {
     uint32_t b = vertex[k];
-    int row_b = hsr_vertex_row(&s->screen, b, s->tally);
+    int row_b = row_of(s, b);
     if (row_a != row_b) { /* else it lies between two scan lines */
       struct hsr_scan_edge edge = {
           .face = f, .piece = number, .cut = HSR_NOT_CUT};
@@ -89,8 +93,6 @@ static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
 void hsr_scan_open(struct hsr_scan *s, const struct hsr_window *window) {
   s->window = window;
   s->n_edges = s->n_cut = s->n_list = 0;
-  for (int row = window->y0; row < window->y1; row++)
-    s->bucket[row - window->y0] = NONE;
 }
 
 void hsr_scan_add(struct hsr_scan *s, const struct hsr_piece *piece,
@@ -99,6 +101,29 @@ void hsr_scan_add(struct hsr_scan *s, const struct hsr_piece *piece,
     sort_ends(s, piece, number);
   else
     sort_edges(s, piece, number);
+}
+
+/* Makes the buckets of edges in a given order, or of all edges, the last one
+ * first. Places are counted first, so that the edges of a bucket are neighbours.
+ */
+void hsr_scan_fill_buckets(struct hsr_scan *s, const uint32_t *order) {
+  uint32_t n = s->n_edges, *bucket = s->bucket;
+  int y0 = s->window->y0, rows = s->window->y1 - y0;
+  memset(bucket, 0, ((size_t)rows + 2) * sizeof *bucket);
+  for (uint32_t e = 0; e < n; e++)
+    bucket[s->edge[e].row - y0 + 2]++;
+  for (int row = 2; row <= rows; row++)
+    bucket[row] += bucket[row - 1];
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t e = order ? order[k] : n - 1 - k;
+    s->in_bucket[bucket[s->edge[e].row - y0 + 1]++] = e;
+  }
+}
+
+void hsr_scan_close(struct hsr_scan *s) {
+  hsr_scan_fill_buckets(s, NULL);
+  if (s->ways.presort)
+    hsr_scan_presort(s);
 }
 
 void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
@@ -154,33 +179,71 @@ static void retire_and_advance(struct hsr_scan *s, int j) {
   s->n_list = kept;
 }
 
-/* Puts the edges of the row's bucket into entering[], sorted by column. */
-static void take_bucket(struct hsr_scan *s, int j) {
-  const struct hsr_row at = hsr_row_of(s->screen.view, j);
-  s->n_entering = 0;
-  for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
-       e = s->edge[e].next) {
-    find_column(s, &s->edge[e], j, &at);
-    uint32_t k = s->n_entering++;
-    for (; k; k--) {
-      const struct hsr_scan_edge *other = &s->edge[s->entering[k - 1]];
-      bool left = other->column > s->edge[e].column;
-      hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
-      if (!left)
-        break;
-      s->entering[k] = s->entering[k - 1];
-    }
-    s->entering[k] = e;
-  }
+/* How many of n columns lie to the right of `column`. */
+static inline __attribute__((always_inline)) uint32_t
+count_right(const int *columns, uint32_t n, int column) {
+  int right = 0;
+  for (uint32_t k = 0; k < n; k++)
+    right += columns[k] > column;
+  return (uint32_t)right;
 }
 
-/* The same, where no sort is needed: the bucket is sorted, or a tree is. */
-static void take_bucket_as_it_is(struct hsr_scan *s, int j) {
+/* How many of the last ones of n columns, which ascend, lie to the right of
+ * `column`. They are compared from the last one on, many at once. */
+HSR_VECTOR static uint32_t count_last_right(const int *columns, uint32_t n,
+                                            int column) {
+  enum { MANY = 256, SOME = 32 };
+  uint32_t first = n;
+  while (first >= MANY) {
+    uint32_t right = count_right(columns + first - MANY, MANY, column);
+    first -= right;
+    if (right < MANY)
+      return n - first;
+  }
+  while (first >= SOME) {
+    uint32_t right = count_right(columns + first - SOME, SOME, column);
+    first -= right;
+    if (right < SOME)
+      return n - first;
+  }
+  return n - first + count_right(columns, first, column);
+}
+
+/* Linear merge: compares edge e with those in entering[] from the right, and
+ * puts it before those that lie to the right of it. */
+static void merge_into_entering(struct hsr_scan *s, uint32_t e, int j) {
+  int column = s->edge[e].column;
+  uint32_t n = s->n_entering++;
+  uint32_t right = count_last_right(s->entering_column, n, column);
+  uint32_t compared = right < n ? right + 1 : n;
+  for (uint32_t k = 1; HSR_COUNTING && k <= compared; k++)
+    hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], &s->edge[s->entering[n - k]],
+                  k <= right, j);
+  uint32_t *to = s->entering + n - right;
+  int *to_column = s->entering_column + n - right;
+  memmove(to + 1, to, right * sizeof *to);
+  memmove(to_column + 1, to_column, right * sizeof *to_column);
+  *to = e;
+  *to_column = column;
+}
+
+/* Puts the edges of the row's bucket into entering[], sorted by column; or as
+ * they are in the bucket, where that is sorted, or a tree is. */
+static void take_bucket(struct hsr_scan *s, bool sorted, int j) {
+  enum { AHEAD = 8 }; /* edges of a bucket are spread over memory */
+  const struct hsr_row at = hsr_row_of(s->screen.view, j);
+  uint32_t begin = s->bucket[j - s->window->y0];
+  uint32_t end = s->bucket[j - s->window->y0 + 1];
   s->n_entering = 0;
-  for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
-       e = s->edge[e].next) {
-    hsr_scan_column(s, &s->edge[e], j);
-    s->entering[s->n_entering++] = e;
+  for (uint32_t k = begin; k < end; k++) {
+    uint32_t e = s->in_bucket[k];
+    if (k + AHEAD < s->n_edges)
+      __builtin_prefetch(&s->edge[s->in_bucket[k + AHEAD]]);
+    find_column(s, &s->edge[e], j, &at);
+    if (sorted)
+      s->entering[s->n_entering++] = e;
+    else
+      merge_into_entering(s, e, j);
   }
 }
 
@@ -295,15 +358,20 @@ enum hsr_status hsr_scan_reserve(struct hsr_scan *s, const struct hsr_job *job,
                          .tally = job->tally,
                          .screen = *screen,
                          .most_edges = (uint32_t)room.edges};
+  s->vertex_row = HSR_NEW(arena, int, screen->world->mesh.n_vertices);
   s->edge = HSR_NEW(arena, struct hsr_scan_edge, room.edges);
-  s->bucket = HSR_NEW(arena, uint32_t, (size_t)(w->y1 - w->y0));
+  s->bucket = HSR_NEW(arena, uint32_t, (size_t)(w->y1 - w->y0) + 2);
+  s->in_bucket = HSR_NEW(arena, uint32_t, room.edges);
   s->cut = HSR_NEW(arena, struct hsr_scan_cut, room.cut);
   s->columns = HSR_NEW(arena, int, room.columns);
   s->list = HSR_NEW(arena, uint32_t, room.edges);
   s->entering = HSR_NEW(arena, uint32_t, room.edges);
-  return s->edge && s->bucket && s->cut && s->columns && s->list && s->entering
-             ? HSR_OK
-             : HSR_E_NOMEM;
+  s->entering_column = HSR_NEW(arena, int, room.edges);
+  if (!s->vertex_row || !s->edge || !s->bucket || !s->in_bucket || !s->cut ||
+      !s->columns || !s->list || !s->entering || !s->entering_column)
+    return HSR_E_NOMEM;
+  hsr_vertex_rows(screen, s->vertex_row);
+  return HSR_OK;
 }
 
 enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
@@ -314,6 +382,7 @@ enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
       hsr_scan_reserve(scan, job, &screen, hsr_scan_whole_room(&screen)))
     return HSR_E_NOMEM;
   hsr_scan_sort(scan, &job->view->window, screen.relevant, screen.n_relevant);
+  hsr_scan_close(scan);
   return HSR_OK;
 }
 
@@ -322,10 +391,7 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
   if (tree)
     hsr_x_tree_retire(scan, j);
   retire_and_advance(scan, j);
-  if (tree || scan->ways.presort)
-    take_bucket_as_it_is(scan, j);
-  else
-    take_bucket(scan, j);
+  take_bucket(scan, tree || scan->ways.presort, j);
   if (tree)
     hsr_x_tree_merge(scan, j);
   else

@@ -4,7 +4,8 @@
  *
  * Source      Sutherland et al. 1974, "Scan-line Algorithms": the first two of
  *             their four basic steps, as Bouknight and Watkins take them.
- * Notation    scan line -> row j; Y bucket -> bucket[]; X sort list -> list[];
+ * Notation    scan line -> row j; Y bucket -> in_bucket[bucket[j] .. bucket[j +
+ *             1]), j from the window's first row; X sort list -> list[];
  *             X intercept -> column, that of the first sample to the right
  * Invariant   after hsr_scan_advance(scan, j), list[] holds the edges that
  *             cross row j, in ascending columns. The edges of each face pair
@@ -30,16 +31,15 @@
 extern "C" {
 #endif
 
-/* An edge that crosses the rows from that of its bucket to end_row. An edge of
- * a cut face, or of a piece of a face, stands for an end of one of its
+/* An edge that crosses the rows from `row`, that of its bucket, to end_row. An
+ * edge of a cut face, or of a piece of a face, stands for an end of one of its
  * segments, a different one on each row if need be. */
 struct hsr_scan_edge {
   struct hsr_edge line;
   uint32_t face;
   uint32_t piece; /* edges of one number pair up; without pieces: the face */
   uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
-  uint32_t next;  /* in the Y bucket */
-  int end_row;
+  int row, end_row;
   int column; /* on the current row */
 };
 
@@ -88,21 +88,23 @@ struct hsr_scan {
   const struct hsr_window *window;
   struct hsr_screen screen;
 
+  int *vertex_row; /* hsr_vertex_rows of the screen */
   struct hsr_scan_edge *edge;
   uint32_t n_edges, most_edges; /* there is room for most_edges */
-  uint32_t *bucket;             /* a row of the window: its entering edges */
+  uint32_t *bucket;    /* a row of the window: where its edges begin in */
+  uint32_t *in_bucket; /* this, the edges bucket after bucket */
   struct hsr_scan_cut *cut;
   uint32_t n_cut;
   int *columns; /* room for the spans of the largest cut face */
 
   uint32_t *list, n_list;         /* X sort list */
   uint32_t *entering, n_entering; /* edges of the row's bucket, sorted */
+  int *entering_column;           /* their columns */
 
   struct hsr_scan_ways ways;
   struct hsr_x_node *node; /* the tree */
   uint32_t root, *in_order;
-  uint32_t *x_bucket;
-  int *first_row;               /* of an edge; if edges are presorted */
+  uint32_t *x_bucket, *by_x;    /* if edges are presorted */
   struct hsr_scan_known *known; /* of an edge; if crossings are predicted */
 };
 
@@ -117,6 +119,8 @@ struct hsr_scan {
 #define hsr_scan_advance HSR_OF_BUILD(hsr_scan_advance)
 #define hsr_scan_choose HSR_OF_BUILD(hsr_scan_choose)
 #define hsr_scan_column HSR_OF_BUILD(hsr_scan_column)
+#define hsr_scan_close HSR_OF_BUILD(hsr_scan_close)
+#define hsr_scan_fill_buckets HSR_OF_BUILD(hsr_scan_fill_buckets)
 #define hsr_scan_presort HSR_OF_BUILD(hsr_scan_presort)
 #define hsr_scan_predict HSR_OF_BUILD(hsr_scan_predict)
 #define hsr_x_tree_retire HSR_OF_BUILD(hsr_x_tree_retire)
@@ -144,7 +148,8 @@ void hsr_scan_make_room(struct hsr_scan_room *room,
                         const struct hsr_screen *screen,
                         const struct hsr_piece *piece);
 
-/* The Y sort of n faces in a window, which lies within the view's. */
+/* The Y sort of n faces in a window, which lies within the view's. It is to be
+ * closed. */
 void hsr_scan_sort(struct hsr_scan *scan, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n);
 
@@ -153,6 +158,9 @@ void hsr_scan_sort(struct hsr_scan *scan, const struct hsr_window *window,
 void hsr_scan_open(struct hsr_scan *scan, const struct hsr_window *window);
 void hsr_scan_add(struct hsr_scan *scan, const struct hsr_piece *piece,
                   uint32_t number);
+
+/* Ends the Y sort, all edges being added: makes the buckets. */
+void hsr_scan_close(struct hsr_scan *scan);
 
 /* Brings the X sort list to row j. Called for each row of the window, from the
  * first. */
@@ -173,15 +181,16 @@ int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
 enum hsr_status hsr_scan_choose(struct hsr_scan *scan,
                                 struct hsr_scan_ways ways);
 
-/* Sorts the edges of every Y bucket by their columns on its row, all edges
- * being added. */
+/* What scan_line.c takes from x_list.c, and that from it.
+ * hsr_scan_fill_buckets: makes the Y buckets of all edges, in a given order;
+ * NULL: the last edge first. hsr_scan_presort: sorts the edges of every Y bucket
+ * by their columns on its row. hsr_scan_column: finds an edge's column on row j.
+ * hsr_x_tree_retire: deletes edges that end above row j. hsr_x_tree_merge: merges
+ * entering[] into the tree and makes list[] of it. hsr_x_tree_store: brings a
+ * sorted list[] back into the tree. hsr_scan_predict: finds up to which row edge
+ * a stays to the left of b. */
+void hsr_scan_fill_buckets(struct hsr_scan *scan, const uint32_t *order);
 void hsr_scan_presort(struct hsr_scan *scan);
-
-/* What hsr_scan_advance takes from x_list.c, and that from it. hsr_scan_column:
- * finds an edge's column on row j. hsr_x_tree_retire: deletes edges that end
- * above row j. hsr_x_tree_merge: merges entering[] into the tree and makes
- * list[] of it. hsr_x_tree_store: brings a sorted list[] back into the tree.
- * hsr_scan_predict: finds up to which row edge a stays to the left of b. */
 void hsr_scan_column(struct hsr_scan *scan, struct hsr_scan_edge *edge, int j);
 void hsr_x_tree_retire(struct hsr_scan *scan, int j);
 void hsr_x_tree_merge(struct hsr_scan *scan, int j);

@@ -140,28 +140,19 @@ static const uint32_t NONE = UINT32_MAX;
 
 /* --- Segments ------------------------------------------------------------- */
 
-static void close_segment(struct hsr_watkins *s, uint32_t number, int x1,
-                          int j) {
+static void close_segment(struct hsr_watkins *s, uint32_t number, int x1) {
   struct hsr_watkins_segment *segment = &s->segment[number];
   const struct hsr_window *w = s->edges.window;
   if (segment->x0 < w->x0)
     segment->x0 = w->x0;
   segment->x1 = x1 > w->x1 ? w->x1 : x1;
-  if (segment->x0 >= segment->x1) {
+  if (segment->x0 > segment->x1)
     segment->x1 = segment->x0; /* holds no sample */
-    return;
-  }
-  if (s->is_nearer)
-    return;
-  uint32_t f = segment->face;
-  segment->q0 = hsr_depth(&s->edges.screen, f, segment->x0, j);
-  segment->q1 = hsr_depth(&s->edges.screen, f, segment->x1 - 1, j);
-  segment->error = 2 * s->edges.screen.plane[f].error;
 }
 
 /* Pairs the edges of list[]: the first of a face opens a segment, the second
  * closes it. */
-static void find_segments(struct hsr_watkins *s, int j) {
+static void find_segments(struct hsr_watkins *s) {
   struct hsr_watkins_runs *runs = s->runs;
   uint32_t n = 0;
   for (uint32_t k = 0; k < s->edges.n_list; k++) {
@@ -180,7 +171,7 @@ static void find_segments(struct hsr_watkins *s, int j) {
       segment->x0 = edge->column;
     } else {
       s->open[edge->piece] = NONE;
-      close_segment(s, number, edge->column, j);
+      close_segment(s, number, edge->column);
     }
     if (runs)
       (opens ? runs->left : runs->right)[number] = e;
@@ -200,8 +191,13 @@ struct part {
   double x0, x1, q0, q1;
 };
 
-static struct part whole_part(const struct hsr_watkins_segment *segment) {
-  return (struct part){segment->x0, segment->x1 - 1, segment->q0, segment->q1};
+static struct part whole_part(const struct hsr_watkins *s,
+                              const struct hsr_watkins_segment *segment,
+                              int j) {
+  const struct hsr_screen *screen = &s->edges.screen;
+  int first = segment->x0, last = segment->x1 - 1;
+  return (struct part){first, last, hsr_depth(screen, segment->face, first, j),
+                       hsr_depth(screen, segment->face, last, j)};
 }
 
 static struct part left_half(struct part p) {
@@ -244,7 +240,8 @@ static bool first_is_nearer(struct hsr_watkins *s,
                             const struct hsr_watkins_segment *f, struct part pf,
                             const struct hsr_watkins_segment *g, struct part pg,
                             int l, int r, int j, int *end) {
-  double margin = f->error + g->error;
+  const struct hsr_depth_plane *plane = s->edges.screen.plane;
+  double margin = 2 * (plane[f->face].error + plane[g->face].error);
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
     *end = r;
@@ -315,7 +312,8 @@ static inline bool segment_is_nearer(struct hsr_watkins *s,
     if (order != UNDECIDED)
       return order == NEARER;
   }
-  return first_is_nearer(s, f, whole_part(f), g, whole_part(g), l, r, j, end);
+  return first_is_nearer(s, f, whole_part(s, f, j), g, whole_part(s, g, j), l,
+                         r, j, end);
 }
 
 /* The same for runs. The order of two whose surfaces are apart never changes
@@ -476,11 +474,10 @@ enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
 
 void hsr_watkins_scan(struct hsr_watkins *s) {
   const struct hsr_window *w = s->edges.window;
-  if (s->edges.ways.presort)
-    hsr_scan_presort(&s->edges);
+  hsr_scan_close(&s->edges);
   for (int j = w->y0; j < w->y1; j++) {
     hsr_scan_advance(&s->edges, j);
-    find_segments(s, j);
+    find_segments(s);
     if (s->runs)
       hsr_watkins_join(s, j);
     scan_row(s, j);

@@ -12,12 +12,10 @@
 extern "C" {
 #endif
 
-/* Samples [x0, x1) of a face or piece on the current row; depths q at the first
- * and the last of them, as computed: within `error`. */
+/* Samples [x0, x1) of a face or piece on the current row. */
 struct hsr_watkins_segment {
   uint32_t face, piece; /* as in struct hsr_scan_edge */
   int x0, x1;
-  double q0, q1, error;
 };
 
 /* Runs of segments, joined where they share an edge: see watkins_runs.c. */

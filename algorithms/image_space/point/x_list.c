@@ -14,6 +14,8 @@
  *             sort is needed there. So what is predicted is proved. */
 #include "algorithms/image_space/point/scan_line.h"
 
+#include <string.h>
+
 static const uint32_t NONE = UINT32_MAX;
 
 enum hsr_status hsr_scan_choose(struct hsr_scan *s, struct hsr_scan_ways ways) {
@@ -28,9 +30,9 @@ enum hsr_status hsr_scan_choose(struct hsr_scan *s, struct hsr_scan_ways ways) {
       return HSR_E_NOMEM;
   }
   if (ways.presort) {
-    s->x_bucket = HSR_NEW(arena, uint32_t, (size_t)(w->x1 - w->x0) + 1);
-    s->first_row = HSR_NEW(arena, int, s->most_edges);
-    if (!s->x_bucket || !s->first_row)
+    s->x_bucket = HSR_NEW(arena, uint32_t, (size_t)(w->x1 - w->x0) + 2);
+    s->by_x = HSR_NEW(arena, uint32_t, s->most_edges);
+    if (!s->x_bucket || !s->by_x)
       return HSR_E_NOMEM;
   }
   if (ways.crossings) {
@@ -43,42 +45,39 @@ enum hsr_status hsr_scan_choose(struct hsr_scan *s, struct hsr_scan_ways ways) {
 
 /* --- Presorting ----------------------------------------------------------- */
 
-/* Takes all edges out of the Y buckets and puts them into X buckets, by their
- * columns on their first scan lines. */
-static void fill_x_buckets(struct hsr_scan *s) {
+/* The X bucket of an edge: its column on its first scan line. */
+static int x_bucket_of(const struct hsr_scan *s, uint32_t e) {
   const struct hsr_window *w = s->window;
-  for (int x = w->x0; x <= w->x1; x++)
-    s->x_bucket[x - w->x0] = NONE;
-  for (int j = w->y0; j < w->y1; j++) {
-    uint32_t *bucket = &s->bucket[j - w->y0];
-    while (*bucket != NONE) {
-      uint32_t e = *bucket;
-      struct hsr_scan_edge *edge = &s->edge[e];
-      *bucket = edge->next;
-      hsr_scan_column(s, edge, j);
-      s->first_row[e] = j;
-      int x = edge->column < w->x0   ? w->x0
-              : edge->column > w->x1 ? w->x1
-                                     : edge->column;
-      HSR_STEP(s->tally, s->ways.presort, hsr_scan_subject(edge), HSR_NOTHING,
-               hsr_window_make(x, j, x, j + 1), 0);
-      edge->next = s->x_bucket[x - w->x0];
-      s->x_bucket[x - w->x0] = e;
-    }
+  int x = s->edge[e].column;
+  return (x < w->x0 ? w->x0 : x > w->x1 ? w->x1 : x) - w->x0;
+}
+
+/* Finds the columns of all edges on their first scan lines, and how many edges
+ * there are in each X bucket. */
+static void count_x_buckets(struct hsr_scan *s) {
+  const struct hsr_window *w = s->window;
+  size_t n = (size_t)(w->x1 - w->x0) + 2;
+  memset(s->x_bucket, 0, n * sizeof *s->x_bucket);
+  for (uint32_t k = 0; k < s->n_edges; k++) {
+    uint32_t e = s->in_bucket[k];
+    struct hsr_scan_edge *edge = &s->edge[e];
+    hsr_scan_column(s, edge, edge->row);
+    int x = x_bucket_of(s, e);
+    HSR_STEP(s->tally, s->ways.presort, hsr_scan_subject(edge), HSR_NOTHING,
+             hsr_window_make(w->x0 + x, edge->row, w->x0 + x, edge->row + 1),
+             0);
+    s->x_bucket[x + 1]++;
   }
 }
 
-/* An edge is put in front of its Y bucket, so the last one comes first. */
+/* Sorts all edges by X, and then into the Y buckets in this order. */
 void hsr_scan_presort(struct hsr_scan *s) {
-  const struct hsr_window *w = s->window;
-  fill_x_buckets(s);
-  for (int x = w->x1; x >= w->x0; x--)
-    for (uint32_t e = s->x_bucket[x - w->x0], next; e != NONE; e = next) {
-      uint32_t *bucket = &s->bucket[s->first_row[e] - w->y0];
-      next = s->edge[e].next;
-      s->edge[e].next = *bucket;
-      *bucket = e;
-    }
+  count_x_buckets(s);
+  for (int x = 1; x <= s->window->x1 - s->window->x0; x++)
+    s->x_bucket[x] += s->x_bucket[x - 1];
+  for (uint32_t e = s->n_edges; e-- > 0;)
+    s->by_x[s->x_bucket[x_bucket_of(s, e)]++] = e;
+  hsr_scan_fill_buckets(s, s->by_x);
 }
 
 /* --- Tree ----------------------------------------------------------------- */

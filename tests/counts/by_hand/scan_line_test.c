@@ -66,19 +66,55 @@ static const struct hand_count of_slant[] = {
     {"X sort", 14},        {"X sort", 3, "to the left"},
     {"X interchanges", 3}, {NULL}};
 
+/* --- Many edges ----------------------------------------------------------- */
+
+/* Two combs of K teeth in row 1: tooth k of the first is column 4 k, of the
+ * second column 4 k + 2. The first one's faces come last. */
+enum { K = 150, COMB_M = 4 * K };
+
+static void make_combs(struct pixel_face comb[2 * K]) {
+  for (int k = 0; k < K; k++) {
+    comb[k] = (struct pixel_face)PIXEL_RECTANGLE(4 * k + 2, 1, 4 * k + 3, 2, 4);
+    comb[K + k] = (struct pixel_face)PIXEL_RECTANGLE(4 * k, 1, 4 * k + 1, 2, 4);
+  }
+}
+
+/* Y sort: 4 K.
+ *
+ * X merge: last in first out, the first comb is taken from the right to the
+ * left. Each of its edges is compared with all before it: K (2 K - 1). The
+ * second comb, too, is taken from the right. Where t of its teeth are there, 2 t
+ * edges of each comb are to the right. The next right edge is compared with
+ * these and with the one to its left, 4 t + 1; the left edge with one more. That
+ * is 8 t + 3 for a tooth, in all 4 K (K - 1) + 3 K.
+ *
+ * X sort: on one row, 4 K - 1. No two are out of order. */
+static const struct hand_count of_combs[] = {
+    {"Y sort", 4 * K},
+    {"X merge", K *(2 * K - 1) + 4 * K *(K - 1) + 3 * K},
+    {"X sort", 4 * K - 1},
+    {"X interchanges", 0},
+    {NULL}};
+
 int main(void) {
   static const char *const names[] = {"watkins", "bouknight", "yzx"};
-  struct tap tap = plan(6);
-  struct hand_picture p, q;
+  struct pixel_face combs[2 * K];
+  struct tap tap = plan(9);
+  struct hand_picture p, q, r;
+  make_combs(combs);
   pixel_open(&p, deck, 3, M, N);
   pixel_open(&q, slant, 2, M, N);
+  pixel_open(&r, combs, 2 * K, COMB_M, COMB_M);
   for (int k = 0; k < 3; k++) {
     ok(&tap, hand_compare(&p, names[k], of_deck, false),
        "%s: edges that enter between others", names[k]);
     ok(&tap, hand_compare(&q, names[k], of_slant, false),
        "%s: edges that cross", names[k]);
+    ok(&tap, hand_compare(&r, names[k], of_combs, false), "%s: many edges",
+       names[k]);
   }
   hand_close(&p);
   hand_close(&q);
+  hand_close(&r);
   return finish(&tap);
 }
