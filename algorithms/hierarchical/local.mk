@@ -19,7 +19,12 @@ algorithm_files += \
   %D%/cube_list.h \
   %D%/cube_octants.c \
   %D%/cube_octants.h \
-  %D%/hzbuffer.c \
+  %D%/hzbuffer/cell.c \
+  %D%/hzbuffer/coherence.c \
+  %D%/hzbuffer/cube.c \
+  %D%/hzbuffer/hzbuffer.c \
+  %D%/hzbuffer/octrees.c \
+  %D%/hzbuffer/walk.h \
   %D%/movers.c \
   %D%/movers.h \
   %D%/pyramid.c \

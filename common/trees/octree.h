@@ -127,6 +127,14 @@ static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
   return box;
 }
 
+/* Has the node no octants? */
+static inline bool hsr_octree_is_leaf(const struct hsr_octree_node *node) {
+  for (int o = 0; o < 8; o++)
+    if (node->child[o] != HSR_NO_NODE)
+      return false;
+  return true;
+}
+
 static inline struct hsr_octree_box
 hsr_octree_cube(const struct hsr_octree_node *node) {
   struct hsr_octree_box cube = {

@@ -16,20 +16,22 @@
  *             that of the frame drawn alone. Few faces are tiled that were not
  *             in the frame before. The lists do not grow.
  *
- * The algorithm is included, so that its steps can be taken one by one. The
+ * The frame is included, so that its steps can be taken one by one. The
  * walk through the octrees is written again here; it notes the result of each
  * step, and must count the same as the true one, counter by counter. */
 #define HSR_COUNTING 1
 #include "algorithms/algorithm.h"
 #undef HSR_ALGORITHM
 #define HSR_ALGORITHM(name) own_##name
-#include "algorithms/hierarchical/hzbuffer.c"
+#include "algorithms/hierarchical/hzbuffer/hzbuffer.c"
 
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
 #include "algorithms/variant.h"
+
+#include <string.h>
 
 enum { M = 64, N = 48, SAMPLES = M * N };
 
@@ -110,7 +112,7 @@ struct note {
 #define NO_INSTANCE UINT32_MAX
 
 struct notes {
-  struct walk walk;
+  struct hsr_hz_walk walk;
   struct note *note;
   size_t n, room;
   long strays; /* outside the frustum but not found to be, or the reverse */
@@ -119,7 +121,7 @@ struct notes {
 static bool visit(struct notes *ns, const struct hsr_placing *placing,
                   const struct hsr_octree_node *node, uint32_t instance,
                   uint32_t k, bool *inside) {
-  struct walk *w = &ns->walk;
+  struct hsr_hz_walk *w = &ns->walk;
   const uint64_t *count = w->tally->count;
   uint64_t out = count[OUT], tested = count[CUBES_TESTED];
   struct hsr_octree_box cube = hsr_octree_cube(node);
@@ -128,7 +130,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   bool truly_out = hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES,
                                      subject) == HSR_BOX_OUT;
   *w->tally = before;
-  bool visible = is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);
+  bool visible =
+      hsr_hz_is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);
   enum said said = count[OUT] > out               ? IS_OUT
                    : !visible                     ? IS_HIDDEN
                    : count[CUBES_TESTED] > tested ? IS_VISIBLE
@@ -147,11 +150,11 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
 }
 
 static void visit_cube(struct notes *ns, uint32_t k, bool inside) {
-  struct walk *w = &ns->walk;
+  struct hsr_hz_walk *w = &ns->walk;
   const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
   if (!visit(ns, &w->frame.placing, node, w->frame.instance, k, &inside))
     return;
-  tile_cell(w, k);
+  hsr_hz_tile_cell(w, k);
   int nearest = hsr_cube_nearest(&w->frame.placing, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
@@ -161,15 +164,15 @@ static void visit_cube(struct notes *ns, uint32_t k, bool inside) {
 }
 
 static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
-  struct walk *w = &ns->walk;
+  struct hsr_hz_walk *w = &ns->walk;
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
-  bool single = node->n == 1 && is_leaf(node);
+  bool single = node->n == 1 && hsr_octree_is_leaf(node);
   if (!single && !visit(ns, &w->frame.as_it_is, node, NO_INSTANCE, k, &inside))
     return;
   for (uint32_t i = 0; i < node->n; i++)
     if (hsr_cube_is_new(&w->frame, octree->item[node->first + i])) {
-      take_in_hand(w, octree->item[node->first + i]);
+      hsr_hz_take_in_hand(w, octree->item[node->first + i]);
       visit_cube(ns, 0, false);
     }
   int nearest = hsr_cube_nearest(&w->frame.as_it_is, node);
@@ -240,7 +243,7 @@ static uint64_t count_families(const struct notes *ns) {
   reached[0] = true;
   for (uint32_t k = 0; k < octree->n_nodes; k++) { /* parents come first */
     const struct hsr_octree_node *node = &octree->node[k];
-    bool single = node->n == 1 && is_leaf(node);
+    bool single = node->n == 1 && hsr_octree_is_leaf(node);
     if (!reached[k])
       continue;
     n += !single;
@@ -591,7 +594,7 @@ static void try_claims(struct tap *tap, const struct both_worlds *s,
     draw_right(s, &r.view, right);
     try_view(s, &r, &noted, right, view, &f);
   }
-  const struct prepared *prepared = r.setup.prepared;
+  const struct hsr_hz_prepared *prepared = r.setup.prepared;
   bool sides = r.setup.choice.values.option[CUBES] == SIDES;
   ok(tap, !f.differ && !f.not_alike,
      "%s, %s: %ld pictures as the z-buffer's, and as the noted ones",
@@ -634,18 +637,18 @@ struct passes {
 
 /* Draws a frame as `render` does, and looks at what the first pass did. */
 static struct passes draw_in_passes(struct run *r) {
-  struct walk w = {.visit = 0};
+  struct hsr_hz_walk w = {.visit = 0};
   const uint64_t *count = r->tally.count;
   struct passes p = {0, 0, 0, 0};
-  if (begin(&w, &r->job) || render_loose(&w) || render_last(&w))
+  if (begin(&w, &r->job) || render_loose(&w) || hsr_hz_render_last(&w))
     stop("passes", "out of memory");
   p.first = count[FACES_TILED];
   p.again = count[CUBES_AGAIN];
-  if (render_octrees(&w))
+  if (hsr_hz_render_octrees(&w))
     stop("passes", "out of memory");
   p.second = count[FACES_TILED] - p.first;
-  end_coherence(&w);
-  const struct prepared *prepared = r->setup.prepared;
+  hsr_hz_end_coherence(&w);
+  const struct hsr_hz_prepared *prepared = r->setup.prepared;
   p.listed = prepared->list[prepared->last].cube.n;
   return p;
 }
@@ -667,7 +670,7 @@ static void draw_cold(const struct both_worlds *s, struct run *plain,
   cold->visible = plain->tally.count[CUBES_VISIBLE];
 }
 
-struct walked {
+struct hsr_hz_walked {
   long differ, unlike;
   uint64_t visible, listed, most_listed;
   uint64_t cut, cut_cold, smooth, smooth_cold; /* faces tiled: newly exposed; of
@@ -676,14 +679,14 @@ struct walked {
 };
 
 static size_t bytes_of_lists(const struct run *r) {
-  const struct prepared *prepared = r->setup.prepared;
+  const struct hsr_hz_prepared *prepared = r->setup.prepared;
   return prepared->list[0].arena.peak_bytes +
          prepared->list[1].arena.peak_bytes;
 }
 
 static void walk_frame(const struct both_worlds *s, struct run *stepped,
                        struct run *whole, const struct cold *cold, int k,
-                       struct walked *t) {
+                       struct hsr_hz_walked *t) {
   set_view(stepped, s, view_of_frame(k));
   set_view(whole, s, view_of_frame(k));
   struct passes p = draw_in_passes(stepped);
@@ -706,7 +709,7 @@ static void walk_frame(const struct both_worlds *s, struct run *stepped,
 static void try_walk(struct tap *tap, const struct both_worlds *s,
                      const struct cold *cold, const char *text) {
   static struct run stepped, whole;
-  struct walked t;
+  struct hsr_hz_walked t;
   memset(&t, 0, sizeof t);
   begin_run(&stepped, s, text);
   begin_run(&whole, s, text);
