@@ -13,6 +13,7 @@ tap_programs = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/binary_mesh_test \
+  %D%/unit/files/text_mesh_test \
   %D%/unit/files/exchange_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
@@ -255,7 +256,9 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
 %C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc \
-  %D%/unit/files/folder.h
+  %D%/unit/files/folder.h %D%/unit/files/read_mesh.h
+%C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc \
+  %D%/unit/files/folder.h %D%/unit/files/read_mesh.h
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc \
   %D%/unit/files/folder.h
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc

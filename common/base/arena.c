@@ -16,17 +16,25 @@ struct hsr_arena_block {
   unsigned char *memory;
 };
 
-/* Large blocks lie on huge pages where the system has them. A picture's rows
- * are far apart, and the processor's tables hold few pages. */
+void hsr_huge_pages(void *memory, size_t size) {
+#ifdef MADV_HUGEPAGE
+  enum { PAGE = 1 << 16 }; /* or less */
+  size_t before = (PAGE - (uintptr_t)memory % PAGE) % PAGE;
+  if (memory && size >= 2 * HUGE_PAGE)
+    madvise((char *)memory + before, (size - before) / PAGE * PAGE,
+            MADV_HUGEPAGE);
+#else
+  (void)memory, (void)size;
+#endif
+}
+
+/* Large blocks lie on huge pages. A picture's rows are far apart. */
 static unsigned char *block_memory(size_t size) {
   if (size < 2 * HUGE_PAGE)
     return aligned_alloc(ALIGNMENT, size);
   size_t rounded = (size + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
   unsigned char *memory = aligned_alloc(HUGE_PAGE, rounded);
-#ifdef MADV_HUGEPAGE
-  if (memory)
-    madvise(memory, rounded, MADV_HUGEPAGE);
-#endif
+  hsr_huge_pages(memory, rounded);
   return memory;
 }
 

@@ -54,6 +54,10 @@ struct hsr_growing {
 bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
                     size_t size);
 
+/* Asks the system for huge pages where memory of malloc is large: there are fewer
+ * pages to make, and the processor's tables, which hold few, reach further. */
+void hsr_huge_pages(void *memory, size_t size);
+
 /* HSR_NEW(arena, T, n): an array of n T. */
 #define HSR_NEW(arena, type, n)                                                \
   ((type *)hsr_arena_array((arena), (n), sizeof(type)))

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/scene/scene.h"
+#include "common/base/arena.h"
 #include "common/polygon/polygon.h"
 #include "common/base/numbers.h"
 #include "common/base/share.h"
@@ -67,6 +68,7 @@ static bool make_room(void *array, uint32_t *cap, uint32_t larger,
   void *moved = realloc(old, (size_t)larger * size);
   if (!moved)
     return false;
+  hsr_huge_pages(moved, (size_t)larger * size);
   memcpy(array, &moved, sizeof moved);
   *cap = larger;
   return true;

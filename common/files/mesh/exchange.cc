@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files: .obj and texts of .stl through CGAL's readers; .off, .ply and binary
-// .stl through our own; .vtp through common/files/vtk/exchange_vtk.cc.
+// Mesh files: .off, .ply, plain .obj and .stl through our own readers; other .obj and
+// texts of .stl through CGAL's; .vtp through common/files/vtk/exchange_vtk.cc.
 //
 // Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has
 //             passed, and must find in it what the scan found.
 // Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
 //             and 4 a face and a corner; then, the file gone, that and the
-//             object. OFF, PLY: the file and the object. Binary STL: also 8
-//             to 16 bytes a vertex; a text, a search tree of about 80.
-//             Colours: 12 bytes a face or vertex.
+//             object. OFF, PLY: the file and the object. Plain OBJ: also 4 bytes a
+//             corner and 1 a face. STL: also 8 bytes a corner, and of a text 72 a
+//             facet; by CGAL, a search tree of about 80 a vertex. Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
+#include "common/files/mesh/mesh_obj.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
@@ -178,8 +179,14 @@ void read_soup(Mesh_file &file, bool drop, Mesh_builder &builder) {
   build(soup, extent, builder);
 }
 
+void read_any_obj(Mesh_file &file, bool drop, Mesh_builder &builder) {
+  if (!hsr::obj_read_plain(file, builder))
+    read_soup<read_obj>(file, drop, builder);
+}
+
 void read_any_stl(Mesh_file &file, bool drop, Mesh_builder &builder) {
-  if (!hsr::binary_stl_read(file, builder))
+  if (!hsr::binary_stl_read(file, builder) &&
+      !hsr::text_stl_read_plain(file, builder))
     read_soup<read_stl>(file, drop, builder);
 }
 
@@ -195,7 +202,7 @@ struct Suffix {
 };
 
 constexpr Suffix SUFFIXES[] = {{".off", hsr::off_read},
-                               {".obj", read_soup<read_obj>},
+                               {".obj", read_any_obj},
                                {".ply", hsr::ply_read},
                                {".stl", read_any_stl},
                                {".vtp", read_vtp}};

@@ -3,10 +3,16 @@ nobase_pkginclude_HEADERS += \
   %D%/exchange.h
 libhsr_a_SOURCES += \
   %D%/exchange.cc \
+  %D%/mesh_blocks.h \
+  %D%/mesh_corners.cc \
+  %D%/mesh_corners.h \
   %D%/mesh_file.cc \
   %D%/mesh_file.h \
   %D%/mesh_materials.cc \
   %D%/mesh_materials.h \
+  %D%/mesh_obj.cc \
+  %D%/mesh_obj.h \
+  %D%/mesh_obj_plain.cc \
   %D%/mesh_off.cc \
   %D%/mesh_off_plain.cc \
   %D%/mesh_ply.cc \
@@ -17,5 +23,6 @@ libhsr_a_SOURCES += \
   %D%/mesh_scan_stl.cc \
   %D%/mesh_solid.cc \
   %D%/mesh_stl.cc \
+  %D%/mesh_stl_plain.cc \
   %D%/mesh_text.cc \
   %D%/mesh_text.h

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/mesh/mesh_file.h"
+#include "common/base/arena.h"
 #include "common/polygon/polygon.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ Mesh_file load_mesh_file(const char *path) {
 
   const size_t size = static_cast<size_t>(status.st_size);
   file.memory.reset(new char[size]);
+  hsr_huge_pages(file.memory.get(), size);
   file.begin = file.end = file.memory.get();
   while (file.size() < size) {
     const ssize_t n = read(descriptor.fd(), file.end, size - file.size());
@@ -159,6 +161,17 @@ uint32_t *Mesh_builder::triangles(size_t n) {
     throw std::bad_alloc();
   n_given_ += n;
   return corners;
+}
+
+void Mesh_builder::give_faces_again() {
+  const uint32_t n = object_->n_faces, *const start = object_->start;
+  const std::vector<uint32_t> starts(start, start + n + 1);
+  const std::vector<uint32_t> corners(object_->vertex,
+                                      object_->vertex + start[n]);
+  object_->n_faces = 0;
+  n_given_ = 0;
+  for (uint32_t f = 0; f < n; f++)
+    face(corners.data() + starts[f], starts[f + 1] - starts[f], nullptr);
 }
 
 void Mesh_builder::forget() {

@@ -117,9 +117,12 @@ public:
   void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
   void face(const uint32_t *vertices, size_t n, const float *rgb);
   /* The 3 n corners of n triangles, which are the next faces, without colours.
-   * The caller writes them: vertices that are there, three different ones each.
-   * Not where degenerate faces are to be dropped. */
+   * The caller writes them: vertices that are there, three different ones each;
+   * else it calls give_faces_again(), as it does if the builder drops() some. */
   uint32_t *triangles(size_t n);
+  /* Takes all faces away, and looks at each as if it were given by face(). None
+   * has a colour. */
+  void give_faces_again();
   bool drops() const { return drop_; }
   /* Takes away all that was given. */
   void forget();
@@ -149,6 +152,11 @@ void ply_read(Mesh_file &file, bool drop, Mesh_builder &builder);
 /* Reads an .stl file if it is binary; if not, returns false. Corners at the same
  * place are one vertex. Throws as above. */
 bool binary_stl_read(Mesh_file &file, Mesh_builder &builder);
+
+/* Reads an .stl file that is a text, if nothing is wrong with it and each facet
+ * begins a line (mesh_stl_plain.cc). If not, returns false, and nothing is given.
+ * Throws as above. */
+bool text_stl_read_plain(const Mesh_file &file, Mesh_builder &builder);
 
 /* Throws what is wrong with an .stl file that is neither binary nor a text. */
 [[noreturn]] void refuse_stl(const Mesh_file &file);

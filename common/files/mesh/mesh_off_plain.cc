@@ -9,18 +9,14 @@
 // Cost        the lines are looked at twice, so one thread reads line by line.
 // Same        whether the body is plain does not depend on the blocks. One that
 //             is not is read again, line by line, by who can say what is wrong.
-#include "common/base/share.h"
+#include "common/files/mesh/mesh_blocks.h"
 #include "common/files/mesh/mesh_text.h"
 
-#include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <new>
 
 namespace hsr {
 namespace {
 
-constexpr size_t BLOCK = size_t{1} << 16; /* bytes, about */
 constexpr size_t MOST_CORNERS = 8;
 
 struct Block {
@@ -37,63 +33,32 @@ public:
   bool read();
 
 private:
-  void cut(const char *begin, const char *end);
-  void count(Block &block);
+  static bool count(Block &block);
   bool face(const char *&at, Block &block) const;
   bool lines(Block &block) const;
   void give();
-  template <void (Plain_reader::*work)(Block &)> void share();
-  void take(Block &block);
 
   size_t n_vertices_, n_faces_;
   Mesh_builder &builder_;
   double *xyz_ = nullptr;
   std::vector<Block> blocks_;
-  std::atomic<bool> plain_{true}, out_of_memory_{false};
 };
 
 Plain_reader::Plain_reader(const char *begin, const char *end,
                            size_t n_vertices, size_t n_faces,
                            Mesh_builder &builder)
-    : n_vertices_(n_vertices), n_faces_(n_faces), builder_(builder) {
-  cut(begin, end);
-}
+    : n_vertices_(n_vertices), n_faces_(n_faces), builder_(builder),
+      blocks_(cut_text<Block>(
+          begin, end, [](const char *, const char *) { return true; })) {}
 
-void Plain_reader::cut(const char *begin, const char *end) {
-  blocks_.reserve(static_cast<size_t>(end - begin) / BLOCK + 1);
-  while (begin < end) {
-    const size_t size = std::min(BLOCK, static_cast<size_t>(end - begin));
-    const char *stop = std::find(begin + size, end, '\n');
-    Block block{begin, stop == end ? end : stop + 1, 0, 0, {}, {}};
-    begin = block.end;
-    blocks_.push_back(std::move(block));
-  }
-}
-
-/* Calls work for all blocks. */
-template <void (Plain_reader::*work)(Block &)> void Plain_reader::share() {
-  const auto part = [](void *context, uint32_t k, int) {
-    Plain_reader &reader = *static_cast<Plain_reader *>(context);
-    try {
-      if (reader.plain_)
-        (reader.*work)(reader.blocks_[k]);
-    } catch (const std::bad_alloc &) {
-      reader.out_of_memory_ = true;
-    }
-  };
-  hsr_share(builder_.threads(), static_cast<uint32_t>(blocks_.size()), part,
-            this);
-  if (out_of_memory_)
-    throw std::bad_alloc();
-}
-
-void Plain_reader::count(Block &block) {
+bool Plain_reader::count(Block &block) {
   const char *at = block.begin;
   for (; at < block.end; block.n_lines++) {
     const void *stop =
         std::memchr(at, '\n', static_cast<size_t>(block.end - at));
     at = stop ? static_cast<const char *>(stop) + 1 : block.end;
   }
+  return true;
 }
 
 /* Reads a face that no reader would refuse. */
@@ -129,11 +94,6 @@ bool Plain_reader::lines(Block &block) const {
   return true;
 }
 
-void Plain_reader::take(Block &block) {
-  if (!lines(block))
-    plain_ = false;
-}
-
 void Plain_reader::give() {
   for (const Block &block : blocks_) {
     const uint32_t *corners = block.corners.data();
@@ -145,7 +105,7 @@ void Plain_reader::give() {
 }
 
 bool Plain_reader::read() {
-  share<&Plain_reader::count>();
+  share_blocks(builder_.threads(), blocks_, count);
   size_t n_lines = 0;
   for (Block &block : blocks_) {
     block.first_line = n_lines;
@@ -154,8 +114,8 @@ bool Plain_reader::read() {
   if (n_lines != n_vertices_ + n_faces_)
     return false;
   xyz_ = builder_.vertices(n_vertices_);
-  share<&Plain_reader::take>();
-  if (!plain_)
+  if (!share_blocks(builder_.threads(), blocks_,
+                    [this](Block &block) { return lines(block); }))
     return false;
   builder_.took_vertices(n_vertices_);
   give();

@@ -6,25 +6,12 @@
 //             lines, points and groups are passed over. Of materials only the
 //             colours are read. Vertices may have a colour, "v x y z r g b", as
 //             many programs write it: 0..1, or 0..255 if any is above 1.
-#include "common/files/mesh/mesh_materials.h"
-#include "common/files/mesh/mesh_text.h"
+#include "common/files/mesh/mesh_obj.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace hsr {
 namespace {
-
-/* Statements that are passed over. CGAL knows some of them. */
-constexpr Word PASSED_OVER[] = {
-    "vt",        "vn",       "vp",     "p",      "l",      "curv",
-    "curv2",     "surf",     "cstype", "deg",    "bmat",   "step",
-    "parm",      "trim",     "hole",   "scrv",   "sp",     "end",
-    "con",       "g",        "s",      "mg",     "o",      "bevel",
-    "c_interp",  "d_interp", "lod",    "usemap", "maplib", "shadow_obj",
-    "trace_obj", "ctech",    "stech",  "call",   "csh",    "bsp",
-    "bzp",       "cdc",      "cdp",    "res"};
 
 class Obj_scan {
 public:
@@ -35,8 +22,6 @@ public:
 private:
   void statement();
   void vertex();
-  void end_colours();
-  void note();
   void face();
   size_t corner(Word word);
   void check_parts(Word word, Word parts) const;
@@ -46,7 +31,7 @@ private:
   Face_checker checker_;
   Mesh_extent extent_;
   Materials materials_;
-  size_t n_lines_ = 0, n_points_ = 0, n_free_ = 0; /* passed over */
+  Passed_over passed_over_;
   const Rgb *material_ = nullptr;  /* of the faces that follow */
   std::vector<double> vertex_rgb_; /* of the first vertices, as they stand */
   /* Faces may name vertices that follow them: the highest number, and where it
@@ -136,43 +121,10 @@ void Obj_scan::statement() {
     Lines::blank(name);
     lines_.blank_rest();
   } else {
-    if (std::find(std::begin(PASSED_OVER), std::end(PASSED_OVER), name) ==
-        std::end(PASSED_OVER))
+    if (!passed_over_.takes(name))
       lines_.refuse("'%s' is not a statement", shown_word(name).c_str());
-    n_lines_ += name == "l";
-    n_points_ += name == "p";
-    n_free_ += name == "surf" || name == "curv" || name == "curv2";
     Lines::blank(name);
     lines_.blank_rest();
-  }
-}
-
-void Obj_scan::note() {
-  const auto passed_over = [&](size_t n, const char *statement,
-                               const char *what) {
-    if (n)
-      extent_.notes.push_back(std::to_string(n) + " statement" +
-                              (n > 1 ? "s" : "") + " '" + statement +
-                              "' passed over: " + what + " are not read");
-  };
-  extent_.notes = materials_.notes();
-  passed_over(n_lines_, "l", "lines");
-  passed_over(n_points_, "p", "points");
-  passed_over(n_free_, "curv' or 'surf", "free-form curves and surfaces");
-}
-
-/* Colours of vertices are kept if all have one. */
-void Obj_scan::end_colours() {
-  if (vertex_rgb_.size() != 3 * extent_.n_vertices)
-    return;
-  const double most =
-      *std::max_element(vertex_rgb_.begin(), vertex_rgb_.end()) > 1 ? 255 : 1;
-  extent_.vertex_rgb.reserve(vertex_rgb_.size());
-  for (size_t k = 0; k < vertex_rgb_.size(); k += 3) {
-    const double encoded[3] = {vertex_rgb_[k] / most, vertex_rgb_[k + 1] / most,
-                               vertex_rgb_[k + 2] / most};
-    const Rgb rgb = rgb_of_file(encoded);
-    extent_.vertex_rgb.insert(extent_.vertex_rgb.end(), rgb.begin(), rgb.end());
   }
 }
 
@@ -188,9 +140,9 @@ Mesh_extent Obj_scan::scan() {
   if (highest_.vertex > static_cast<long long>(extent_.n_vertices))
     file_.refuse(highest_.line, "face %zu names vertex %lld of %zu",
                  highest_.face, highest_.vertex, extent_.n_vertices);
-  if (!vertex_rgb_.empty())
-    end_colours();
-  note();
+  extent_.vertex_rgb = obj_colours(vertex_rgb_, extent_.n_vertices);
+  extent_.notes = materials_.notes();
+  passed_over_.note(extent_.notes);
   return std::move(extent_);
 }
 

@@ -43,9 +43,6 @@ double Number_type::of_bytes(const void *bytes, bool big_endian) const {
 
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
 bool is_not_blank(char c) {
   return c != ' ';
 }
@@ -111,12 +108,6 @@ bool Lines::next_line() {
 
 namespace {
 
-const char *past_spaces(const char *at, const char *end) {
-  while (at < end && is_space(*at))
-    at++;
-  return at;
-}
-
 /* Takes a number, which ends at white space or with the file; NULL if there is
  * none. */
 template <class Number>
@@ -142,6 +133,18 @@ const char *past_plain_line(const char *at, const char *end, double *number,
   for (size_t k = 0; k < n; k++) {
     at = take_number(at, end, number[k]);
     if (!at || !std::isfinite(number[k]))
+      return nullptr;
+  }
+  return past_end_of_line(at, end);
+}
+
+const char *past_plain_numbers(const char *at, const char *end, double *number,
+                               size_t &n, size_t most) {
+  for (n = 0; (at = past_spaces(at, end)) < end && *at != '\n'; n++) {
+    if (n == most)
+      return nullptr;
+    at = take_number(at, end, number[n]);
+    if (!at || !std::isfinite(number[n]))
       return nullptr;
   }
   return past_end_of_line(at, end);

@@ -21,6 +21,18 @@ using Word = std::string_view;
 /* CGAL counts in int. */
 constexpr long long MOST_ELEMENTS = INT_MAX / 4;
 
+/* White space within a line. */
+inline bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/* The first byte from `at` that is no such space. */
+inline const char *past_spaces(const char *at, const char *end) {
+  while (at < end && is_space(*at))
+    at++;
+  return at;
+}
+
 bool read_integer(Word word, long long &number);
 
 /* Past a line that holds nothing but n numbers, each plain and finite, between
@@ -28,6 +40,9 @@ bool read_integer(Word word, long long &number);
  * file that are so. */
 const char *past_plain_line(const char *at, const char *end, double *number,
                             size_t n);
+/* The same of a line of n numbers, at most `most`. */
+const char *past_plain_numbers(const char *at, const char *end, double *number,
+                               size_t &n, size_t most);
 /* The same of a number n of at most `most`, and n numbers. */
 const char *past_plain_list(const char *at, const char *end, uint32_t *number,
                             size_t &n, size_t most);

@@ -2,9 +2,9 @@
 // Binary mesh files with very many triangles, which have readers of their own: the
 // same object as by another way, whatever the number of threads; and what is
 // wrong is refused in the same words.
-#include "common/files/mesh/exchange.h"
 #include "tests/tap.h"
 #include "tests/unit/files/folder.h"
+#include "tests/unit/files/read_mesh.h"
 
 #include <array>
 #include <cmath>
@@ -75,41 +75,6 @@ std::string stl(const Strip &strip) {
   }
   return text;
 }
-
-/* An object that is read; empty if it is refused. */
-struct Read {
-  std::vector<double> xyz;
-  std::vector<uint32_t> start, vertex;
-  uint64_t n_dropped = 0;
-  std::string error;
-
-  explicit Read(const std::string &path, int threads = 1, bool drop = false) {
-    struct hsr_scene *scene = hsr_scene_new("");
-    struct hsr_import import = {};
-    struct hsr_error err = {HSR_OK, ""};
-    import.threads = threads;
-    import.drop_degenerate = drop;
-    if (hsr_mesh_read(scene, path.c_str(), &import, &err)) {
-      error = err.text;
-    } else {
-      const struct hsr_object &o = scene->objects[0];
-      xyz.assign(o.xyz, o.xyz + 3 * size_t{o.n_vertices});
-      start.assign(o.start, o.start + o.n_faces + 1);
-      vertex.assign(o.vertex, o.vertex + o.start[o.n_faces]);
-      n_dropped = import.n_dropped;
-    }
-    hsr_scene_delete(scene);
-  }
-  bool operator==(const Read &other) const {
-    return xyz == other.xyz && start == other.start && vertex == other.vertex &&
-           n_dropped == other.n_dropped;
-  }
-  bool says(const char *text) const {
-    if (error.find(text) == std::string::npos)
-      std::printf("# %s\n", error.c_str());
-    return error.find(text) != std::string::npos;
-  }
-};
 
 bool is_strip(const Read &read, const Strip &strip) {
   bool same = read.xyz.size() == 3 * strip.place.size() &&
@@ -203,12 +168,15 @@ void try_polygons(tap *t) {
 }
 
 void try_stl(tap *t) {
-  const Strip strip(30000);
+  Strip strip(150000);
+  strip.place[70000] = {0, 0,
+                        0}; /* as the first corner, which is far from it */
+  strip.place[0] = {0, -0.0f, 0};
   std::map<Place, uint32_t> number;
   bool same = true;
   const Read read(file("strip.stl", stl(strip)));
   same = read.vertex.size() == 3 * strip.triangle.size() &&
-         read.xyz.size() == 3 * strip.place.size();
+         read.xyz.size() == 3 * (strip.place.size() - 1);
   for (size_t c = 0; c < read.vertex.size() && same; c++) {
     const Place &place = strip.place[strip.triangle[c / 3][c % 3]];
     const uint32_t next = uint32_t(number.size());
@@ -218,6 +186,17 @@ void try_stl(tap *t) {
       same &= read.xyz[3 * size_t{v} + k] == double{place[k]};
   }
   ok(t, same, "corners of an .stl are numbered as they are met");
+  same = true;
+  for (const int threads : {2, 3, 7, 16})
+    same &= read == Read(directory + "/strip.stl", threads);
+  ok(t, same, "by 2, 3, 7 and 16 threads, too");
+
+  /* Two places of the same part and tag (mesh_corners.cc). */
+  Strip alike(4);
+  alike.place[1] = {15278, 0, 0};
+  alike.place[3] = {179341, 0, 0};
+  ok(t, Read(file("alike.stl", stl(alike))).xyz.size() == 3 * 6,
+     "places whose hashes are alike are two vertices");
 
   Strip twice(3000);
   twice.triangle[2000][2] = twice.triangle[2000][0];
@@ -240,7 +219,7 @@ void try_stl(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(4 + 6 + 2 + 5);
+  struct tap t = plan(4 + 6 + 2 + 7);
   try_ply(&t);
   try_bad_ply(&t);
   try_polygons(&t);

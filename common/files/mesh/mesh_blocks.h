@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts that threads read together: cut into blocks at starts of lines.
+#ifndef HSR_COMMON_MESH_BLOCKS_H
+#define HSR_COMMON_MESH_BLOCKS_H
+
+#include "common/base/share.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace hsr {
+
+constexpr size_t TEXT_BLOCK = size_t{1} << 16; /* bytes, about */
+
+/* Blocks that have `begin` and `end`, from `begin` to `end` of a text. Each but the
+ * first begins with a line that may_start(line, end). */
+template <class Block, class May_start>
+std::vector<Block> cut_text(const char *begin, const char *end,
+                            const May_start &may_start) {
+  std::vector<Block> blocks;
+  const auto past_line = [end](const char *at) {
+    const char *stop = std::find(at, end, '\n');
+    return stop == end ? end : stop + 1;
+  };
+  blocks.reserve(static_cast<size_t>(end - begin) / TEXT_BLOCK + 1);
+  while (begin < end) {
+    const size_t size = std::min(TEXT_BLOCK, static_cast<size_t>(end - begin));
+    const char *stop = past_line(begin + size);
+    while (stop < end && !may_start(stop, end))
+      stop = past_line(stop);
+    Block block;
+    block.begin = begin;
+    block.end = begin = stop;
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+/* Calls work(block) for all blocks, on so many threads. Once it returns false,
+ * others are left out, and so is what is returned. std::bad_alloc. */
+template <class Block, class Work>
+bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
+  struct Shared {
+    std::vector<Block> &blocks;
+    const Work &work;
+    std::atomic<bool> good{true}, out_of_memory{false};
+  } shared{blocks, work};
+  const auto part = [](void *context, uint32_t k, int) {
+    Shared &all = *static_cast<Shared *>(context);
+    try {
+      if (all.good && !all.work(all.blocks[k]))
+        all.good = false;
+    } catch (const std::bad_alloc &) {
+      all.out_of_memory = true;
+    }
+  };
+  hsr_share(threads, static_cast<uint32_t>(blocks.size()), part, &shared);
+  if (shared.out_of_memory)
+    throw std::bad_alloc();
+  return shared.good;
+}
+
+} // namespace hsr
+
+#endif
