@@ -265,6 +265,27 @@ static inline void count_visit(const struct hsr_masks *p,
     touch(p, cell);
 }
 
+struct task;
+
+/* The steps that are written for every machine, for AVX2 (masks_avx2.h) and for
+ * AVX-512 (masks_avx512.h). */
+struct hsr_mask_twin {
+  uint64_t (*candidates)(const struct hsr_masks *p,
+                         const struct hsr_mask_polygon *polygon,
+                         const struct hsr_mask_cell *cell, const uint32_t *list,
+                         uint32_t n, int pattern, uint64_t *unsure);
+  bool (*compose)(const struct hsr_masks *p,
+                  const struct hsr_mask_polygon *polygon,
+                  const struct hsr_mask_cell *cell, const uint32_t *list,
+                  uint32_t n, struct hsr_mask_lines *active,
+                  struct hsr_triage *mask);
+  void (*tile_pixels)(const struct task *t, const struct hsr_mask_cell *cell,
+                      const struct hsr_mask_lines *active,
+                      struct hsr_triage *mask, uint64_t a);
+  bool (*shows_finest)(const struct task *t, const struct hsr_mask_cell *cell,
+                       const uint32_t *list, uint32_t n);
+};
+
 /* --- The finest level ----------------------------------------------------- */
 
 /* Which samples of a finest cell are surely inside a line, and which are surely
@@ -293,23 +314,30 @@ static int pattern_of(const struct hsr_masks *p,
 
 /* The samples of a finest cell that the polygon may cover, by the lines of the
  * list; *unsure are those of them that are not certain. */
-static uint64_t candidates(const struct hsr_masks *p,
-                           const struct hsr_mask_polygon *polygon,
-                           const struct hsr_mask_cell *cell,
-                           const uint32_t *list, uint32_t n, int pattern,
-                           uint64_t *unsure) {
+static inline __attribute__((always_inline)) uint64_t
+candidates(const struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
+           const struct hsr_mask_cell *cell, const uint32_t *list, uint32_t n,
+           int pattern, uint64_t *unsure, splitter by) {
   uint64_t mask = ALL;
   *unsure = 0;
   for (uint32_t k = 0; k < n && mask; k++) {
     const struct hsr_mask_line *line = &polygon->line[list[k]];
     uint64_t inside, outside;
     double f = line->a * cell->x + line->b * cell->y + line->c;
-    split(line, f, &p->places[pattern], &inside, &outside);
+    by(line, f, &p->places[pattern], &inside, &outside);
     mask &= ~outside;
     *unsure |= ~(inside | outside);
   }
   *unsure &= mask;
   return mask;
+}
+
+static uint64_t candidates_portable(const struct hsr_masks *p,
+                                    const struct hsr_mask_polygon *polygon,
+                                    const struct hsr_mask_cell *cell,
+                                    const uint32_t *list, uint32_t n,
+                                    int pattern, uint64_t *unsure) {
+  return candidates(p, polygon, cell, list, n, pattern, unsure, split);
 }
 
 /* The same by the tables: nothing is left unsure, and some samples are wrong.
@@ -331,7 +359,7 @@ static uint64_t tabled(const struct hsr_masks *p,
     if (where == INSIDE)
       continue;
     if (entry < 0)
-      return candidates(p, polygon, cell, list, n, pattern, unsure);
+      return p->twin->candidates(p, polygon, cell, list, n, pattern, unsure);
     uint64_t samples = p->sample_tables[pattern][entry];
     mask &= inside ? samples : ~samples;
   }
@@ -364,7 +392,7 @@ static uint64_t covered_samples(struct hsr_masks *p,
                                 uint64_t asked) {
   uint64_t unsure;
   int pattern = pattern_of(p, cell);
-  uint64_t mask = asked & (p->sample_tables ? tabled : candidates)(
+  uint64_t mask = asked & (p->sample_tables ? tabled : p->twin->candidates)(
                               p, polygon, cell, list, n, pattern, &unsure);
   uint64_t ask = mask & (polygon->covers ? ALL : unsure);
   for (; ask; ask &= ask - 1) {
@@ -388,21 +416,6 @@ struct task {
   const struct hsr_mask_sink *sink;       /* who is told what is tiled, */
   const struct hsr_mask_visitor *visitor; /* or who decides for himself */
   bool at_once; /* subcells of the finest level are tiled together */
-};
-
-/* The steps that are written for every machine, for AVX2 (masks_avx2.h) and for
- * AVX-512 (masks_avx512.h). */
-struct hsr_mask_twin {
-  bool (*compose)(const struct hsr_masks *p,
-                  const struct hsr_mask_polygon *polygon,
-                  const struct hsr_mask_cell *cell, const uint32_t *list,
-                  uint32_t n, struct hsr_mask_lines *active,
-                  struct hsr_triage *mask);
-  void (*tile_pixels)(const struct task *t, const struct hsr_mask_cell *cell,
-                      const struct hsr_mask_lines *active,
-                      struct hsr_triage *mask, uint64_t a);
-  bool (*shows_finest)(const struct task *t, const struct hsr_mask_cell *cell,
-                       const uint32_t *list, uint32_t n);
 };
 
 /* The masks of a cell above the finest level. */
@@ -521,8 +534,8 @@ static bool shows_finest_portable(const struct task *t,
   return shows_finest(t, cell, list, n, split);
 }
 
-static const struct hsr_mask_twin portable = {compose, tile_pixels_portable,
-                                              shows_finest_portable};
+static const struct hsr_mask_twin portable = {
+    candidates_portable, compose, tile_pixels_portable, shows_finest_portable};
 
 #ifdef HAVE_TWINS
 #include "algorithms/image_space/area/tiling/masks/masks_avx2.h"
@@ -784,9 +797,9 @@ static bool count_finest(const struct task *t, const struct hsr_mask_cell *cell,
                          const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   uint64_t unsure;
-  uint64_t open =
-      ~p->finest[cell->number] &
-      candidates(p, t->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+  uint64_t open = ~p->finest[cell->number] &
+                  p->twin->candidates(p, t->polygon, cell, list, n,
+                                      pattern_of(p, cell), &unsure);
   p->counts->left[cell->level][cell->number] = (uint32_t)hsr_count_bits(open);
   count_visit(p, cell, open);
   return false;
@@ -842,8 +855,8 @@ static bool visit_finest(const struct task *t, const struct hsr_mask_cell *cell,
   if (mask && t->polygon->inside)
     mask = covered_samples(p, t->polygon, cell, list, n, mask);
   else if (mask)
-    mask &=
-        candidates(p, t->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+    mask &= p->twin->candidates(p, t->polygon, cell, list, n,
+                                pattern_of(p, cell), &unsure);
   if (mask)
     visitor->samples(visitor->context, cell, mask);
   return false;
