@@ -269,26 +269,18 @@ template <class Real> void Numbering<Real>::number_first(uint32_t range, int) {
   });
 }
 
-/* A corner may name one that names another, which has a number. The first
- * triangle that has a number twice. */
+/* A corner names a first one, or one of its range before it. The first triangle
+ * that has a number twice. */
 template <class Real>
 uint32_t Numbering<Real>::number_later(void *context, uint32_t from,
                                        uint32_t to) {
   uint32_t *const vertex = static_cast<Numbering *>(context)->vertex_;
   uint32_t first = to;
   for (uint32_t f = from; f < to; f++) {
-    uint32_t number[3];
-    for (size_t k = 0; k < 3; k++) {
-      uint32_t *const place = vertex + 3 * size_t{f} + k;
-      number[k] = *place;
-      if (!(number[k] & LATER))
-        continue;
-      /* Another thread may just write one that is named. */
-      while (number[k] & LATER)
-        number[k] =
-            __atomic_load_n(vertex + (number[k] & ~LATER), __ATOMIC_RELAXED);
-      __atomic_store_n(place, number[k], __ATOMIC_RELAXED);
-    }
+    uint32_t *const number = vertex + 3 * size_t{f};
+    for (size_t k = 0; k < 3; k++)
+      if (number[k] & LATER)
+        number[k] = vertex[number[k] & ~LATER];
     if (first == to && (number[0] == number[1] || number[1] == number[2] ||
                         number[2] == number[0]))
       first = f;

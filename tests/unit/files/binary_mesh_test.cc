@@ -6,6 +6,7 @@
 #include "tests/unit/files/folder.h"
 #include "tests/unit/files/read_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -167,16 +168,12 @@ void try_polygons(tap *t) {
      "a face of no corners after a quadrilateral");
 }
 
-void try_stl(tap *t) {
-  Strip strip(150000);
-  strip.place[70000] = {0, 0,
-                        0}; /* as the first corner, which is far from it */
-  strip.place[0] = {0, -0.0f, 0};
+/* Corners are numbered as they are met, whatever the number of threads. */
+bool numbers_corners(const Strip &strip) {
   std::map<Place, uint32_t> number;
-  bool same = true;
   const Read read(file("strip.stl", stl(strip)));
-  same = read.vertex.size() == 3 * strip.triangle.size() &&
-         read.xyz.size() == 3 * (strip.place.size() - 1);
+  bool same = read.vertex.size() == 3 * strip.triangle.size() &&
+              read.xyz.size() == 3 * (strip.place.size() - 1);
   for (size_t c = 0; c < read.vertex.size() && same; c++) {
     const Place &place = strip.place[strip.triangle[c / 3][c % 3]];
     const uint32_t next = uint32_t(number.size());
@@ -185,12 +182,21 @@ void try_stl(tap *t) {
     for (size_t k = 0; k < 3; k++)
       same &= read.xyz[3 * size_t{v} + k] == double{place[k]};
   }
-  ok(t, same, "corners of an .stl are numbered as they are met");
-  same = true;
   for (const int threads : {2, 3, 7, 16})
     same &= read == Read(directory + "/strip.stl", threads);
-  ok(t, same, "by 2, 3, 7 and 16 threads, too");
+  return same;
+}
 
+void try_corners(tap *t) {
+  Strip strip(150000);
+  strip.place[0] = {0, -0.0f, 0};
+  strip.place[70000] = {0, 0, 0}; /* is at the same place */
+  ok(t, numbers_corners(strip), "corners of an .stl that are far from others");
+  std::sort(strip.triangle.begin(), strip.triangle.end());
+  ok(t, numbers_corners(strip), "and that are near them");
+}
+
+void try_stl(tap *t) {
   /* Two places of the same part and tag (mesh_corners.cc). */
   Strip alike(4);
   alike.place[1] = {15278, 0, 0};
@@ -203,6 +209,10 @@ void try_stl(tap *t) {
   const std::string path = file("twice.stl", stl(twice));
   ok(t, Read(path).says("face 2000 has the same vertex twice"),
      "a facet with a corner twice is refused");
+  Strip ends(30);
+  ends.triangle[20][2] = ends.triangle[20][1];
+  ok(t, Read(file("ends.stl", stl(ends))).says("face 20 has the same vertex"),
+     "whichever corners they are");
   const Read left(path, 1, true);
   ok(t, left.n_dropped == 1 && left.vertex.size() == 3 * 2999, "or is dropped");
   twice.place.push_back({0, NAN, 0});
@@ -219,10 +229,11 @@ void try_stl(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(4 + 6 + 2 + 7);
+  struct tap t = plan(4 + 6 + 2 + 8);
   try_ply(&t);
   try_bad_ply(&t);
   try_polygons(&t);
+  try_corners(&t);
   try_stl(&t);
   return finish(&t) | !remove_directory();
 }

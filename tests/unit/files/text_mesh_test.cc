@@ -34,7 +34,8 @@ bool all_say(const std::string &path, const std::string &says) {
 /* ---- .obj ---- */
 
 constexpr int N = 6000; /* vertices; the text is some ten blocks */
-constexpr char PLAIN[] = "g a b\n", OTHER[] = "g a \\\nb\n"; /* at the end */
+constexpr char PLAIN[] = "g a b\n",
+               OTHER[] = "g a \\\nf 1 2 3\n"; /* at the end */
 
 std::string place(int v) {
   char text[100];
@@ -51,6 +52,8 @@ std::string corner(int v, int kind = 0) {
 std::string obj_faces(int v) {
   if (v < 4 || v == N / 2 + 1)
     return "";
+  if (v == 5)
+    return "f -1 -2 -3\nf 1 2 3\n";
   return "f" + corner(-1, v) + corner(-3) + corner(v - 1, v + 1) + "\n  f" +
          corner(v) + corner(N + 1 - v, 2) + corner(v - 1, 3) +
          (v % 7 == 3 ? corner(v - 2) : "") + " \n";
@@ -99,6 +102,16 @@ void try_obj(tap *t) {
      "one vertex with a colour");
 }
 
+/* Vertices in several blocks, and then a face that counts back. */
+void try_counting_back(tap *t) {
+  std::string text;
+  for (int v = 1; v <= N; v++)
+    text += "v " + place(v) + "\n";
+  text += "f -1 -2 -3\n";
+  ok(t, by_all(file("back.obj", text), Read(file("other.obj", text + OTHER))),
+     "a face of the last vertices");
+}
+
 /* The text with `line` put at the start of the line that holds byte `at`. */
 std::string with(std::string text, size_t at, const char *line) {
   return text.insert(text.rfind('\n', at) + 1, line);
@@ -128,7 +141,8 @@ void try_bad_obj(tap *t) {
     const std::string both = with(with(text, late, "f 1\n"), early, line);
     ok(t,
        all_say(file("bad.obj", both), line_of(text, early)) &&
-           all_say(directory + "/bad.obj", says),
+           all_say(directory + "/bad.obj", says) &&
+           all_say(file("one.obj", with(text, early, line)), says),
        "the first bad line of an .obj: %.*s", int(std::strlen(line) - 1), line);
   }
   ok(t,
@@ -184,6 +198,18 @@ void try_bad_stl(tap *t) {
   const std::string text = stl(true);
   const size_t at = text.find("  facet", text.size() / 3);
   const size_t late = text.find("  facet", text.size() - 9000);
+  const std::string number = text.substr(0, at) +
+                             "facet normal 0 0 1 outer loop"
+                             " vertex 1 2 3x vertex 2 3 4 vertex 3 4 5 endloop "
+                             "endfacet\n" +
+                             text.substr(at);
+  ok(t, all_say(file("number.stl", number), "'3x' is not a finite number"),
+     "one number that is none");
+  std::string normal = number;
+  normal.replace(normal.find("0 0 1 outer"), 5, "0 x 1");
+  normal.replace(normal.find("3x"), 2, "3 ");
+  ok(t, all_say(file("normal.stl", normal), "'x' is not a number"),
+     "a normal that is none");
   for (const auto &[line, says] :
        {std::pair{"facet normal 0 0 1 outer loop vertex 1 2 inf\n",
                   "is not a finite number"},
@@ -224,8 +250,9 @@ void try_bad_stl(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(7 + 13 + 2 + 9);
+  struct tap t = plan(7 + 1 + 13 + 2 + 11);
   try_obj(&t);
+  try_counting_back(&t);
   try_bad_obj(&t);
   try_stl(&t);
   try_bad_stl(&t);
