@@ -4,7 +4,6 @@
 #include "common/exact/predicates.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <type_traits>
 
@@ -12,7 +11,6 @@ namespace {
 
 using namespace hsr;
 
-const double U = DBL_EPSILON / 2;
 const double TINY = 0x1p-960;
 
 double largest_normal(const hsr_world &w, uint32_t f) {
@@ -186,6 +184,15 @@ const Homogeneous<Exact> &Convex_pieces::exact_corner(const Convex &piece,
 
 // --- On which side ----------------------------------------------------------
 
+hsr_rounded_plane Convex_pieces::rounded(uint32_t plane) const {
+  const hsr_mesh &mesh = whole_.mesh;
+  const uint32_t g = face_of_[plane];
+  return {{mesh.nx[g], mesh.ny[g], mesh.nz[g]},
+          {mesh.px[g], mesh.py[g], mesh.pz[g]},
+          mesh.n_error[g],
+          mesh.anchor_error[g]};
+}
+
 // The height of a corner over a plane, and a bound of its error: that of
 // order.c, and the corner's own. Over a plane across an axis the sign is exact
 // but for the corner's own error.
@@ -196,17 +203,9 @@ double Convex_pieces::height(uint32_t plane, const Corner &corner,
     error = corner.error;
     return level.front * (corner.at[level.axis] - level.at);
   }
-  const uint32_t g = face_of_[plane];
-  const double n[3] = {whole_.mesh.nx[g], whole_.mesh.ny[g], whole_.mesh.nz[g]};
-  const double r[3] = {corner.at[0] - whole_.mesh.px[g],
-                       corner.at[1] - whole_.mesh.py[g],
-                       corner.at[2] - whole_.mesh.pz[g]};
-  const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
-  const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
-  error = 2 * (whole_.mesh.n_error[g] * r1 + whole_.mesh.anchor_error[g] * n1) +
-          16 * U * n1 * r1 + TINY +
-          2 * (n1 + 3 * whole_.mesh.n_error[g]) * corner.error;
-  return n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+  const hsr_rounded_plane over = rounded(plane);
+  return hsr_height_over(&over, corner.at[0], corner.at[1], corner.at[2],
+                         corner.error, &error);
 }
 
 // Whether a side is known to lie in a plane.
@@ -279,7 +278,69 @@ unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
     const int s = side(piece, k, plane, sure);
     where |= s > 0 ? FRONT : s < 0 ? BEHIND : 0u;
   }
-  return sure || where == (FRONT | BEHIND) ? where : where | UNSURE;
+  return sure || where == BOTH ? where : where | UNSURE;
+}
+
+// --- Of many pieces ---------------------------------------------------------
+
+void Convex_pieces::clear(Columns &columns) const {
+  for (std::vector<double> *column :
+       {&columns.at[0], &columns.at[1], &columns.at[2], &columns.error})
+    column->clear();
+  columns.vertex.clear();
+  columns.first.assign(1, 0);
+  columns.plane.clear();
+  columns.is_flat.clear();
+}
+
+void Convex_pieces::add(const Convex &piece, Columns &columns) const {
+  for (size_t k = 0; k < piece.corners.size(); k++) {
+    const Corner &corner = piece.corners[k];
+    for (size_t c = 0; c < 3; c++)
+      columns.at[c].push_back(corner.at[c]);
+    columns.error.push_back(corner.error);
+    columns.vertex.push_back(Meeting(piece, k).is_vertex()
+                                 ? int64_t(corner.a)
+                                 : HSR_NO_CORNER_VERTEX);
+  }
+  columns.first.push_back(columns.error.size());
+  columns.plane.push_back(piece.plane);
+  columns.is_flat.push_back(is_flat(piece));
+}
+
+void Convex_pieces::look(Columns &columns, uint32_t plane) const {
+  const size_t n = columns.error.size();
+  const Level &level = level_[plane];
+  columns.known.resize(n);
+  if (level.front) {
+    hsr_look_at_levels(level.at, level.front, columns.at[level.axis].data(),
+                       columns.error.data(), n, columns.known.data());
+    return;
+  }
+  const uint32_t g = face_of_[plane];
+  const uint32_t *vertex = whole_.mesh.vertex + whole_.mesh.start[g];
+  const hsr_rounded_plane over = rounded(plane);
+  const hsr_corner_columns corners = {
+      columns.at[0].data(), columns.at[1].data(),  columns.at[2].data(),
+      columns.error.data(), columns.vertex.data(), n};
+  int64_t on[3];
+  for (size_t k = 0; k < 3; k++)
+    on[k] = whole_.mesh.deviation[g] == 0 ? vertex[k] : UINT32_MAX;
+  hsr_look_at_heights(&over, on, &corners, columns.known.data());
+}
+
+unsigned Convex_pieces::closely_about(const Convex &piece,
+                                      const Columns &columns, size_t k,
+                                      uint32_t plane) const {
+  if (!is_flat(piece))
+    return about(piece, plane);
+  unsigned where = 0;
+  for (size_t c = 0; c < piece.corners.size(); c++) {
+    const int64_t known = columns.known[columns.first[k] + c];
+    const int s = known == HSR_IS_CLOSE ? exact_side(piece, c, plane) : 0;
+    where |= s > 0 ? FRONT : s < 0 ? BEHIND : unsigned(known) & BOTH;
+  }
+  return where;
 }
 
 // --- Division ---------------------------------------------------------------

@@ -22,6 +22,7 @@
 #define HSR_COMMON_CONVEX_H
 
 #include "common/adapt/division.h"
+#include "common/adapt/heights.h"
 #include "common/exact/exact_plane.h"
 
 #include <memory>
@@ -57,7 +58,7 @@ struct Convex {
 
 // Where a piece lies about a plane: it has points strictly in front of it, or
 // strictly behind it. UNSURE: the piece is not flat, and the side is uncertain.
-enum : unsigned { FRONT = 1, BEHIND = 2, UNSURE = 4 };
+enum : unsigned { FRONT = 1, BEHIND = 2, BOTH = FRONT | BEHIND, UNSURE = 4 };
 
 // A plane across an axis: x, y or z = at, and the side that is its front.
 struct Level {
@@ -92,6 +93,32 @@ public:
   bool may_cross(const Piece &piece, uint32_t g) const;
 
   unsigned about(const Convex &piece, uint32_t plane) const;
+
+  // The same of many pieces. Columns hold them, piece k from first[k] on. look()
+  // finds what is known by doubles of each corner, and about() what follows for
+  // piece k of the columns, which is `piece`.
+  struct Columns {
+    std::vector<double> at[3], error;
+    std::vector<int64_t> vertex, known;
+    std::vector<size_t> first;
+    std::vector<uint32_t> plane;
+    std::vector<bool> is_flat;
+  };
+  void clear(Columns &columns) const;
+  void add(const Convex &piece, Columns &columns) const;
+  void look(Columns &columns, uint32_t plane) const;
+  unsigned about(const Convex &piece, const Columns &columns, size_t k,
+                 uint32_t plane) const {
+    if (columns.plane[k] == plane)
+      return 0;
+    int64_t known = 0;
+    for (size_t c = columns.first[k]; c < columns.first[k + 1]; c++)
+      known |= columns.known[c];
+    const unsigned where = unsigned(known) & BOTH;
+    return columns.is_flat[k] && (where == BOTH || !(known & HSR_IS_CLOSE))
+               ? where
+               : closely_about(piece, columns, k, plane);
+  }
 
   // The part of a piece on one side of a plane. The piece has points on both
   // sides.
@@ -133,6 +160,9 @@ private:
   template <class T>
   Homogeneous<T> corner_of(const Convex &piece, size_t k) const;
   bool make(const Piece &given, Convex &piece) const;
+  hsr_rounded_plane rounded(uint32_t plane) const;
+  unsigned closely_about(const Convex &piece, const Columns &columns, size_t k,
+                         uint32_t plane) const;
   double height(uint32_t plane, const Corner &corner, double &error) const;
   int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
   bool is_within(const Corner &side, uint32_t plane) const;

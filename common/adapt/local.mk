@@ -8,4 +8,6 @@ libhsr_a_SOURCES += \
   %D%/convex.cc \
   %D%/convex.h \
   %D%/division.h \
+  %D%/heights.c \
+  %D%/heights.h \
   %D%/surfaces.cc

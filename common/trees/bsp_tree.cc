@@ -49,28 +49,34 @@ static size_t step_of(size_t n, size_t wanted) {
   return std::max<size_t>(1, n / wanted);
 }
 
-// The price of dividing a group by a plane, judged by some of its pieces.
-size_t Tree_maker::price_of(const Group &group, uint32_t plane) const {
+// The price of dividing a group by a plane, judged by some of its pieces; or, if
+// that is more, `enough` at least.
+size_t Tree_maker::price_of(const Group &group, uint32_t plane, size_t enough) {
   const size_t step = step_of(group.size(), WEIGHED_PIECES);
-  size_t n[4] = {0};
-  for (size_t k = 0; k < group.size(); k += step) {
-    const unsigned where = shapes_.about(pieces_[group[k]], plane);
+  size_t n[4] = {0}, price = 0;
+  shapes_.look(tried_, plane);
+  for (size_t k = 0, at = 0; k < group.size() && price < enough;
+       k += step, at++) {
+    const unsigned where = shapes_.about(pieces_[group[k]], tried_, at, plane);
     n[where & UNSURE ? BOTH : where]++;
+    price = PRICE_OF_CUT * n[BOTH] + std::max(n[FRONT], n[BEHIND]);
   }
-  return PRICE_OF_CUT * n[BOTH] + std::max(n[FRONT], n[BEHIND]);
+  return price;
 }
 
-uint32_t Tree_maker::choose_plane(const Group &group,
-                                  uint64_t &questions) const {
+uint32_t Tree_maker::choose_plane(const Group &group, uint64_t &questions) {
   const size_t n = group.size(), step = step_of(n, TRIED_PLANES);
   uint32_t best = pieces_[group[0]].plane;
   if (n == 1)
     return best;
   const size_t weighed = step_of(n, WEIGHED_PIECES);
+  shapes_.clear(tried_);
+  for (size_t k = 0; k < n; k += weighed)
+    shapes_.add(pieces_[group[k]], tried_);
   size_t least = SIZE_MAX;
   for (size_t k = step / 2; k < n; k += step) {
     const uint32_t plane = pieces_[group[k]].plane;
-    const size_t price = price_of(group, plane);
+    const size_t price = price_of(group, plane, least);
     questions += (n + weighed - 1) / weighed;
     if (price < least) {
       least = price;
@@ -83,18 +89,22 @@ uint32_t Tree_maker::choose_plane(const Group &group,
 // --- Dividing a group -------------------------------------------------------
 
 // On which side of the plane each piece lies.
-std::vector<unsigned char> Tree_maker::sides(const Group &group,
-                                             uint32_t plane) const {
+void Tree_maker::find_sides(const Group &group, uint32_t plane) {
   const uint32_t n = size_of(group.size());
-  std::vector<unsigned char> where(n);
+  const bool all_tried = n > 1 && step_of(n, WEIGHED_PIECES) == 1;
+  where_.resize(n);
+  if (all_tried)
+    shapes_.look(tried_, plane);
   const auto look = [&](uint32_t part, int) {
     const hsr_range range = hsr_range_of(n, RANGE, part);
-    for (uint32_t k = range.from; k < range.to; k++)
-      where[k] =
-          static_cast<unsigned char>(shapes_.about(pieces_[group[k]], plane));
+    for (uint32_t k = range.from; k < range.to; k++) {
+      const Convex &piece = pieces_[group[k]];
+      where_[k] = static_cast<unsigned char>(
+          all_tried ? shapes_.about(piece, tried_, k, plane)
+                    : shapes_.about(piece, plane));
+    }
   };
   share(threads_, hsr_n_ranges(n, RANGE), look);
-  return where;
 }
 
 void Tree_maker::cut(uint32_t piece, uint32_t plane, Part_counts &counts,
@@ -116,16 +126,16 @@ void Tree_maker::split(const Group &group, Part_counts &counts, Bsp_part &part,
   const uint32_t plane = choose_plane(group, questions);
   const uint32_t first = size_of(part.pieces.size());
   budget_.spend(questions, 0);
-  const std::vector<unsigned char> where = sides(group, plane);
+  find_sides(group, plane);
   for (size_t k = 0; k < group.size(); k++) {
     const uint32_t p = group[k];
     if (pieces_[p].plane == plane) {
       place(pieces_[p], part);
       pieces_[p] = {};
-    } else if (where[k] == BOTH || where[k] & UNSURE)
+    } else if (where_[k] == BOTH || where_[k] & UNSURE)
       cut(p, plane, counts, front, behind);
     else
-      (where[k] == BEHIND ? behind : front).push_back(p);
+      (where_[k] == BEHIND ? behind : front).push_back(p);
   }
   part.nodes.push_back({plane, HSR_NO_BSP, HSR_NO_BSP, first,
                         size_of(part.pieces.size()) - first});

@@ -22,8 +22,6 @@
 
 namespace hsr {
 
-const unsigned BOTH = FRONT | BEHIND;
-
 // The most parts of a face that is not flat. Its parts keep all its corners, so
 // more planes would cut each of them.
 const uint32_t MOST_PARTS = 32;
@@ -141,9 +139,12 @@ private:
   const int threads_;
   std::vector<Convex> &pieces_;
 
-  size_t price_of(const Group &group, uint32_t plane) const;
-  uint32_t choose_plane(const Group &group, uint64_t &questions) const;
-  std::vector<unsigned char> sides(const Group &group, uint32_t plane) const;
+  // The pieces of a group with which planes are tried.
+  Convex_pieces::Columns tried_;
+  size_t price_of(const Group &group, uint32_t plane, size_t enough);
+  uint32_t choose_plane(const Group &group, uint64_t &questions);
+  std::vector<unsigned char> where_; // a piece of a group
+  void find_sides(const Group &group, uint32_t plane);
   void cut(uint32_t piece, uint32_t plane, Part_counts &counts, Group &front,
            Group &behind);
   void place(const Convex &piece, Bsp_part &part) const;
