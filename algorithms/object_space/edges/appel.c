@@ -53,10 +53,11 @@ static enum hsr_crossing pierce_triangle(const struct hsr_network *network,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Puts e to contour edge c. */
+/* Puts e to contour edge c, which may be known to be apart. */
 static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
-                                 uint32_t c) {
-  enum hsr_crossing found = pierce_triangle(network, e, c);
+                                 uint32_t c, bool apart) {
+  enum hsr_crossing found =
+      apart ? HSR_BOXES_APART : pierce_triangle(network, e, c);
   HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
            hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
   return found == HSR_CROSSES_NEARER
@@ -64,16 +65,27 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
              : HSR_OK;
 }
 
+/* Puts e to the contour edges near it, whose boxes are sorted. */
+static enum hsr_status cross_sorted(struct hsr_network *network, uint32_t e) {
+  uint32_t n = hsr_network_find_near(network, e);
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, network->boxes.near[k], false))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
 /* Puts e to all contour edges; or, if their boxes are sorted, to those near it.
  */
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
-  uint32_t n = sorted ? hsr_network_find_near(network, e) : network->n_contour;
-  const uint32_t *edges = sorted ? network->boxes.near : network->contour;
-  for (uint32_t k = 0; k < n; k++)
-    if (cross_one(network, e, edges[k]))
+  struct hsr_near_boxes *all = &network->contours;
+  if (network->job->option[BOXES] == HSR_BY_CORNER)
+    return cross_sorted(network, e);
+  hsr_near_boxes_find(all, &network->box[e]);
+  for (uint32_t k = hsr_near_boxes_next(all, 0); k < all->n;
+       k = hsr_near_boxes_next(all, k + 1))
+    if (cross_one(network, e, network->contour[k], !all->near[k]))
       return HSR_E_NOMEM;
   return HSR_OK;
 }

@@ -112,7 +112,11 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
   }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
-  return HSR_OK;
+  if (hsr_near_boxes_make(&network->faces, network->face_box,
+                          network->sight.faces, network->sight.n_faces, arena))
+    return HSR_E_NOMEM;
+  return hsr_near_boxes_make(&network->contours, network->box, network->contour,
+                             network->n_contour, arena);
 }
 
 /* --- Events --------------------------------------------------------------- */
@@ -403,6 +407,13 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
   return hiding;
 }
 
+void hsr_network_find_faces(struct hsr_network *network, uint32_t p) {
+  double x = network->sight.sx[p], y = network->sight.sy[p];
+  struct hsr_image_box box = {x - HSR_DELTA, y - HSR_DELTA, x + HSR_DELTA,
+                              y + HSR_DELTA};
+  hsr_near_boxes_find(&network->faces, &box);
+}
+
 bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
                        uint32_t p) {
   const struct hsr_sight *sight = &network->sight;
@@ -488,9 +499,13 @@ static enum hsr_status search_faces(void *context, struct hsr_network *network,
                                     uint32_t p) {
   (void)context;
   const struct hsr_sight *sight = &network->sight;
+  const struct hsr_near_boxes *faces = &network->faces;
   int64_t hiding = 0;
-  for (uint32_t k = 0; k < sight->n_faces; k++) {
-    bool hides = hsr_network_hides(network, sight->faces[k], p);
+  hsr_network_find_faces(network, p);
+  for (uint32_t k = hsr_near_boxes_next(faces, 0); k < faces->n;
+       k = hsr_near_boxes_next(faces, k + 1)) {
+    bool hides =
+        faces->near[k] && hsr_network_hides(network, sight->faces[k], p);
     HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
              HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
     hiding += hides;

@@ -31,7 +31,7 @@
 #ifndef HSR_ALGORITHMS_EDGE_INTERSECTION_H
 #define HSR_ALGORITHMS_EDGE_INTERSECTION_H
 
-#include "algorithms/object_space/corner_boxes.h"
+#include "algorithms/object_space/edges/near_boxes.h"
 #include "common/lines/sight/sight.h"
 
 #ifdef __cplusplus
@@ -56,6 +56,8 @@ struct hsr_network {
   struct hsr_image_box *box;      /* by edge */
   struct hsr_corner_boxes boxes;  /* of edges; if they are sorted */
   struct hsr_image_box *face_box; /* by face, of the regular ones */
+  struct hsr_near_boxes faces;    /* of sight.faces */
+  struct hsr_near_boxes contours; /* of contour[] */
   struct hsr_edge_part *part;     /* by edge */
   bool *drawn;                    /* by edge: it is done */
 
@@ -105,6 +107,7 @@ struct hsr_intersector {
 #define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
 #define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
 #define hsr_network_interval HSR_OF_BUILD(hsr_network_interval)
+#define hsr_network_find_faces HSR_OF_BUILD(hsr_network_find_faces)
 #define hsr_network_hides HSR_OF_BUILD(hsr_network_hides)
 #define hsr_network_wait HSR_OF_BUILD(hsr_network_wait)
 #define hsr_network_promote HSR_OF_BUILD(hsr_network_promote)
@@ -144,6 +147,9 @@ void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
                                      uint32_t invisibility);
+
+/* Finds which of network->faces are near point p. */
+void hsr_network_find_faces(struct hsr_network *network, uint32_t p);
 
 /* Does regular face f hide point p, displaced? Never, if it has a corner there.
  */

@@ -52,6 +52,7 @@ struct member {
 
 struct state {
   uint32_t *with_faces, n_with_faces; /* edges of regular faces */
+  struct hsr_near_boxes all;          /* of these, if they are not sorted */
 
   struct member *member;        /* by face */
   uint32_t *touched, n_touched; /* faces whose member[] is not all zero */
@@ -112,9 +113,13 @@ static enum hsr_status search(void *context, struct hsr_network *network,
                               uint32_t p) {
   struct state *s = context;
   const struct hsr_sight *sight = &network->sight;
+  const struct hsr_near_boxes *faces = &network->faces;
   s->n_nature = 0;
-  for (uint32_t k = 0; k < sight->n_faces; k++) {
-    bool hides = hsr_network_hides(network, sight->faces[k], p);
+  hsr_network_find_faces(network, p);
+  for (uint32_t k = hsr_near_boxes_next(faces, 0); k < faces->n;
+       k = hsr_near_boxes_next(faces, k + 1)) {
+    bool hides =
+        faces->near[k] && hsr_network_hides(network, sight->faces[k], p);
     HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
              HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
     if (hides)
@@ -171,22 +176,36 @@ static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Finds the crossings with all nearer edges: among all; or, if their boxes are
- * sorted, among those near it. */
-static enum hsr_status cross(const struct state *s, struct hsr_network *network,
+/* Puts e to edge c, which may be known to be apart. */
+static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
+                                 uint32_t c, bool apart) {
+  enum hsr_crossing found = apart ? HSR_BOXES_APART : compare(network, e, c);
+  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+  return found == HSR_CROSSES_NEARER ? hsr_network_cross(network, e, c, 1)
+                                     : HSR_OK;
+}
+
+/* Puts e to the edges near it, whose boxes are sorted. */
+static enum hsr_status cross_sorted(struct hsr_network *network, uint32_t e) {
+  uint32_t n = hsr_network_find_near(network, e);
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, network->boxes.near[k], false))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
+/* Finds the crossings with all nearer edges. */
+static enum hsr_status cross(struct state *s, struct hsr_network *network,
                              uint32_t e) {
   HSR_COMPUTED(network->tally, OF_CONTOUR, network->n_contour);
-  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
-  uint32_t n = sorted ? hsr_network_find_near(network, e) : s->n_with_faces;
-  const uint32_t *edges = sorted ? network->boxes.near : s->with_faces;
-  for (uint32_t k = 0; k < n; k++) {
-    uint32_t c = edges[k];
-    enum hsr_crossing found = compare(network, e, c);
-    HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
-             hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
-    if (found == HSR_CROSSES_NEARER && hsr_network_cross(network, e, c, 1))
+  if (network->job->option[BOXES] == HSR_BY_CORNER)
+    return cross_sorted(network, e);
+  hsr_near_boxes_find(&s->all, &network->box[e]);
+  for (uint32_t k = hsr_near_boxes_next(&s->all, 0); k < s->all.n;
+       k = hsr_near_boxes_next(&s->all, k + 1))
+    if (cross_one(network, e, s->with_faces[k], !s->all.near[k]))
       return HSR_E_NOMEM;
-  }
   return HSR_OK;
 }
 
@@ -327,8 +346,11 @@ static enum hsr_status draw(const struct hsr_job *job,
   if (!s.with_faces || !s.member || !s.touched || !s.nature || !s.from)
     return HSR_E_NOMEM;
   collect_edges(&s, network);
-  if (job->option[BOXES] == HSR_BY_CORNER &&
-      hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces, BOX_SORT))
+  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
+  if (sorted ? hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces,
+                                      BOX_SORT)
+             : hsr_near_boxes_make(&s.all, network->box, s.with_faces,
+                                   s.n_with_faces, arena))
     return HSR_E_NOMEM;
   return hsr_network_promote(network, &(struct hsr_promotion){.search = search,
                                                               .resume = resume,

@@ -5,4 +5,6 @@ algorithm_files += \
   %D%/edge_intersection.h \
   %D%/galimberti.c \
   %D%/loutrel.c \
+  %D%/near_boxes.c \
+  %D%/near_boxes.h \
   %D%/warnock_edges.c

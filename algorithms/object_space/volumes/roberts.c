@@ -130,6 +130,7 @@ struct frame {
   struct hsr_growing events;         /* of a face apart */
 
   struct hsr_box_rows body_box; /* of a body that has volumes */
+  bool *occupied;               /* a body: it has volumes */
   uint8_t *near; /* a body: 1 if its box overlaps that of the current edge */
 
   struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
@@ -367,14 +368,15 @@ static enum hsr_status list_boxes(struct frame *frame) {
   size_t n = frame->bodies.n;
   float *bound = HSR_NEW(arena, float, 4 * n);
   frame->near = HSR_NEW(arena, uint8_t, n);
-  if (!bound || !frame->near)
+  frame->occupied = HSR_NEW(arena, bool, n);
+  if (!bound || !frame->near || !frame->occupied)
     return HSR_E_NOMEM;
   frame->body_box =
       (struct hsr_box_rows){bound, bound + n, bound + 2 * n, bound + 3 * n};
   for (uint32_t c = 0; c < n; c++) {
-    bool empty = body[c].first == end_of_body(frame, c);
+    frame->occupied[c] = body[c].first < end_of_body(frame, c);
     struct hsr_float_box box =
-        empty ? hsr_no_float_box() : float_box(&body[c].extent);
+        frame->occupied[c] ? float_box(&body[c].extent) : hsr_no_float_box();
     frame->body_box.x0[c] = box.x0;
     frame->body_box.y0[c] = box.y0;
     frame->body_box.x1[c] = box.x1;
@@ -496,24 +498,16 @@ static int test(const struct frame *frame, uint32_t e, uint32_t v,
 
 /* --- An edge -------------------------------------------------------------- */
 
-/* The minimax test of an edge with body or volume k. */
-static bool is_out(const struct frame *frame, uint32_t e,
-                   const struct hsr_extent *edge,
-                   const struct hsr_extent *object, uint32_t k,
-                   int in_the_way) {
-  bool out = is_out_of_the_way(edge, object);
-  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(k), HSR_NOWHERE, in_the_way + out);
-  return out;
-}
-
 /* Whether the edge may be behind volume v, by a minimax test, and that is not
  * its own. */
 static bool is_in_the_way(const struct frame *frame, uint32_t e,
                           const struct hsr_extent *extent, uint32_t v) {
   const struct volume *volume = (const struct volume *)frame->volume.items + v;
   const struct condition *front = frame->front.items;
-  if (is_out(frame, e, extent, &volume->extent, v, VOLUME_IN_THE_WAY)) {
+  bool out = is_out_of_the_way(extent, &volume->extent);
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(v), HSR_NOWHERE, VOLUME_IN_THE_WAY + out);
+  if (out) {
     HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
              HSR_VOLUME(v), HSR_NOWHERE, 0);
     return false;
@@ -527,28 +521,37 @@ static bool is_in_the_way(const struct frame *frame, uint32_t e,
   return true;
 }
 
-/* The minimax test of an edge with body c: whether that is out of the way. */
+/* Body c is out of the way of an edge, by the minimax test. */
+static void count_body_out(const struct frame *frame, uint32_t e, uint32_t c) {
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(c), HSR_NOWHERE, BODY_OUT);
+  HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(c), HSR_NOWHERE, 0);
+}
+
+/* Whether body c is out of the way of an edge, by the minimax test. */
 static bool is_body_out(const struct frame *frame, uint32_t e,
                         const struct hsr_extent *extent, uint32_t c) {
   const struct collection *body = frame->bodies.items;
-  if (!is_out(frame, e, extent, &body[c].extent, c, BODY_IN_THE_WAY))
-    return false;
-  HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(c), HSR_NOWHERE, 0);
-  return true;
+  if (is_out_of_the_way(extent, &body[c].extent)) {
+    count_body_out(frame, e, c);
+    return true;
+  }
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(c), HSR_NOWHERE, BODY_IN_THE_WAY);
+  return false;
 }
 
 /* The first body from c on whose box may overlap the edge's; or how many bodies
  * there are. Those before it fail the minimax test. */
 static uint32_t next_near_body(const struct frame *frame, uint32_t e,
-                               const struct hsr_extent *extent, uint32_t c) {
+                               uint32_t c) {
   uint32_t n = (uint32_t)frame->bodies.n;
   const uint8_t *found = memchr(frame->near + c, 1, n - c);
   uint32_t next = found ? (uint32_t)(found - frame->near) : n;
-  const struct collection *body = frame->bodies.items;
   for (; HSR_COUNTING && c < next; c++)
-    if (body[c].first < end_of_body(frame, c))
-      is_body_out(frame, e, extent, c);
+    if (frame->occupied[c])
+      count_body_out(frame, e, c);
   return next;
 }
 
@@ -562,7 +565,7 @@ static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
   while (v < n) {
     uint32_t c = volume[v].collection;
     if (v == body[c].first) {
-      c = next_near_body(frame, e, extent, c);
+      c = next_near_body(frame, e, c);
       if (c == n_bodies)
         return n;
       v = body[c].first;

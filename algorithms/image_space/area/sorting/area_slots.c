@@ -23,8 +23,10 @@ static void put_box(struct hsr_area_slots *slots, size_t k,
 }
 
 void hsr_area_slots_box(struct hsr_area_slots *slots, size_t k) {
+  struct hsr_area_slot *slot = hsr_area_slot(slots, k);
   struct hsr_float_box box = hsr_no_float_box();
-  for (struct hsr_area *a = hsr_area_slot(slots, k)->list.first; a; a = a->next)
+  slot->n = 0;
+  for (struct hsr_area *a = slot->list.first; a; a = a->next, slot->n++)
     enclose(&box, a);
   put_box(slots, k, &box);
 }
@@ -45,7 +47,7 @@ bool hsr_area_slots_add(struct hsr_area_slots *slots, struct hsr_arena *arena,
       return false;
     size_t k = slots->slot.n - 1;
     struct hsr_area_slot *slot = hsr_area_slot(slots, k);
-    *slot = (struct hsr_area_slot){{NULL, NULL}, area->face};
+    *slot = (struct hsr_area_slot){{NULL, NULL}, area->face, 0};
     hsr_areas_push(&slot->list, area);
     hsr_area_slots_box(slots, k);
   }

@@ -16,7 +16,7 @@
 /* What is left of one area of a list: pieces of one face, in their order. */
 struct hsr_area_slot {
   struct hsr_area_list list; /* perhaps empty */
-  uint32_t face;
+  uint32_t face, n;          /* n pieces */
 };
 
 /* A stack of lists. Slot k is in the box from (lo[0][k], lo[1][k]) to (hi[0][k],
@@ -40,7 +40,7 @@ static inline size_t hsr_area_slots_n(const struct hsr_area_slots *slots) {
 bool hsr_area_slots_add(struct hsr_area_slots *slots, struct hsr_arena *arena,
                         struct hsr_area_list *list);
 
-/* Makes slot k's box anew. */
+/* Makes slot k's box anew, and counts its pieces. */
 void hsr_area_slots_box(struct hsr_area_slots *slots, size_t k);
 
 /* Takes the empty slots out, from slot k on. */

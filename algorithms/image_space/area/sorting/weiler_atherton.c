@@ -310,7 +310,7 @@ static void examine(struct state *s, struct hsr_area *polygon,
 static void count_apart(struct state *s, size_t k,
                         const struct hsr_area *clip) {
   const struct hsr_area_slot *slot = hsr_area_slot(&s->slots, k);
-  for (struct hsr_area *a = slot->list.first; a && HSR_COUNTING; a = a->next)
+  for (uint32_t i = 0; i < slot->n && HSR_COUNTING; i++)
     HSR_STEP(s->tally, EXAMINED, HSR_FACE(slot->face), HSR_FACE(clip->face),
              HSR_NOWHERE, 0);
 }
@@ -353,7 +353,9 @@ static void process(struct state *s, struct hsr_area_list *list) {
   if (!hsr_area_slots_add(&s->slots, s->job->scratch, list))
     s->c.failed = true;
   while (k < hsr_area_slots_n(&s->slots) && !s->c.failed && !s->c.faulty) {
-    struct hsr_area *clip = hsr_areas_pop(&hsr_area_slot(&s->slots, k)->list);
+    struct hsr_area_slot *slot = hsr_area_slot(&s->slots, k);
+    struct hsr_area *clip = hsr_areas_pop(&slot->list);
+    slot->n -= clip != NULL;
     if (!clip) {
       k++;
       continue;
