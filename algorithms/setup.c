@@ -127,6 +127,14 @@ static void release(struct hsr_setup *setup) {
   setup->prepared = NULL;
 }
 
+enum hsr_status hsr_setup_rebuild(struct hsr_setup *setup,
+                                  const struct hsr_algorithm *build,
+                                  struct hsr_error *err) {
+  release(setup);
+  setup->algorithm = build;
+  return prepare(setup, err);
+}
+
 enum hsr_status hsr_setup_follow(struct hsr_setup *setup,
                                  const struct hsr_world *world, bool *kept,
                                  struct hsr_error *err) {

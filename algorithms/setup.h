@@ -56,6 +56,13 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_world *world,
                                struct hsr_error *err);
 
+/* Goes on with another build of the same algorithm, as hsr_setup_init would begin
+ * with it. The adapted world is kept; all else is prepared anew. Fails as
+ * hsr_setup_init, and is freed as before. */
+enum hsr_status hsr_setup_rebuild(struct hsr_setup *setup,
+                                  const struct hsr_algorithm *build,
+                                  struct hsr_error *err);
+
 /* Goes on to another frame of the scene, whose world takes the place of the last
  * one, which need not be there any more. What is prepared is kept, and *kept
  * says so, if the algorithm follows (HSR_FOLLOWS) and there are as many faces as
