@@ -246,27 +246,38 @@ static enum hsr_status judge_walk(const struct group *g,
 
 /* --- Views ---------------------------------------------------------------- */
 
-/* All views, in order, by one prepared object. In a process of its own. */
+/* Makes the player ready. What the build before it had adapted is kept: both get
+ * the same world. */
+static enum hsr_status make_ready(const struct group *g,
+                                  const struct player *player,
+                                  struct hsr_setup *setup,
+                                  struct hsr_error *err) {
+  return setup->algorithm ? hsr_setup_rebuild(setup, player->algorithm, err)
+                          : hsr_setup_init(setup, player->algorithm,
+                                           &g->algorithm[player->number].choice,
+                                           g->world, err);
+}
+
+/* All views, in order, by one prepared object. In a process of its own. *setup
+ * is of the build before, or its algorithm is NULL. */
 static enum hsr_status judge(const struct group *g, const struct player *player,
-                             const struct wanted *wanted) {
+                             const struct wanted *wanted,
+                             struct hsr_setup *setup) {
   int number = player->number;
   struct hsr_error err;
-  struct hsr_setup setup;
   if (g->walk)
     return judge_walk(g, player, wanted);
   alarm((unsigned)g->timeout);
-  enum hsr_status status = hsr_setup_init(
-      &setup, player->algorithm, &g->algorithm[number].choice, g->world, &err);
+  enum hsr_status status = make_ready(g, player, setup, &err);
   for (int k = 0; k < g->n_views; k++)
-    note_adaptations(g, k, number, &setup);
+    note_adaptations(g, k, number, setup);
   for (int k = 0; k < g->n_views && !status; k++) {
-    status = judge_view(g, player, &setup, k, &wanted[k], cell_of(g, k, number),
+    status = judge_view(g, player, setup, k, &wanted[k], cell_of(g, k, number),
                         &err);
     alarm((unsigned)g->timeout);
   }
   if (status == HSR_E_REFUSED)
     note_refusal(g, number, err.text);
-  hsr_setup_free(&setup);
   alarm(0);
   return status;
 }
@@ -379,9 +390,12 @@ static pid_t start(const struct group *g, int number,
     struct player timed = {number, listed->plain, false,
                            g->threads ? g->threads[number] : 1};
     struct player counting = {number, listed->counting, true, 1};
-    enum hsr_status status = judge(g, &timed, wanted);
+    struct hsr_setup setup = {.algorithm = NULL};
+    enum hsr_status status = judge(g, &timed, wanted, &setup);
     if (!status)
-      status = judge(g, &counting, wanted);
+      status = judge(g, &counting, wanted, &setup);
+    if (setup.algorithm)
+      hsr_setup_free(&setup);
     end_process((int)status);
   }
   return child;
