@@ -97,6 +97,7 @@ libbench_a_SOURCES = \
   %D%/check/json.c \
   %D%/check/matrix.c \
   %D%/check/report.c \
+  %D%/check/scenes.c \
   %D%/check/sort_last.c \
   %D%/check/walk.c \
   %D%/report/cells.c \

@@ -116,7 +116,7 @@ uint32_t last_view(const struct check_options *options);
 /* How many faces are laid out at most; 0 if nobody needs that. */
 uint32_t most_laid_out(const struct check_options *options);
 
-/* --- The report ----------------------------------------------------------- */
+/* --- Totals --------------------------------------------------------------- */
 
 struct totals {
   uint64_t compared
@@ -130,6 +130,15 @@ struct totals {
   int crashed, late; /* of these */
   struct json_t *cells;
 };
+
+/* --- scenes.c ------------------------------------------------------------- */
+
+/* Judges all scenes and reports them in their order. What fails ends it: the
+ * scenes before it are reported. */
+enum hsr_status check_scenes(const struct check_options *options,
+                             struct totals *totals, struct hsr_error *err);
+
+/* --- The report ----------------------------------------------------------- */
 
 void report_begin(const struct check_options *options, struct totals *totals);
 

@@ -8,18 +8,13 @@
  * Several ranks take groups from one queue. */
 #include "bench/check/check.h"
 #include "bench/run/ranks.h"
-#include "bench/run/terminate.h"
-#include "bench/terminal/terminal.h"
 
 #include <errno.h>
 #include <fnmatch.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 enum { ORDER = 0x200, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST, FRAMES };
 
@@ -334,239 +329,10 @@ static void set_standards(struct check_options *o) {
     }
 }
 
-/* --- All groups of a scene ------------------------------------------------ */
-
-static bool keeps_state(const struct hsr_variant *v) {
-  return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;
-}
-
-/* Whether algorithm k is the first of those that are judged together. These
- * have one form, and either all of them keep a state or none does. */
-static bool is_first(const struct check_options *o, int k) {
-  const struct hsr_variant *v = &o->algorithm[k];
-  for (const struct hsr_variant *w = o->algorithm; w < v; w++)
-    if (keeps_state(w) == keeps_state(v) &&
-        hsr_same_form(&w->choice.form, &v->choice.form))
-      return false;
-  return true;
-}
-
-/* Tells how many groups are done: of this scene, and of those before it. */
-static void show_progress(const struct scene_run *run, int done, int all) {
-  const struct check_options *o = run->options;
-  progress_tell(run->progress, (size_t)(run->number * all + done),
-                (size_t)(o->n_scenes * all), "groups of pictures", run->name);
-}
-
-/* Waits for a group to end; *failure keeps the first failure. A group that ran
- * out of time has recorded that in its cells. */
-static void wait_for_group(sem_t *turns, enum hsr_status *failure) {
-  int end;
-  pid_t child;
-  do
-    child = waitpid(-1, &end, 0);
-  while (child < 0 && errno == EINTR);
-  if (child > 0 && WIFSIGNALED(end))
-    sem_post(turns); /* that the group had */
-  if (child < 0 || *failure)
-    return;
-  if (WIFEXITED(end))
-    *failure = (enum hsr_status)WEXITSTATUS(end);
-  else if (WTERMSIG(end) != SIGALRM)
-    *failure = HSR_E_INTERNAL;
-}
-
-static enum hsr_status start_group(const struct group *g,
-                                   struct hsr_error *err) {
-  fflush(NULL);
-  pid_t parent = getpid(), child = fork();
-  if (child == 0) {
-    end_with_parent(parent);
-    end_process((int)judge_group(g));
-  }
-  return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
-}
-
-/* The group of one view; or of all views, if `first` keeps a state from one to
- * the next, or if they are frames. */
-static struct group group_of(const struct scene_run *run,
-                             const struct hsr_variant *first, int size,
-                             int view) {
-  const struct check_options *o = run->options;
-  bool sequence = keeps_state(first);
-  return (struct group){.algorithm = o->algorithm,
-                        .n_algorithms = o->n_algorithms,
-                        .timeout = o->timeout,
-                        .samples = samples_to_compare(
-                            &run->world, &first->choice.form, o->samples),
-                        .world = &run->world,
-                        .form = first->choice.form,
-                        .walk = o->frames ? &run->walk : NULL,
-                        .mask = HSR_FRAME_STATE,
-                        .flags = sequence ? HSR_FRAME_STATE : 0,
-                        .view = &run->view[size * o->n_views + view],
-                        .number = &o->view[view],
-                        .n_views = sequence || o->frames ? o->n_views : 1,
-                        .cells = cell_at(run, size, view, 0),
-                        .turns = o->turns,
-                        .differences = o->differences};
-}
-
-/* Counts the groups of all forms, sizes and views, and writes them into group[]
- * unless that is NULL. The longest come first. */
-static int list_groups(const struct scene_run *run, struct group *group) {
-  const struct check_options *o = run->options;
-  int n = 0;
-  for (int sequence = 1; sequence >= 0; sequence--)
-    for (int k = 0; k < o->n_algorithms; k++) {
-      const struct hsr_variant *first = &o->algorithm[k];
-      if (keeps_state(first) != sequence || !is_first(o, k))
-        continue;
-      for (int size = 0; size < o->n_sizes; size++)
-        for (int view = 0; view < (sequence || o->frames ? 1 : o->n_views);
-             view++, n++)
-          if (group)
-            group[n] = group_of(run, first, size, view);
-    }
-  return n;
-}
-
 static enum hsr_status make_folder(const char *path, struct hsr_error *err) {
   if (!path || !mkdir(path, 0777) || errno == EEXIST)
     return HSR_OK;
   return hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno));
-}
-
-static enum hsr_status run_groups(const struct scene_run *run,
-                                  const struct group *group, int n_groups,
-                                  struct hsr_error *err) {
-  enum hsr_status status = HSR_OK, failure = HSR_OK;
-  int running = 0, done = 0;
-  struct queue queue;
-  queue_open(&queue, n_groups, true);
-  show_progress(run, 0, n_groups);
-  for (int k; !status && !failure && (k = (int)queue_take(&queue)) >= 0;) {
-    if (running == run->options->jobs) {
-      wait_for_group(run->options->turns, &failure);
-      running--;
-      show_progress(run, ++done, n_groups);
-    }
-    status = start_group(&group[k], err);
-    running += !status;
-  }
-  for (; running; running--) {
-    wait_for_group(run->options->turns, &failure);
-    show_progress(run, ++done, n_groups);
-  }
-  if (!status && failure == HSR_E_NOMEM)
-    return hsr_fail_nomem(err);
-  if (!status && failure)
-    return hsr_fail(err, HSR_E_INTERNAL, "%s: the oracle failed", run->name);
-  if (!status) /* a cell is filled by one rank, and 0 in the others */
-    ranks_unite(run->cells, run->cells_size);
-  return status;
-}
-
-uint32_t most_laid_out(const struct check_options *o) {
-  uint32_t most = 0;
-  for (int a = 0; a < o->n_algorithms; a++) {
-    uint32_t own =
-        most_to_judge(o->algorithm[a].listed, &o->algorithm[a].choice);
-    most = own > most ? own : most;
-  }
-  return most;
-}
-
-uint32_t last_view(const struct check_options *o) {
-  uint32_t last = 0;
-  for (int k = 0; k < o->n_views; k++)
-    last = (uint32_t)o->view[k] > last ? (uint32_t)o->view[k] : last;
-  return last;
-}
-
-enum hsr_status init_views(struct scene_run *run, const struct hsr_scene *scene,
-                           struct hsr_error *err) {
-  const struct check_options *o = run->options;
-  int n = o->n_sizes * o->n_views;
-  run->view = calloc((size_t)n, sizeof *run->view);
-  enum hsr_status status = run->view ? HSR_OK : hsr_fail_nomem(err);
-  for (int k = 0; k < n && !status; k++)
-    status = hsr_view_init_of(&run->view[k], scene,
-                              (uint32_t)o->view[k % o->n_views],
-                              o->m[k / o->n_views], o->n[k / o->n_views], err);
-  return status;
-}
-
-/* Makes the views in all sizes. A scene that has too few views gets more. */
-static enum hsr_status make_views(struct scene_run *run,
-                                  struct hsr_error *err) {
-  uint32_t last = last_view(run->options);
-  if (run->scene->n_views <= last &&
-      hsr_scene_add_orbit(run->scene, last + 1 - run->scene->n_views))
-    return hsr_fail_nomem(err);
-  return init_views(run, run->scene, err);
-}
-
-static enum hsr_status make_cells(struct scene_run *run,
-                                  struct hsr_error *err) {
-  const struct check_options *o = run->options;
-  run->cells_size =
-      (size_t)(o->n_sizes * o->n_views * o->n_algorithms) * sizeof *run->cells;
-  run->cells = shared_memory(run->cells_size);
-  return run->cells ? HSR_OK : hsr_fail_nomem(err);
-}
-
-static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
-  const struct check_options *o = run->options;
-  enum hsr_status status =
-      o->frames ? open_walk(run, err)
-                : open_scene(run->name, o->import, &run->scene, err);
-  if (!status && !o->frames)
-    status = make_views(run, err);
-  if (!status)
-    status = hsr_world_open(&run->world, run->scene, most_laid_out(o), err);
-  return status ? status : make_cells(run, err);
-}
-
-static void close_run(struct scene_run *run) {
-  if (run->cells)
-    munmap(run->cells, run->cells_size);
-  free(run->view);
-  hsr_world_free(&run->world);
-  close_walk(run);
-  hsr_scene_delete(run->scene);
-}
-
-/* The whole scene, which all ranks have. */
-static enum hsr_status judge_whole(struct scene_run *run,
-                                   struct hsr_error *err) {
-  enum hsr_status status = open_run(run, err);
-  if (status)
-    return status;
-  int n = list_groups(run, NULL);
-  struct group *group = calloc((size_t)n, sizeof *group);
-  status = group ? run_groups(run, group, list_groups(run, group), err)
-                 : hsr_fail_nomem(err);
-  free(group);
-  return status;
-}
-
-static enum hsr_status check_scene(const struct check_options *o, int number,
-                                   struct progress *progress,
-                                   struct totals *totals,
-                                   struct hsr_error *err) {
-  struct scene_run run = {.options = o, .number = number, .progress = progress};
-  enum hsr_status status =
-      aim_name(&o->camera, 1, o->scene[number], run.name, err);
-  if (!status && o->sort_last)
-    status = make_cells(&run, err);
-  if (!status)
-    status = o->sort_last ? judge_parts(&run, err) : judge_whole(&run, err);
-  progress_end(progress);
-  if (!status && !(o->sort_last && ranks_own()))
-    status = report_scene(&run, totals, err);
-  close_run(&run);
-  return status;
 }
 
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
@@ -589,9 +355,8 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   }
   if (!status)
     report_begin(o, &totals);
-  struct progress progress = progress_begin(stderr);
-  for (int k = 0; k < o->n_scenes && !status; k++)
-    status = check_scene(o, k, &progress, &totals, err);
+  if (!status)
+    status = check_scenes(o, &totals, err);
   if (!status)
     status = report_end(o, &totals, err);
   else
