@@ -651,62 +651,99 @@ static struct hsr_box moved_box(const struct hsr_box *box,
   return moved;
 }
 
-/* The corners of a box: the one of its lower ends, to which the sides are
- * added. That takes six more roundings than the bound for a leaf's points
- * allows, of terms no larger than twice the sum; so the bound is taken three
- * times. */
-static void find_corners(const struct hsr_pieces_view *p,
-                         const struct hsr_box *box, struct point point[8]) {
-  static const double still[3] = {0, 0, 0};
-  const double(*r)[3] = p->view->screen, *o = p->view->origin;
-  double error[3], lo[3], side[3];
-  find_errors(p, box, still, error);
-  for (int c = 0; c < 3; c++) {
-    lo[c] = box->lo[c] - p->view->E[c];
-    side[c] = box->hi[c] - box->lo[c];
-  }
-  point[0] =
-      (struct point){r[0][0] * lo[0] + r[0][1] * lo[1] + r[0][2] * lo[2] + o[0],
-                     r[1][0] * lo[0] + r[1][1] * lo[1] + r[1][2] * lo[2] + o[1],
-                     r[2][0] * lo[0] + r[2][1] * lo[1] + r[2][2] * lo[2] + o[2],
-                     3 * error[0],
-                     3 * error[1],
-                     3 * error[2],
-                     NAN, /* nobody asks */
-                     NAN};
-  for (int c = 0; c < 3; c++)
-    for (int k = 0; k < 1 << c; k++) {
-      struct point *to = &point[k + (1 << c)];
-      *to = point[k];
-      to->x += r[0][c] * side[c];
-      to->y += r[1][c] * side[c];
-      to->w += r[2][c] * side[c];
-    }
+/* The corners of a box, coordinate by coordinate, all with the same errors; and
+ * their places on the screen. */
+struct corners {
+  double x[8], y[8], w[8], sx[8], sy[8];
+  double error[3]; /* of X, Y, W */
+};
+
+/* A corner has the upper end in coordinate c where bit c of its number is 1. */
+static const double UPPER[3][8] = {{0, 1, 0, 1, 0, 1, 0, 1},
+                                   {0, 0, 1, 1, 0, 0, 1, 1},
+                                   {0, 0, 0, 0, 1, 1, 1, 1}};
+
+/* A homogeneous coordinate of all corners, from that of the first, and what a
+ * side of the box adds to it. */
+static inline __attribute__((always_inline)) void
+add_sides(double first, const double add[3], double *restrict at) {
+  for (int k = 0; k < 8; k++)
+    at[k] = first + add[0] * UPPER[0][k] + add[1] * UPPER[1][k] +
+            add[2] * UPPER[2][k];
 }
 
-/* The hull of eight corners, all of which have the same errors. */
+/* The corner of the lower ends, to which the sides are added. That takes six
+ * more roundings than the bound for a leaf's points allows, of terms no larger
+ * than twice the sum; so the bound is taken three times. */
+HSR_VECTOR static void find_corners(const struct hsr_view *view,
+                                    const struct hsr_box *box,
+                                    struct corners *restrict corner) {
+  const double(*r)[3] = view->screen;
+  double lo[3], first[3], add[3][3];
+  for (int c = 0; c < 3; c++)
+    lo[c] = box->lo[c] - view->E[c];
+  for (int row = 0; row < 3; row++) {
+    first[row] = r[row][0] * lo[0] + r[row][1] * lo[1] + r[row][2] * lo[2] +
+                 view->origin[row];
+    for (int c = 0; c < 3; c++)
+      add[row][c] = r[row][c] * (box->hi[c] - box->lo[c]);
+  }
+  add_sides(first[0], add[0], corner->x);
+  add_sides(first[1], add[1], corner->y);
+  add_sides(first[2], add[2], corner->w);
+  for (int k = 0; k < 8; k++) {
+    double per_w = 1 / corner->w[k];
+    corner->sx[k] = corner->x[k] * per_w;
+    corner->sy[k] = corner->y[k] * per_w;
+  }
+}
+
+static struct point corner_of_box(const struct corners *corner, int k) {
+  return (struct point){.x = corner->x[k],
+                        .y = corner->y[k],
+                        .w = corner->w[k],
+                        .ex = corner->error[0],
+                        .ey = corner->error[1],
+                        .ew = corner->error[2],
+                        .t = NAN, /* nobody asks */
+                        .et = NAN};
+}
+
+static double least_of(const double at[8]) {
+  double least[4];
+  for (int k = 0; k < 4; k++)
+    least[k] = hsr_min(at[k], at[k + 4]);
+  return hsr_min(hsr_min(least[0], least[1]), hsr_min(least[2], least[3]));
+}
+
+static double most_of(const double at[8]) {
+  double most[4];
+  for (int k = 0; k < 4; k++)
+    most[k] = hsr_max(at[k], at[k + 4]);
+  return hsr_max(hsr_max(most[0], most[1]), hsr_max(most[2], most[3]));
+}
+
+/* The hull of the corners of a box. */
 static struct hull hull_of(const struct hsr_pieces_view *p,
-                           const struct point point[8]) {
+                           const struct corners *corner) {
   struct hull hull = no_hull();
-  double nearest = INFINITY, far = 0;
-  double e = hsr_max(point->ex, hsr_max(point->ey, point->ew));
-  for (int k = 0; k < 8; k++)
-    nearest = hsr_min(nearest, point[k].w);
+  const double *error = corner->error;
+  double e = hsr_max(error[0], hsr_max(error[1], error[2]));
+  double nearest = least_of(corner->w);
   if (!(nearest > 4 * e)) {
-    for (int k = 0; k < 8; k++)
-      add_point(&hull, &point[k], &p->view->window);
+    for (int k = 0; k < 8; k++) {
+      struct point point = corner_of_box(corner, k);
+      add_point(&hull, &point, &p->view->window);
+    }
     return hull;
   }
   hull.beyond = 0;
-  for (int k = 0; k < 8; k++) {
-    double per_w = 1 / point[k].w;
-    double sx = point[k].x * per_w, sy = point[k].y * per_w;
-    hull.x0 = hsr_min(hull.x0, sx);
-    hull.x1 = hsr_max(hull.x1, sx);
-    hull.y0 = hsr_min(hull.y0, sy);
-    hull.y1 = hsr_max(hull.y1, sy);
-    far = hsr_max(far, hsr_max(fabs(sx), fabs(sy)));
-  }
+  hull.x0 = least_of(corner->sx);
+  hull.x1 = most_of(corner->sx);
+  hull.y0 = least_of(corner->sy);
+  hull.y1 = most_of(corner->sy);
+  double far = hsr_max(hsr_max(fabs(hull.x0), fabs(hull.x1)),
+                       hsr_max(fabs(hull.y0), fabs(hull.y1)));
   double margin = 2 * e * (1 + far) / nearest + 8 * U * far;
   hull.x0 -= margin;
   hull.x1 += margin;
@@ -719,14 +756,18 @@ const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
                                                      const struct hsr_box *box,
                                                      const double shift[3],
                                                      bool *known) {
+  static const double still[3] = {0, 0, 0};
   struct hsr_box moved = moved_box(box, shift);
-  struct point point[8];
+  struct corners corner;
   int place = 0;
-  find_corners(p, &moved, point);
-  *known = !is_wild((double[]){point->ex, point->ey, point->ew});
+  find_errors(p, &moved, still, corner.error);
+  for (int c = 0; c < 3; c++)
+    corner.error[c] *= 3;
+  *known = !is_wild(corner.error);
   if (!*known)
     return NULL;
-  struct hull hull = hull_of(p, point);
+  find_corners(p->view, &moved, &corner);
+  struct hull hull = hull_of(p, &corner);
   if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
     return NULL;
   for (int c = 2; c >= 0; c--)
@@ -735,9 +776,12 @@ const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
                                                          : 1);
   const struct hsr_silhouette *s = &p->silhouette[place];
   *known = hull.ahead && s->n;
-  for (int k = 0; *known && k < s->n; k++)
-    p->line[k] = line_through(p->reach, &point[s->corner[k]],
-                              &point[s->corner[(k + 1) % s->n]], -1);
+  for (int k = 0; *known && k < s->n; k++) {
+    struct point from = corner_of_box(&corner, s->corner[k]);
+    struct point to =
+        corner_of_box(&corner, s->corner[k + 1 < s->n ? k + 1 : 0]);
+    p->line[k] = line_through(p->reach, &from, &to, -1);
+  }
   p->polygon =
       (struct hsr_mask_polygon){p->line, (uint32_t)s->n, NULL, NULL, p};
   return *known ? &p->polygon : NULL;
