@@ -58,10 +58,10 @@ void grow(hsr_box &box, const Point &at, double error) {
 
 class Maker {
 public:
-  Maker(const hsr_world &world, uint32_t most)
-      : world_(world), most_(most),
+  Maker(const hsr_world &world, const hsr_bsp_rule &rule)
+      : world_(world), most_(rule.most),
         threads_(hsr_threads(world.outline.scene->threads)), shapes_(world),
-        parts_(world.n_faces), own_shapes_(size_t(threads_)) {
+        budget_(rule), parts_(world.n_faces), own_shapes_(size_t(threads_)) {
     // What is seen of such a face may be anywhere: it is loose from the start.
     for (uint32_t f = 0; f < world.n_faces; f++)
       if (!std::isfinite(shapes_.reach(hsr_world_parent(&world, f))))
@@ -561,7 +561,7 @@ hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
   *bsp = {};
   bsp->world = world;
   return guarded(err, [&]() -> hsr_status {
-    Maker maker(*world, rule->most);
+    Maker maker(*world, *rule);
     try {
       maker.make();
     } catch (const Too_many &) {

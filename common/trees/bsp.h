@@ -114,14 +114,16 @@ struct hsr_bsp {
   struct hsr_arena arena;
 };
 
+#define HSR_BSP_MOST_PIECES (UINT32_C(1) << 22)
 struct hsr_bsp_rule {
   uint32_t most; /* a cube of more pieces is divided, unless that would make too
                     many; 0: no cube is, and there is one BSP tree */
+  uint32_t most_pieces; /* in all, at most HSR_BSP_MOST_PIECES; 0: that many */
 };
 
 /* `world` is laid out, its faces are convex, and it must outlive *bsp. *bsp is
  * freed with hsr_bsp_free, also after a failure. HSR_E_NOMEM; HSR_E_REFUSED if
- * there would be too many pieces. */
+ * there would be more pieces than the rule allows, or they would take too long. */
 enum hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err);

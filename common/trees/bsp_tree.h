@@ -33,18 +33,22 @@ struct Too_many {};
 // who spends it when.
 class Bsp_budget {
 public:
+  explicit Bsp_budget(const hsr_bsp_rule &rule)
+      : most_pieces_(rule.most_pieces ? rule.most_pieces
+                                      : HSR_BSP_MOST_PIECES) {}
   // Throws Too_many once too much is spent.
   void spend(uint64_t n_questions, uint64_t n_pieces) {
     const uint64_t questions = questions_ += n_questions;
     const uint64_t pieces = pieces_ += n_pieces;
-    if (questions > MOST_QUESTIONS || pieces > MOST_PIECES)
+    if (questions > MOST_QUESTIONS || pieces > most_pieces_)
       throw Too_many();
   }
   // Gives back what was made of pieces, to begin again.
   void forget_pieces() { pieces_ = 0; }
 
 private:
-  static const uint64_t MOST_PIECES = 1 << 22, MOST_QUESTIONS = 2000000000;
+  static const uint64_t MOST_QUESTIONS = 2000000000;
+  const uint64_t most_pieces_;
   std::atomic<uint64_t> questions_{0}, pieces_{0};
 };
 

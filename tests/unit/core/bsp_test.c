@@ -598,6 +598,50 @@ static void close_scene(struct fixture *x) {
   hsr_scene_delete(x->scene);
 }
 
+/* --- Refused trees -------------------------------------------------------- */
+
+/* As many threads as are set make the trees, of `most_pieces` in all. */
+static bool is_made(struct fixture *x, uint32_t most, uint32_t most_pieces,
+                    struct hsr_error *err) {
+  struct hsr_bsp_rule rule = {.most = most, .most_pieces = most_pieces};
+  *err = (struct hsr_error){.text = ""};
+  enum hsr_status status = hsr_bsp_init(&x->bsp, x->setup.world, &rule, err);
+  bool is_line = strncmp(err->text, "the BSP trees of ", 17) == 0 &&
+                 !strchr(err->text, '\n');
+  if (status && (status != HSR_E_REFUSED || !is_line))
+    fail(err);
+  return !status;
+}
+
+/* Trees of a scene without loose faces, in which all that is made is kept. With
+ * exactly their pieces they are made; with one less, or with the faces or fewer,
+ * they are refused: at the beginning, among cubes, among large groups, or by a
+ * thread. */
+static void check_refused(struct tap *tap, struct fixture *x,
+                          const char *name) {
+  static const int threads[] = {1, 3};
+  struct hsr_error err;
+  if (!open_scene(x, name))
+    exit(99);
+  for (int k = 0; k < 4; k++) {
+    uint32_t most = k / 2 ? 30 : 0, n_faces = x->setup.world->n_faces;
+    x->scene->threads = threads[k % 2];
+    bool good = is_made(x, most, 0, &err) && !x->bsp.n_loose;
+    uint32_t n = x->bsp.n_pieces, less[] = {n - 1, n - n / 8, n_faces, 1};
+    hsr_bsp_free(&x->bsp);
+    good &=
+        n > n_faces + 1 && is_made(x, most, n, &err) && x->bsp.n_pieces == n;
+    hsr_bsp_free(&x->bsp);
+    for (int l = 0; l < 4; l++) {
+      good &= !is_made(x, most, less[l], &err);
+      hsr_bsp_free(&x->bsp);
+    }
+    ok(tap, good, "%s, %u, by %d: refused below %u pieces of %u faces: %s",
+       name, most, threads[k % 2], n, n_faces, err.text);
+  }
+  close_scene(x);
+}
+
 int main(int argc, char **argv) {
   static const char *const built_in[] = {
       "house",         "color-cube:3", "soup:150:3",    "cyclic-overlap",
@@ -613,12 +657,12 @@ int main(int argc, char **argv) {
   const char *const *scenes =
       argc > 1 ? (const char *const *)argv + 1 : built_in;
   int n = argc > 1 ? argc - 1 : (int)(sizeof built_in / sizeof *built_in);
-  struct tap tap = plan(4 * n * MOST);
+  struct tap tap = plan(4 * n * MOST + 4);
   for (int s = 0; s < n; s++) {
     bool is_here = open_scene(x, scenes[s]);
     for (int k = 0; k < MOST; k++) {
       struct hsr_error err = {.text = "out of memory"};
-      struct hsr_bsp_rule rule = {most[k]};
+      struct hsr_bsp_rule rule = {.most = most[k]};
       if (!is_here) {
         for (int t = 0; t < 4; t++)
           ok(&tap, true, "%s # SKIP it is not installed", scenes[s]);
@@ -634,5 +678,6 @@ int main(int argc, char **argv) {
     if (is_here)
       close_scene(x);
   }
+  check_refused(&tap, x, "soup:1000:3");
   return finish(&tap);
 }
