@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mesh files, read through CGAL (.off .obj .ply .stl) and VTK (.vtp). Line
- * drawings (.vtp) and voxels (.vti), written through VTK.
+/* Mesh files. hsr reads .off, .ply, plain .obj and .stl itself; CGAL reads other
+ * .obj files and texts of .stl; VTK reads .vtp. Line drawings and polygons (.vtp)
+ * and voxels (.vti), written through VTK.
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one;
