@@ -6,9 +6,8 @@
  * reach + |m_k|). What lies between vertices is off by no more, as the same
  * convex combination. Bounds are grown by twice that.
  * Where an instance is exact (common/trees/grain.h), a plane stays one. */
-#include "algorithms/hierarchical/cube_cells.h"
+#include "algorithms/hierarchical/cube_objects.h"
 #include "common/trees/grain.h"
-#include "common/exact/predicates.h"
 
 #include <float.h>
 #include <math.h>
@@ -16,213 +15,6 @@
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
-
-/* --- Which faces are loose ------------------------------------------------ */
-
-/* The faces of object o that go into cubes: how many, in into[]. The others are
- * marked. */
-static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
-                           uint32_t *into, bool *out_of_memory) {
-  const struct hsr_scene *scene = cubes->scene;
-  const struct hsr_object *object = &scene->objects[o];
-  uint32_t n = object->n_faces, kept = 0;
-  bool exact = true;
-  if (object->start[n] != 3 * (uint64_t)n) {
-    for (uint32_t i = 0; i < scene->n_instances && exact; i++)
-      exact =
-          scene->instances[i].object != o ||
-          hsr_instance_is_exact(&scene->instances[i], cubes->object[o].grain,
-                                cubes->object[o].reach);
-  }
-  for (uint32_t f = 0; f < n; f++) {
-    struct hsr_loop loop = hsr_object_loop(object, f);
-    if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory)))
-      into[kept++] = f;
-    else
-      cubes->object[o].is_loose[f] = true;
-  }
-  return kept;
-}
-
-/* --- An object's octree --------------------------------------------------- */
-
-struct faces {
-  const struct hsr_object *object;
-  const uint32_t *number; /* of those that are placed */
-  double reach;
-};
-
-static struct hsr_box face_bounds(const void *context, uint32_t k) {
-  const struct faces *faces = context;
-  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
-  struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
-                        {-INFINITY, -INFINITY, -INFINITY}};
-  for (uint32_t c = 0; c < loop.n; c++)
-    for (int a = 0; a < 3; a++) {
-      double x = loop.x[3 * (size_t)loop.vertex[c] + (size_t)a];
-      box.lo[a] = x < box.lo[a] ? x : box.lo[a];
-      box.hi[a] = x > box.hi[a] ? x : box.hi[a];
-    }
-  return box;
-}
-
-/* Twice the area is the length of Newell's normal. */
-static void face_normal(const struct hsr_loop *loop, double normal[3]) {
-  const double *o = loop->x + 3 * (size_t)loop->vertex[0];
-  memset(normal, 0, 3 * sizeof *normal);
-  for (uint32_t c = 1; c + 1 < loop->n; c++) {
-    const double *a = loop->x + 3 * (size_t)loop->vertex[c];
-    const double *b = loop->x + 3 * (size_t)loop->vertex[c + 1];
-    for (int k = 0, l = 1, m = 2; k < 3; k++, l = (l + 1) % 3, m = (m + 1) % 3)
-      normal[k] +=
-          (a[l] - o[l]) * (b[m] - o[m]) - (a[m] - o[m]) * (b[l] - o[l]);
-  }
-}
-
-static double face_area(const void *context, uint32_t k) {
-  const struct faces *faces = context;
-  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
-  double n[3];
-  face_normal(&loop, n);
-  return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-}
-
-/* Flat faces are in the hull of their corners. */
-static unsigned face_meets(const void *context, uint32_t k,
-                           const struct hsr_eight_boxes *boxes) {
-  const struct faces *faces = context;
-  struct hsr_loop loop = hsr_object_loop(faces->object, faces->number[k]);
-  double n[3];
-  face_normal(&loop, n);
-  return hsr_boxes_that_meet_polygon(boxes, loop, n, 0);
-}
-
-static void find_bounds(const struct hsr_object *object,
-                        struct hsr_cubes_object *c) {
-  c->bounds = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
-                               {-INFINITY, -INFINITY, -INFINITY}};
-  for (size_t k = 0; k < 3 * (size_t)object->n_vertices; k++) {
-    c->bounds.lo[k % 3] = fmin(c->bounds.lo[k % 3], object->xyz[k]);
-    c->bounds.hi[k % 3] = fmax(c->bounds.hi[k % 3], object->xyz[k]);
-  }
-}
-
-static double longest_side(const struct hsr_box *box) {
-  return fmax(box->hi[0] - box->lo[0],
-              fmax(box->hi[1] - box->lo[1], box->hi[2] - box->lo[2]));
-}
-
-/* --- An octree with its cells ----------------------------------------------- */
-
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
-/* Of all cells, which are made. */
-static void find_largest_cell(struct hsr_cubes *cubes,
-                              const struct hsr_cubes_object *c) {
-  for (uint32_t k = 0; k < c->octree.n_nodes; k++) {
-    const struct hsr_cell *cell = &c->cell[k];
-    const uint32_t *start = c->start + cell->first_start;
-    cubes->most_faces = larger(cubes->most_faces, cell->n_faces);
-    cubes->most_vertices = larger(cubes->most_vertices, cell->n_vertices);
-    cubes->most_corners = larger(cubes->most_corners, start[cell->n_faces]);
-  }
-}
-
-/* What the octree of an object is made of. */
-static struct hsr_primitives primitives_of(struct hsr_cubes *cubes, uint32_t o,
-                                           struct faces *faces,
-                                           uint32_t n_placed) {
-  struct hsr_cubes_object *c = &cubes->object[o];
-  *faces = (struct faces){&cubes->scene->objects[o], c->number, c->reach};
-  return (struct hsr_primitives){n_placed, faces, face_bounds, face_area,
-                                 face_meets};
-}
-
-static enum hsr_status make_octree(struct hsr_cubes *cubes, uint32_t o,
-                                   uint32_t n_placed,
-                                   const struct hsr_octree_rule *rule) {
-  struct hsr_cubes_object *c = &cubes->object[o];
-  struct faces faces;
-  struct hsr_primitives primitives = primitives_of(cubes, o, &faces, n_placed);
-  enum hsr_status status = hsr_octree_init(
-      &c->octree, &primitives, rule, c->bounds.lo, longest_side(&c->bounds),
-      cubes->scene->threads, &cubes->arena);
-  if (!status)
-    status = hsr_cells_make(c, &cubes->scene->objects[o], cubes->scene->threads,
-                            &cubes->arena);
-  if (!status)
-    find_largest_cell(cubes, c);
-  return status;
-}
-
-/* --- Bit by bit ------------------------------------------------------------ */
-
-bool hsr_cubes_divide(struct hsr_cubes *cubes, uint32_t o, uint32_t k,
-                      enum hsr_status *status) {
-  struct hsr_cubes_object *c = &cubes->object[o];
-  if (!c->lazy || hsr_lazy_node(c->lazy, k)->divided)
-    return false;
-  uint32_t before = c->octree.n_nodes;
-  bool good = !hsr_octree_divide(c->lazy, k);
-  c->octree = c->lazy->octree;
-  if (!good || !hsr_cells_make_empty(c->maker, before, &cubes->arena) ||
-      !hsr_cells_make_one(c->maker, k, &cubes->arena))
-    *status = HSR_E_NOMEM;
-  return true;
-}
-
-static enum hsr_status begin_octree(struct hsr_cubes *cubes, uint32_t o,
-                                    uint32_t n_placed,
-                                    const struct hsr_octree_rule *rule) {
-  const struct hsr_object *object = &cubes->scene->objects[o];
-  struct hsr_cubes_object *c = &cubes->object[o];
-  struct hsr_arena *arena = &cubes->arena;
-  struct faces *faces = HSR_NEW(arena, struct faces, 1);
-  c->lazy = HSR_NEW(arena, struct hsr_lazy_octree, 1);
-  c->maker = HSR_NEW_ZEROED(arena, struct hsr_cell_maker, 1);
-  if (!faces || !c->lazy || !c->maker)
-    return HSR_E_NOMEM;
-  struct hsr_primitives primitives = primitives_of(cubes, o, faces, n_placed);
-  *c->maker = (struct hsr_cell_maker){
-      .object = object,
-      .c = c,
-      .number = HSR_NEW(arena, uint32_t, object->n_vertices),
-      .mark = HSR_NEW_ZEROED(arena, uint32_t, object->n_vertices)};
-  if (!c->maker->number || !c->maker->mark ||
-      hsr_octree_begin(c->lazy, &primitives, rule, c->bounds.lo,
-                       longest_side(&c->bounds), arena))
-    return HSR_E_NOMEM;
-  c->octree = c->lazy->octree;
-  cubes->most_faces = larger(cubes->most_faces, n_placed);
-  cubes->most_vertices = larger(cubes->most_vertices, object->n_vertices);
-  cubes->most_corners =
-      larger(cubes->most_corners, object->start[object->n_faces]);
-  return hsr_cells_make_empty(c->maker, 0, arena) ? HSR_OK : HSR_E_NOMEM;
-}
-
-static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
-                                   const struct hsr_octree_rule *rule,
-                                   bool lazily) {
-  const struct hsr_object *object = &cubes->scene->objects[o];
-  struct hsr_cubes_object *c = &cubes->object[o];
-  bool out_of_memory = false;
-  uint32_t *number = HSR_NEW(&cubes->arena, uint32_t, object->n_faces);
-  c->is_loose = HSR_NEW_ZEROED(&cubes->arena, bool, object->n_faces);
-  if (!number || !c->is_loose)
-    return HSR_E_NOMEM;
-  c->number = number;
-  find_bounds(object, c);
-  c->reach = hsr_reach(object);
-  c->grain = hsr_grain(object->xyz, 3 * (size_t)object->n_vertices);
-  uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
-  c->n_loose = object->n_faces - n_placed;
-  cubes->most_object_faces = larger(cubes->most_object_faces, object->n_faces);
-  return out_of_memory ? HSR_E_NOMEM
-         : lazily      ? begin_octree(cubes, o, n_placed, rule)
-                       : make_octree(cubes, o, n_placed, rule);
-}
 
 /* --- The octree of instances ---------------------------------------------- */
 
@@ -260,7 +52,7 @@ static struct hsr_box bounds_of(const void *context, uint32_t k) {
 
 static double area_of(const void *context, uint32_t k) {
   const struct still *still = context;
-  double side = longest_side(&still->bounds[k]);
+  double side = hsr_longest_side(&still->bounds[k]);
   return side * side;
 }
 
@@ -305,7 +97,7 @@ static enum hsr_status place_still(struct hsr_cubes *cubes,
                                    const struct still *still, uint32_t n,
                                    const struct hsr_box *all, double largest) {
   double side = largest;
-  while (side < longest_side(all))
+  while (side < hsr_longest_side(all))
     side *= 2;
   struct hsr_primitives primitives = {n, still, bounds_of, area_of, NULL};
   struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
@@ -366,12 +158,12 @@ static enum hsr_status make_instances(struct hsr_cubes *cubes) {
       cubes->mover[cubes->n_movers++] = i;
       continue;
     }
-    largest = fmax(largest, longest_side(&box));
+    largest = fmax(largest, hsr_longest_side(&box));
     still->instance[n_still] = i;
     still->bounds[n_still++] = box;
   }
   if (largest == 0) /* nothing is still, or all in one point */
-    largest = fmax(longest_side(&all), 0x1p-900);
+    largest = fmax(hsr_longest_side(&all), 0x1p-900);
   good = good && !place_still(cubes, still, n_still, &all, largest);
   return good ? HSR_OK : HSR_E_NOMEM;
 }
@@ -416,6 +208,8 @@ static enum hsr_status init(struct hsr_cubes *cubes,
   uint32_t n = cubes->scene->n_objects;
   for (uint32_t o = 0; o < n; o++) {
     const struct hsr_object *object = &cubes->scene->objects[o];
+    if (object->n_faces > cubes->most_object_faces)
+      cubes->most_object_faces = object->n_faces;
     if (object->moves &&
         object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
       return hsr_fail(err, HSR_E_REFUSED,
@@ -427,8 +221,9 @@ static enum hsr_status init(struct hsr_cubes *cubes,
     cubes->lazy = HSR_NEW(&cubes->arena, struct hsr_lazy_octree, 1);
   enum hsr_status status =
       cubes->object && (cubes->lazy || !lazily) ? HSR_OK : HSR_E_NOMEM;
-  for (uint32_t o = 0; o < n && !status; o++)
-    status = make_object(cubes, o, rule, lazily);
+  if (!status)
+    status = lazily ? hsr_cubes_begin_objects(cubes, rule)
+                    : hsr_cubes_make_objects(cubes, rule);
   if (!status)
     status = make_instances(cubes);
   return status ? hsr_fail_nomem(err) : lay_out_loose(cubes, world, err);
@@ -450,5 +245,8 @@ enum hsr_status hsr_cubes_init_lazily(struct hsr_cubes *cubes,
 
 void hsr_cubes_free(struct hsr_cubes *cubes) {
   hsr_world_free(&cubes->loose);
+  for (int k = 0; cubes->crew && k < cubes->n_crew; k++)
+    hsr_arena_free(&cubes->crew[k]);
+  free(cubes->crew);
   hsr_arena_free(&cubes->arena);
 }

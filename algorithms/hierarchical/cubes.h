@@ -65,6 +65,8 @@ struct hsr_cubes {
   uint32_t most_vertices, most_faces, most_corners; /* of a cell */
   uint32_t most_object_faces;                       /* of an object */
   struct hsr_arena arena;
+  struct hsr_arena *crew; /* of each thread: what it made of objects */
+  int n_crew;
 };
 
 /* `world` is borrowed, with its scene. *cubes is freed with hsr_cubes_free also

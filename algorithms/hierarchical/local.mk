@@ -42,5 +42,7 @@ libhsr_a_SOURCES += \
   %D%/bounded/surface.h \
   %D%/cube_cells.c \
   %D%/cube_cells.h \
+  %D%/cube_objects.c \
+  %D%/cube_objects.h \
   %D%/cubes.c \
   %D%/cubes.h

@@ -22,6 +22,8 @@
 #include "common/scene/world.h"
 #include "common/view/view.h"
 
+#include <math.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,6 +32,11 @@ extern "C" {
 struct hsr_box {
   double lo[3], hi[3];
 };
+
+static inline double hsr_longest_side(const struct hsr_box *box) {
+  return fmax(box->hi[0] - box->lo[0],
+              fmax(box->hi[1] - box->lo[1], box->hi[2] - box->lo[2]));
+}
 
 static inline bool hsr_boxes_meet(const struct hsr_box *a,
                                   const struct hsr_box *b) {

@@ -20,10 +20,50 @@ static void stop(const char *what, const char *text) {
   exit(99);
 }
 
+/* Sheets of 1 to 60 x 60 quadrilaterals. Those of every third are not flat. */
+static const char MANY[] = "many-objects";
+enum { N_SHEETS = 150, LARGE = 60 };
+
+static void add_sheet(struct hsr_object *object, int side, bool flat) {
+  bool good = true;
+  for (int k = 0; k < (side + 1) * (side + 1); k++) {
+    int i = k % (side + 1), j = k / (side + 1);
+    good &= !hsr_object_vertex(object, i, j, flat ? 0 : i * j % 7 / 3.0, NULL);
+  }
+  for (int k = 0; k < side * side; k++) {
+    uint32_t v = (uint32_t)(k % side + k / side * (side + 1)),
+             above = v + (uint32_t)side + 1;
+    const uint32_t corner[] = {v, v + 1, above + 1, above};
+    good &= !hsr_object_face(object, corner, 4, NULL);
+  }
+  if (!good)
+    stop(MANY, "out of memory");
+}
+
+static struct hsr_scene *many_objects(int threads) {
+  struct hsr_scene *scene = hsr_scene_new(MANY);
+  for (int k = 0; k < N_SHEETS; k++) {
+    const double m[12] = {1, 0,           0, k % 12 * 70, 0, 1,
+                          0, k / 12 * 70, 0, 0,           1, k % 5};
+    struct hsr_object *sheet = hsr_scene_object(scene, MANY);
+    if (!sheet)
+      stop(MANY, "out of memory");
+    add_sheet(sheet, k % 50 == 49 ? LARGE : k % 23 + 1, k % 3 > 0);
+    if (hsr_scene_instance(scene, (uint32_t)k, m))
+      stop(MANY, "out of memory");
+  }
+  scene->threads = threads;
+  if (hsr_scene_finish(scene, NULL))
+    stop(MANY, "cannot be finished");
+  return scene;
+}
+
 static struct hsr_scene *open_by(const char *name, int threads) {
   struct hsr_import import = {.threads = threads};
   struct hsr_scene *scene;
   struct hsr_error err = {.text = "out of memory"};
+  if (strcmp(name, MANY) == 0)
+    return many_objects(threads);
   if (hsr_scene_open(name, &import, &scene, &err))
     stop(name, err.text);
   return scene;
@@ -137,9 +177,14 @@ static void test_cubes(struct tap *tap, const char *name) {
     same &= same_octrees(&wanted.octree, &got.octree) &&
             wanted.most_faces == got.most_faces &&
             wanted.most_vertices == got.most_vertices &&
-            wanted.most_corners == got.most_corners;
+            wanted.most_corners == got.most_corners &&
+            wanted.most_object_faces == got.most_object_faces &&
+            same_worlds(&wanted.loose, &got.loose);
     for (uint32_t o = 0; o < one->n_objects; o++)
-      same &= same_cells(&wanted.object[o], &got.object[o]);
+      same &= same_cells(&wanted.object[o], &got.object[o]) &&
+              wanted.object[o].n_loose == got.object[o].n_loose &&
+              are_bytes(wanted.object[o].is_loose, got.object[o].is_loose,
+                        one->objects[o].n_faces, sizeof(bool));
     hsr_cubes_free(&got);
     hsr_world_free(&of_many);
     hsr_scene_delete(scene);
@@ -313,16 +358,18 @@ static void test_off(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(6 + 4 + 4 + 6 + 5);
+  struct tap tap = plan(6 + 5 + 5 + 6 + 6);
   test_off(&tap);
   test_world(&tap, "sphere:30000");
   test_world(&tap, "soup:20000:3");
   test_world(&tap, "office:1");
   test_world(&tap, "checker-cube:40");
+  test_world(&tap, MANY);
   test_cubes(&tap, "sphere:30000");
   test_cubes(&tap, "soup:20000:3");
   test_cubes(&tap, "harbor");
   test_cubes(&tap, "office:1");
+  test_cubes(&tap, MANY);
   test_trees(&tap, "terrain:128", 0);
   test_trees(&tap, "terrain", 30);
   test_trees(&tap, "soup:1500:3", 0);
@@ -334,5 +381,6 @@ int main(void) {
   test_frame(&tap, "soup:5000:3", "octree-raycast");
   test_frame(&tap, "soup:5000:3", "zbuffer");
   test_frame(&tap, "harbor", "hzbuffer");
+  test_frame(&tap, "office:1", "clark");
   return finish(&tap);
 }
