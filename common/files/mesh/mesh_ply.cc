@@ -258,7 +258,7 @@ template <class Source> void Reader<Source>::vertices(const Element &element) {
 /* Gives the builder the faces read so far. */
 template <class Source> void Reader<Source>::give() {
   for (size_t f = 0, first = 0; f < ends_.size(); first = ends_[f++]) {
-    const uint32_t *corners = &corners_[first];
+    const uint32_t *corners = corners_.data() + first; /* of none, too */
     const size_t n = ends_[f] - first;
     float rgb[3];
     builder_.face(corners, n,

@@ -166,6 +166,17 @@ void try_polygons(tap *t) {
     put(text, v);
   ok(t, Read(file("none.ply", text)).says("face 1"),
      "a face of no corners after a quadrilateral");
+
+  text = ply<float>(two, "float");
+  text.resize(text.size() - 2 * 13);
+  put(text, char{0});
+  put(text, char{3});
+  for (const uint32_t v : {0u, 1u, 3u})
+    put(text, v);
+  const Read dropped(file("first.ply", text), 1, true);
+  ok(t,
+     dropped.n_dropped == 1 && dropped.vertex == std::vector<uint32_t>{0, 1, 3},
+     "a face of no corners is the first, and is dropped");
 }
 
 /* Corners are numbered as they are met, whatever the number of threads. */
@@ -229,7 +240,7 @@ void try_stl(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(4 + 6 + 2 + 8);
+  struct tap t = plan(4 + 6 + 3 + 8);
   try_ply(&t);
   try_bad_ply(&t);
   try_polygons(&t);
