@@ -99,6 +99,7 @@ libbench_a_SOURCES = \
   %D%/check/report.c \
   %D%/check/scenes.c \
   %D%/check/sort_last.c \
+  %D%/check/sort_last_sums.c \
   %D%/check/walk.c \
   %D%/report/cells.c \
   %D%/report/command.c \

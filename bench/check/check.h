@@ -100,6 +100,17 @@ struct outcome outcome_of(const struct scene_run *run, int size, int algorithm);
  * fewer parts than ranks. */
 enum hsr_status judge_parts(struct scene_run *run, struct hsr_error *err);
 
+/* Whether an algorithm draws what is summed, so that the answers to the parts of
+ * a grid can be added up. */
+bool is_summed(const struct check_options *options, int algorithm);
+
+/* Does for those algorithms what judge_parts does for the others
+ * (bench/check/sort_last_sums.c). `part` tells how many parts there are, and how
+ * many views. Rank 0 has to open the whole scene. */
+enum hsr_status judge_summed_parts(struct scene_run *run,
+                                   const struct hsr_part *part,
+                                   struct hsr_error *err);
+
 /* Makes the views in all sizes: the scene has them. As hsr_view_init. */
 enum hsr_status init_views(struct scene_run *run, const struct hsr_scene *scene,
                            struct hsr_error *err);

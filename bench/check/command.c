@@ -259,7 +259,9 @@ static const struct argp argp = {
          0},
         {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
          "judge what algorithms that draw faces, or filtered pixels of them, "
-         "make of a scene in so many parts, as hsr render --sort-last does",
+         "or "
+         "that add up splats, make of a scene in so many parts, as hsr render "
+         "--sort-last does",
          0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
@@ -281,7 +283,8 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* Whether it can be judged in the way that was asked for. */
+/* Whether it can be judged in the way that was asked for; without regard to what
+ * is summed, which has to be asked for by name. */
 static bool is_fit(const struct check_options *o, const struct hsr_variant *v) {
   const struct hsr_answer_type *made = v->listed->plain->kind;
   return !o->sort_last ||
@@ -296,7 +299,7 @@ static enum hsr_status check_fit(const struct check_options *o,
   if (o->frames && !o->n_scenes)
     return hsr_fail(err, HSR_E_USAGE, "--frames needs a SCENE");
   for (int k = 0; k < o->n_algorithms; k++)
-    if (!is_fit(o, &o->algorithm[k]))
+    if (!is_fit(o, &o->algorithm[k]) && !is_summed(o, k))
       return hsr_fail(
           err, HSR_E_USAGE, "--sort-last is not for %s, which %s draws",
           o->algorithm[k].choice.form.type->draws, o->algorithm[k].name);

@@ -56,7 +56,8 @@ static bool is_first(const struct sorting *s, int algorithm) {
 /* Whether an algorithm draws this form, and does not refuse the scene. */
 static bool is_drawn(const struct sorting *s, const struct hsr_form *form) {
   for (int a = 0; a < s->run->options->n_algorithms; a++)
-    if (hsr_same_form(form_of(s, a), form) && !s->refused[a])
+    if (hsr_same_form(form_of(s, a), form) && !s->refused[a] &&
+        !is_summed(s->run->options, a))
       return true;
   return false;
 }
@@ -210,7 +211,7 @@ static enum hsr_status judge_open_part(struct sorting *s,
   enum hsr_status status =
       hsr_world_open(&s->world, s->scene, most_laid_out(o), err);
   for (int a = 0; a < o->n_algorithms && !status; a++)
-    if (!s->refused[a])
+    if (!s->refused[a] && !is_summed(o, a))
       status = draw_algorithm(s, a, err);
   for (int a = 0; a < o->n_algorithms && !status; a++)
     if (is_first(s, a) && is_drawn(s, form_of(s, a)))
@@ -367,7 +368,7 @@ static enum hsr_status judge_picture(struct sorting *s, int k,
   enum hsr_status status =
       composite_gather_faces(&s->judged[k].candidates, err);
   for (int a = 0; a < s->run->options->n_algorithms && !status; a++)
-    if (is_first(s, a))
+    if (is_first(s, a) && !is_summed(s->run->options, a))
       status = judge_form(s, k, a, err);
   return status;
 }
@@ -416,7 +417,7 @@ static void free_all(struct sorting *s) {
   free(s->why);
 }
 
-static enum hsr_status judge_all(struct sorting *s, struct hsr_error *err) {
+static enum hsr_status judge_ids(struct sorting *s, struct hsr_error *err) {
   const struct check_options *o = s->run->options;
   enum hsr_status status = take_parts(s, err);
   if (!status)
@@ -426,6 +427,25 @@ static enum hsr_status judge_all(struct sorting *s, struct hsr_error *err) {
   for (int k = 0; k < n_judged(s) && !status; k++)
     status = judge_picture(s, k, err);
   s->run->world.n_faces = s->part.all;
+  return status;
+}
+
+/* How many algorithms draw what is summed. */
+static int count_summed(const struct check_options *o) {
+  int n = 0;
+  for (int a = 0; a < o->n_algorithms; a++)
+    n += is_summed(o, a);
+  return n;
+}
+
+static enum hsr_status judge_all(struct sorting *s, struct hsr_error *err) {
+  const struct check_options *o = s->run->options;
+  const struct hsr_part part = s->part;
+  int n_summed = count_summed(o);
+  enum hsr_status status =
+      n_summed < o->n_algorithms ? judge_ids(s, err) : HSR_OK;
+  if (!status && n_summed)
+    status = judge_summed_parts(s->run, &part, err);
   s->run->scene = hsr_scene_new(s->run->name); /* of faces */
   return !status && !s->run->scene ? hsr_fail_nomem(err) : status;
 }
