@@ -4,11 +4,12 @@
 //
 // Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has
 //             passed, and must find in it what the scan found.
-// Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
-//             and 4 a face and a corner; then, the file gone, that and the
-//             object. OFF, PLY: the file and the object. Plain OBJ: also 4 bytes a
-//             corner and 1 a face. STL: also 8 bytes a corner, and of a text 72 a
-//             facet; by CGAL, a search tree of about 80 a vertex. Colours: 12 bytes a face or vertex.
+// Memory      our own readers: the file and the object at once; of plain .obj also
+//             4 bytes a corner and 1 a face; of .stl also 8 bytes a corner, and of
+//             its texts 72 a facet. CGAL's: first the file and what CGAL makes of
+//             it, 24 bytes a vertex and 4 a face and a corner, and of .stl a search
+//             tree of about 80 a vertex; then that and the object, without the
+//             file. Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
 #include "common/files/mesh/mesh_obj.h"

@@ -15,8 +15,9 @@ namespace hsr {
 
 constexpr size_t TEXT_BLOCK = size_t{1} << 16; /* bytes, about */
 
-/* Blocks that have `begin` and `end`, from `begin` to `end` of a text. Each but the
- * first begins with a line that may_start(line, end). */
+/* Cuts the text from `begin` to `end` into blocks, a type that has `begin` and
+ * `end`, too. Each but the first begins with a line for which may_start(line, end)
+ * is true. */
 template <class Block, class May_start>
 std::vector<Block> cut_text(const char *begin, const char *end,
                             const May_start &may_start) {
@@ -39,8 +40,9 @@ std::vector<Block> cut_text(const char *begin, const char *end,
   return blocks;
 }
 
-/* Calls work(block) for all blocks, on so many threads. Once it returns false,
- * others are left out, and so is what is returned. std::bad_alloc. */
+/* Calls work(block) for all blocks, on so many threads. If it returns false for
+ * one, blocks that are not begun are left out, and false is returned.
+ * std::bad_alloc. */
 template <class Block, class Work>
 bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
   struct Shared {

@@ -7,8 +7,9 @@
 //             is small enough for the cache; it tells the first of equal corners.
 //             At last, first corners are numbered in order, and the others take
 //             the number of theirs.
-// Threads     share ranges of triangles, and parts. What comes out is told by the
-//             corners alone: a vertex number counts the first corners before it.
+// Threads     share ranges of triangles, and parts. What comes out depends on the
+//             corners alone: a vertex's number is how many first corners are before
+//             it.
 // Memory      8 bytes a corner that finds none before it, beside the object
 #include "common/files/mesh/mesh_corners.h"
 #include "common/base/arena.h"
