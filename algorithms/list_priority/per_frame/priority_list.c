@@ -138,6 +138,7 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
   s->window = window;
   s->pieces.n = 0;
   s->halves_used = 0;
+  s->spans.piece = NONE;
   s->attempt = 1;
   for (uint32_t k = 0; k < n; k++) {
     uint32_t f = faces[k];
@@ -269,29 +270,61 @@ static bool spans_meet(const struct hsr_window *w, const int *a, int n_a,
   return false;
 }
 
+/* From now on the spans are those of P. */
+static void take_spans(struct hsr_priority_list *s, uint32_t p) {
+  struct hsr_list_spans *spans = &s->spans;
+  if (spans->piece == p)
+    return;
+  spans->piece = p;
+  spans->number++;
+  spans->columns.n = 0;
+  hsr_face_rows_begin(&spans->rows, s->screen, piece_at(s, p)->part.face,
+                      s->tally);
+}
+
+/* The spans of P on row j: *n columns, valid until the next ones. */
+static const int *spans_on(struct hsr_priority_list *s, int j, int *n) {
+  struct hsr_list_spans *spans = &s->spans;
+  struct hsr_list_row *row = &spans->row[j - s->job->view->window.y0];
+  const struct hsr_piece *part = &piece_at(s, spans->piece)->part;
+  if (row->number != spans->number) {
+    int n_columns = hsr_piece_rows_spans(&spans->rows, part->cuts, part->n_cuts,
+                                         j, s->columns, s->tally);
+    *row = (struct hsr_list_row){spans->number, n_columns, spans->columns.n};
+    for (int k = 0; k < n_columns; k++) {
+      if (!hsr_arena_grow(s->job->scratch, &spans->columns, sizeof(int))) {
+        s->out_of_memory = true;
+        spans->piece = NONE;
+        *n = 0;
+        return NULL;
+      }
+      ((int *)spans->columns.items)[spans->columns.n - 1] = s->columns[k];
+    }
+  }
+  *n = row->n;
+  return (const int *)spans->columns.items + row->first;
+}
+
 /* Test 6: no sample is in both. It looks for an edge of whole faces that
  * separates them, and then at the spans of every row that both may reach. */
-static bool are_apart(struct hsr_priority_list *s,
-                      const struct hsr_list_piece *p,
-                      const struct hsr_list_piece *q) {
-  uint32_t f = p->part.face, g = q->part.face;
+static bool are_apart(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
+  const struct hsr_piece *a = &piece_at(s, p)->part, *b = &piece_at(s, q)->part;
+  uint32_t f = a->face, g = b->face;
   if (s->screen->whole[f] && s->screen->whole[g] &&
       (edge_separates(s, f, g) || edge_separates(s, g, f)))
     return true;
-  const struct hsr_bounds *pb = &p->part.bounds, *qb = &q->part.bounds;
-  int y0 = pb->y0 > qb->y0 ? pb->y0 : qb->y0;
-  int y1 = pb->y1 < qb->y1 ? pb->y1 : qb->y1;
-  int *a = s->columns, *b = s->columns + s->most_corners + 4;
-  struct hsr_face_rows rows_f, rows_g;
-  hsr_face_rows_begin(&rows_f, s->screen, f, s->tally);
-  hsr_face_rows_begin(&rows_g, s->screen, g, s->tally);
-  for (int j = y0; j < y1; j++) {
-    int n_a = hsr_piece_rows_spans(&rows_f, p->part.cuts, p->part.n_cuts, j, a,
-                                   s->tally);
-    int n_b = n_a ? hsr_piece_rows_spans(&rows_g, q->part.cuts, q->part.n_cuts,
-                                         j, b, s->tally)
+  int y0 = a->bounds.y0 > b->bounds.y0 ? a->bounds.y0 : b->bounds.y0;
+  int y1 = a->bounds.y1 < b->bounds.y1 ? a->bounds.y1 : b->bounds.y1;
+  struct hsr_face_rows rows;
+  take_spans(s, p);
+  hsr_face_rows_begin(&rows, s->screen, g, s->tally);
+  for (int j = y0; j < y1 && !s->out_of_memory; j++) {
+    int n_a, *columns = s->columns;
+    const int *of_p = spans_on(s, j, &n_a);
+    int n_b = n_a ? hsr_piece_rows_spans(&rows, b->cuts, b->n_cuts, j, columns,
+                                         s->tally)
                   : 0;
-    if (spans_meet(s->window, a, n_a, b, n_b))
+    if (spans_meet(s->window, of_p, n_a, columns, n_b))
       return false;
   }
   return true;
@@ -330,7 +363,7 @@ static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
   enum hsr_certainty closer = is_closer(s, Q, P);
   if (closer == HSR_YES)
     return HSR_Q_BEFORE_P;
-  bool apart = are_apart(s, P, Q);
+  bool apart = are_apart(s, p, q);
   HSR_STEP(s->tally, HSR_LIST_OVERLAPS, subject(s, p), subject(s, q),
            *s->window, apart);
   if (apart)
@@ -533,11 +566,15 @@ enum hsr_status hsr_list_reserve(struct hsr_priority_list *s,
     s->most_corners = n > s->most_corners ? n : s->most_corners;
   }
   s->thick = HSR_NEW(arena, bool, n_faces);
-  s->columns = HSR_NEW(arena, int, 2 * ((size_t)s->most_corners + 4));
+  s->columns = HSR_NEW(arena, int, (size_t)s->most_corners + 4);
+  s->spans.row =
+      HSR_NEW_ZEROED(arena, struct hsr_list_row,
+                     (size_t)(job->view->window.y1 - job->view->window.y0));
   s->order = HSR_NEW(arena, uint32_t, most_faces);
   s->other = HSR_NEW(arena, uint32_t, most_faces);
   s->piece_of = HSR_NEW(arena, uint32_t, previous ? n_faces : 0);
-  return s->thick && s->columns && s->order && s->other && s->piece_of
+  return s->thick && s->columns && s->spans.row && s->order && s->other &&
+                 s->piece_of
              ? HSR_OK
              : HSR_E_NOMEM;
 }

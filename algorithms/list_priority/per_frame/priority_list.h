@@ -67,6 +67,19 @@ struct hsr_list_index {
   int width, height, columns; /* of cells: their size in samples, how many */
 };
 
+/* The spans of P on the rows where test 6 asked for them: they serve all of {Q}. */
+struct hsr_list_spans {
+  uint32_t piece;  /* P, or HSR_NO_PIECE */
+  uint32_t number; /* of this P among all */
+  struct hsr_face_rows rows;
+  struct hsr_list_row {
+    uint32_t number; /* of the P of which this is */
+    int n;
+    size_t first; /* of its columns */
+  } * row;        /* by row of the window */
+  struct hsr_growing columns;
+};
+
 /* The faces of a window. */
 struct hsr_priority_list {
   const struct hsr_job *job;
@@ -78,8 +91,9 @@ struct hsr_priority_list {
   bool out_of_memory;
 
   bool *thick;  /* by face: between two of these, the samples decide */
-  int *columns; /* room for the spans of the largest face, twice */
+  int *columns; /* room for the spans of the largest face */
   uint32_t most_corners;
+  struct hsr_list_spans spans;
 
   struct hsr_growing pieces;
   uint32_t head;
