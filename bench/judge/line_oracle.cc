@@ -667,7 +667,7 @@ void grid::add(uint32_t number, const screen_box &box) {
   }
   for (int y = y0; y <= y1; y++)
     for (int x = x0; x <= x1; x++)
-      cell[y * SIDE + x].push_back(number);
+      cell[static_cast<size_t>(y * SIDE + x)].push_back(number);
 }
 
 int artist::decide_c(uint32_t f) {
@@ -1149,7 +1149,8 @@ enum hsr_status artist::draw_edge() {
   const int x1 = grid::along(image.right), y1 = grid::along(image.high);
   for (int y = grid::along(image.low); y <= y1; y++)
     for (int x = grid::along(image.left); x <= x1; x++)
-      for (uint32_t number : cells.cell[y * grid::SIDE + x])
+      for (uint32_t number :
+           cells.cell[static_cast<size_t>(y * grid::SIDE + x)])
         look_at(number);
   return emit();
 }
