@@ -282,7 +282,7 @@ static void take_spans(struct hsr_priority_list *s, uint32_t p) {
                       s->tally);
 }
 
-/* The spans of P on row j: *n columns, valid until the next ones. */
+/* The spans of P on row j: *n columns, valid until the next ones; NULL: none. */
 static const int *spans_on(struct hsr_priority_list *s, int j, int *n) {
   struct hsr_list_spans *spans = &s->spans;
   struct hsr_list_row *row = &spans->row[j - s->job->view->window.y0];
@@ -302,7 +302,7 @@ static const int *spans_on(struct hsr_priority_list *s, int j, int *n) {
     }
   }
   *n = row->n;
-  return (const int *)spans->columns.items + row->first;
+  return row->n ? (const int *)spans->columns.items + row->first : NULL;
 }
 
 /* Test 6: no sample is in both. It looks for an edge of whole faces that
