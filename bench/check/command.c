@@ -259,9 +259,8 @@ static const struct argp argp = {
          0},
         {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
          "judge what algorithms that draw faces, or filtered pixels of them, "
-         "or "
-         "that add up splats, make of a scene in so many parts, as hsr render "
-         "--sort-last does",
+         "or that add up splats, make of a scene in so many parts, as hsr "
+         "render --sort-last does",
          0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},

@@ -91,8 +91,8 @@ struct hsr_scan {
   int *vertex_row; /* hsr_vertex_rows of the screen */
   struct hsr_scan_edge *edge;
   uint32_t n_edges, most_edges; /* there is room for most_edges */
-  uint32_t *bucket;    /* a row of the window: where its edges begin in */
-  uint32_t *in_bucket; /* this, the edges bucket after bucket */
+  uint32_t *bucket;    /* a row of the window: its first place in in_bucket[] */
+  uint32_t *in_bucket; /* the edges, one bucket behind the other */
   struct hsr_scan_cut *cut;
   uint32_t n_cut;
   int *columns; /* room for the spans of the largest cut face */
