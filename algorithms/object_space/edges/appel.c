@@ -65,29 +65,14 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
              : HSR_OK;
 }
 
-/* Puts e to the contour edges near it, whose boxes are sorted. */
-static enum hsr_status cross_sorted(struct hsr_network *network, uint32_t e) {
-  uint32_t n = hsr_network_find_near(network, e);
-  for (uint32_t k = 0; k < n; k++)
-    if (cross_one(network, e, network->boxes.near[k], false))
-      return HSR_E_NOMEM;
-  return HSR_OK;
-}
-
 /* Puts e to all contour edges; or, if their boxes are sorted, to those near it.
  */
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  struct hsr_near_boxes *all = &network->contours;
-  if (network->job->option[BOXES] == HSR_BY_CORNER)
-    return cross_sorted(network, e);
-  hsr_near_boxes_find(all, &network->box[e]);
-  for (uint32_t k = hsr_near_boxes_next(all, 0); k < all->n;
-       k = hsr_near_boxes_next(all, k + 1))
-    if (cross_one(network, e, network->contour[k], !all->near[k]))
-      return HSR_E_NOMEM;
-  return HSR_OK;
+  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  return hsr_network_cross_edges(network, e, sorted ? NULL : &network->contours,
+                                 network->contour, cross_one);
 }
 
 static enum hsr_status run(const struct hsr_job *job, bool visible_only,

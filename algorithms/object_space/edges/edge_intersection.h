@@ -236,6 +236,29 @@ enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
  * Returns how many. */
 uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e);
 
+/* Puts e to other edges by cross_one, which adds their crossing, and which is
+ * told of those that are known to be apart from e. These are edge[k] with box k
+ * of `all`; or, if `all` is NULL, those near e of the edges whose boxes are
+ * sorted. HSR_E_NOMEM. */
+static inline enum hsr_status hsr_network_cross_edges(
+    struct hsr_network *network, uint32_t e, struct hsr_near_boxes *all,
+    const uint32_t *edge,
+    enum hsr_status (*cross_one)(struct hsr_network *, uint32_t e, uint32_t c,
+                                 bool apart)) {
+  uint32_t n = all ? 0 : hsr_network_find_near(network, e);
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, network->boxes.near[k], false))
+      return HSR_E_NOMEM;
+  if (!all)
+    return HSR_OK;
+  hsr_near_boxes_find(all, &network->box[e]);
+  for (uint32_t k = hsr_near_boxes_next(all, 0); k < all->n;
+       k = hsr_near_boxes_next(all, k + 1))
+    if (cross_one(network, e, edge[k], !all->near[k]))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
 /* What the edge intersection may find of an edge and a contour edge. */
 enum hsr_crossing {
   HSR_BOXES_APART,

@@ -186,27 +186,13 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
                                      : HSR_OK;
 }
 
-/* Puts e to the edges near it, whose boxes are sorted. */
-static enum hsr_status cross_sorted(struct hsr_network *network, uint32_t e) {
-  uint32_t n = hsr_network_find_near(network, e);
-  for (uint32_t k = 0; k < n; k++)
-    if (cross_one(network, e, network->boxes.near[k], false))
-      return HSR_E_NOMEM;
-  return HSR_OK;
-}
-
 /* Finds the crossings with all nearer edges. */
 static enum hsr_status cross(struct state *s, struct hsr_network *network,
                              uint32_t e) {
+  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
   HSR_COMPUTED(network->tally, OF_CONTOUR, network->n_contour);
-  if (network->job->option[BOXES] == HSR_BY_CORNER)
-    return cross_sorted(network, e);
-  hsr_near_boxes_find(&s->all, &network->box[e]);
-  for (uint32_t k = hsr_near_boxes_next(&s->all, 0); k < s->all.n;
-       k = hsr_near_boxes_next(&s->all, k + 1))
-    if (cross_one(network, e, s->with_faces[k], !s->all.near[k]))
-      return HSR_E_NOMEM;
-  return HSR_OK;
+  return hsr_network_cross_edges(network, e, sorted ? NULL : &s->all,
+                                 s->with_faces, cross_one);
 }
 
 /* The faces in whose planes the edge lies do not hide it. */
