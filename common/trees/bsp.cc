@@ -111,6 +111,7 @@ private:
   void hand_out(Convex &&piece, const uint32_t planes[3], size_t axis,
                 size_t octant, std::vector<Convex> *into);
   void find_tight_boxes();
+  void note_sides();
 
   // --- The trees of leaves
   struct Item {     // a node of a large group, or a subtree
@@ -269,6 +270,7 @@ void Maker::make() {
   while (!make_all())
     start_again();
   find_tight_boxes();
+  note_sides();
 }
 
 void Maker::start_again() {
@@ -330,6 +332,21 @@ void Maker::find_tight_boxes() {
         tight.lo[c] = std::fmin(tight.lo[c], cubes_[child].tight.lo[c]);
         tight.hi[c] = std::fmax(tight.hi[c], cubes_[child].tight.hi[c]);
       }
+}
+
+// Notes with nodes and pieces what tells on which side of them the eye is.
+void Maker::note_sides() {
+  for (hsr_bsp_node &node : nodes_) {
+    const Level &level = shapes_.level(node.plane);
+    node.axis = static_cast<int16_t>(level.axis);
+    node.level = static_cast<int16_t>(level.front);
+    node.at = level.at;
+  }
+  for (hsr_bsp_piece &piece : made_) {
+    const uint32_t parent = hsr_world_parent(&world_, piece.face);
+    piece.turned = static_cast<int16_t>(shapes_.turned(parent));
+    piece.one_sided = world_.mesh.one_sided[piece.face];
+  }
 }
 
 // --- The trees of leaves ----------------------------------------------------
@@ -518,22 +535,15 @@ bool Maker::fill(hsr_bsp *out) const {
   hsr_arena *arena = &out->arena;
   const uint32_t n = world_.n_faces;
   out->face_of = HSR_NEW(arena, uint32_t, world_.mesh.n_planes);
-  out->level = HSR_NEW(arena, hsr_bsp_level, world_.mesh.n_planes);
-  out->turned = HSR_NEW(arena, signed char, n);
   out->reach = HSR_NEW(arena, double, n);
-  if (!out->face_of || !out->level || !out->turned || !out->reach)
+  if (!out->face_of || !out->reach)
     return false;
   for (uint32_t p = 0; p < world_.mesh.n_planes; p++) {
     const uint32_t f = shapes_.face_of(p);
-    const Level &level = shapes_.level(p);
     out->face_of[p] = world_.pieces ? world_.pieces->first[f] : f;
-    out->level[p] = {level.at, static_cast<signed char>(level.axis),
-                     static_cast<signed char>(level.front)};
   }
   for (uint32_t f = 0; f < n; f++) {
-    const uint32_t parent = hsr_world_parent(&world_, f);
-    out->turned[f] = static_cast<signed char>(shapes_.turned(parent));
-    out->reach[f] = shapes_.reach(parent);
+    out->reach[f] = shapes_.reach(hsr_world_parent(&world_, f));
   }
   std::vector<uint32_t> loose;
   for (uint32_t f = 0; f < n; f++)

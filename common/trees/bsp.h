@@ -60,12 +60,19 @@ struct hsr_bsp_piece {
   uint32_t face; /* of the world */
   uint32_t first_corner, n_corners;
   uint32_t first_cut, n_cuts; /* 0 cuts if the face is flat: they are sides */
+  int16_t turned;    /* the face: +1 as its plane is, -1 the other way */
+  int16_t one_sided; /* the face: 1 or 0 */
 };
 
 struct hsr_bsp_node {
   uint32_t plane;                 /* a plane class of the world */
   uint32_t front, behind;         /* nodes, or HSR_NO_BSP */
   uint32_t first_piece, n_pieces; /* in the plane */
+  /* A plane that lies across an axis: coordinate `axis` = at. Its front is where
+   * the coordinate is greater (level +1) or less (-1). level 0: it does not lie
+   * across an axis. */
+  int16_t axis, level;
+  double at;
 };
 
 struct hsr_bsp_cube {
@@ -84,14 +91,6 @@ struct hsr_bsp_median {
   double at;
 };
 
-/* A plane class that lies across an axis: coordinate `axis` = at. Its front is
- * where the coordinate is greater (front +1) or less (-1). front 0: it does not
- * lie across an axis. */
-struct hsr_bsp_level {
-  double at;
-  signed char axis, front;
-};
-
 struct hsr_bsp {
   const struct hsr_world *world;
   struct hsr_bsp_cube *cube; /* at least one: the root; parents first */
@@ -104,10 +103,8 @@ struct hsr_bsp {
                                  a vertex of the world */
   struct hsr_bsp_median *median;
   uint32_t *face_of; /* a plane class: the first face in it, which turns it */
-  struct hsr_bsp_level *level; /* a plane class */
-  signed char *turned; /* a face: +1 as its plane is, -1 the other way */
-  double *reach;       /* a face; 0: it is flat */
-  uint32_t *loose;     /* faces that are in no tree, ascending */
+  double *reach;     /* a face; 0: it is flat */
+  uint32_t *loose;   /* faces that are in no tree, ascending */
   uint32_t n_cubes, n_nodes, n_pieces, n_corners, n_cuts, n_points, n_medians,
       n_loose;
   uint32_t most_depth; /* nodes on the longest path down a tree */

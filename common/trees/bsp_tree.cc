@@ -138,7 +138,7 @@ void Tree_maker::split(const Group &group, Part_counts &counts, Bsp_part &part,
       (where_[k] == BEHIND ? behind : front).push_back(p);
   }
   part.nodes.push_back({plane, HSR_NO_BSP, HSR_NO_BSP, first,
-                        size_of(part.pieces.size()) - first});
+                        size_of(part.pieces.size()) - first, 0, 0, 0});
 }
 
 void Tree_maker::make(Part_counts &counts, Bsp_part &part) {
@@ -175,9 +175,13 @@ void Tree_maker::make(Part_counts &counts, Bsp_part &part) {
 // --- What lies in a plane ---------------------------------------------------
 
 void Tree_maker::place(const Convex &piece, Bsp_part &part) const {
-  hsr_bsp_piece made = {piece.from, size_of(part.corners.size()),
+  hsr_bsp_piece made = {piece.from,
+                        size_of(part.corners.size()),
                         size_of(piece.corners.size()),
-                        size_of(part.cuts.size()), 0};
+                        size_of(part.cuts.size()),
+                        0,
+                        0,
+                        0};
   const auto side_of = [](int side) {
     return side > 0 ? HSR_BSP_FRONT : HSR_BSP_BEHIND;
   };

@@ -55,14 +55,14 @@ static int side_in_parallel(const struct hsr_bsp_walk *walk, uint32_t f) {
                             &walk->tally->out_of_memory);
 }
 
-static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
+static int side_of_plane(const struct hsr_bsp_walk *walk,
+                         const struct hsr_bsp_node *node) {
   const struct hsr_world *world = walk->bsp->world;
   const struct hsr_view *view = walk->view;
   const double *E = view->E, *S = walk->shift;
-  uint32_t f = walk->bsp->face_of[plane];
-  const struct hsr_bsp_level *level = &walk->bsp->level[plane];
-  if (level->front)
-    return level->front * side_of_median(walk, level->axis, level->at);
+  if (node->level)
+    return node->level * side_of_median(walk, node->axis, node->at);
+  uint32_t f = walk->bsp->face_of[node->plane];
   const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
   if (view->parallel)
     return side_in_parallel(walk, f);
@@ -90,10 +90,18 @@ static void tell_pieces(const struct hsr_bsp_walk *walk,
   for (uint32_t k = 0; k < n && eye_side; k++) {
     const struct hsr_bsp_piece *piece =
         &bsp->piece[node->first_piece + (walk->backwards ? n - 1 - k : k)];
-    int facing = eye_side * bsp->turned[piece->face];
-    if (facing > 0 || !bsp->world->mesh.one_sided[piece->face])
+    int facing = eye_side * piece->turned;
+    if (facing > 0 || !piece->one_sided)
       walk->piece(walk->context, piece, facing);
   }
+}
+
+/* Has on its way from memory what comes after the subtree that comes next. */
+static void fetch_next(const struct hsr_bsp *bsp,
+                       const struct hsr_bsp_node *node) {
+  __builtin_prefetch(&bsp->piece[node->first_piece]);
+  if (node->behind != HSR_NO_BSP)
+    __builtin_prefetch(&bsp->node[node->behind]);
 }
 
 static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
@@ -110,7 +118,8 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
     }
     if (walk->enter_node && !walk->enter_node(walk->context, next.node))
       continue;
-    next.eye_side = side_of_plane(walk, node->plane);
+    fetch_next(bsp, node);
+    next.eye_side = side_of_plane(walk, node);
     next.gone_into = true;
     bool front_first = (next.eye_side > 0) != walk->backwards;
     uint32_t first = front_first ? node->front : node->behind;

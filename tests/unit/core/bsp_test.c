@@ -446,10 +446,11 @@ static void leave_seen(struct fixture *x, int *facing) {
   const struct hsr_world *world = x->setup.world;
   uint32_t n = 0;
   for (uint32_t k = 0; k < x->n_ordered; k++) {
-    uint32_t f = x->bsp.piece[x->order[k]].face;
+    const struct hsr_bsp_piece *piece = &x->bsp.piece[x->order[k]];
+    uint32_t f = piece->face;
     struct median_loop room;
     struct hsr_loop plane = plane_loop(x, world->mesh.plane[f], &room);
-    int side = eye_side(x, plane) * x->bsp.turned[f];
+    int side = eye_side(x, plane) * piece->turned;
     if (side == 0 || (side < 0 && world->mesh.one_sided[f]))
       continue;
     facing[n] = side;

@@ -122,14 +122,12 @@ enum hsr_status hsr_tiling_room(struct hsr_tiling *t,
 
 bool hsr_tiling_shows(struct hsr_tiling *t, const struct hsr_box *box,
                       const double shift[3], bool tested) {
-  bool known;
-  const struct hsr_mask_polygon *silhouette =
-      hsr_pieces_silhouette(&t->pieces, box, shift, &known);
-  if (!known)
-    return true;
-  if (!silhouette || !tested)
-    return silhouette;
-  bool visible = hsr_masks_show(&t->masks, silhouette, t->pieces.box);
+  enum hsr_box_place place = hsr_pieces_box(&t->pieces, box, shift);
+  if (place != HSR_BOX_INSIDE || !tested)
+    return place != HSR_BOX_OUTSIDE;
+  bool visible =
+      hsr_masks_find(&t->masks, t->pieces.box) &&
+      hsr_masks_show_found(&t->masks, hsr_pieces_silhouette(&t->pieces));
   hsr_tiling_asked(t, visible);
   return visible;
 }

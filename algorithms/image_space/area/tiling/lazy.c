@@ -240,17 +240,12 @@ static double nearest_of(const struct frame *f, const struct hsr_box *box) {
 static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   static const double still[3] = {0, 0, 0};
   struct hsr_box box = corners_of(cube);
-  bool known;
-  const struct hsr_mask_polygon *silhouette =
-      hsr_pieces_silhouette(&f->tiling.pieces, &box, still, &known);
-  if (!known)
-    return true;
-  if (!silhouette)
-    return false;
-  if (f->job->option[CUBES] == CUBES_DRAWN)
-    return true;
-  bool visible = hsr_lazy_shows(&f->pyramid, silhouette, f->tiling.pieces.box,
-                                nearest_of(f, &box));
+  struct hsr_pieces_view *pieces = &f->tiling.pieces;
+  enum hsr_box_place place = hsr_pieces_box(pieces, &box, still);
+  if (place != HSR_BOX_INSIDE || f->job->option[CUBES] == CUBES_DRAWN)
+    return place != HSR_BOX_OUTSIDE;
+  bool visible = hsr_lazy_shows(&f->pyramid, hsr_pieces_silhouette(pieces),
+                                pieces->box, nearest_of(f, &box));
   hsr_tiling_asked(&f->tiling, visible);
   return visible;
 }

@@ -29,6 +29,7 @@ enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { CUBES_TESTED, CUBES_DRAWN };
 enum { COUNTS_OFF, COUNTS_ON };
+enum { CORNERS = 4 };
 
 enum {
   PIECES = HSR_TILING_COUNTERS,
@@ -166,29 +167,70 @@ static bool is_visible(struct frame *f, const struct hsr_box *box,
 static bool is_any_left(struct frame *f, const struct hsr_box *box,
                         const double shift[3], struct hsr_subject cube) {
   struct hsr_tiling *t = &f->tiling;
-  bool known;
   hsr_tiling_whom(t, cube);
-  const struct hsr_mask_polygon *silhouette =
-      hsr_pieces_silhouette(&t->pieces, box, shift, &known);
+  enum hsr_box_place place = hsr_pieces_box(&t->pieces, box, shift);
   t->masks.counts->cube = 0;
-  if (!known || !silhouette)
-    return !known;
-  bool visible = hsr_masks_count(&t->masks, silhouette, t->pieces.box) > 0;
+  if (place != HSR_BOX_INSIDE)
+    return place == HSR_BOX_UNKNOWN;
+  bool visible = hsr_masks_count(&t->masks, hsr_pieces_silhouette(&t->pieces),
+                                 t->pieces.box) > 0;
   hsr_tiling_asked(t, visible);
   return visible;
 }
 
+/* --- What comes next ------------------------------------------------------ */
+
+/* Has memory on its way. It may reach beyond an array: nothing is read. */
+static void fetch(const void *from, size_t size) {
+  const size_t line = 64;
+  for (size_t k = 0; k < size; k += line)
+    __builtin_prefetch((const char *)from + k);
+}
+
+/* While a cube is tested: its octants; or the points, and the first nodes. */
+static void fetch_cube(const struct hsr_bsp *bsp,
+                       const struct hsr_bsp_cube *cube) {
+  if (cube->root == HSR_NO_BSP) {
+    for (int k = 0; k < 8; k++)
+      if (cube->child[k] != HSR_NO_BSP)
+        fetch(&bsp->cube[cube->child[k]], sizeof *cube);
+    return;
+  }
+  fetch(&bsp->node[cube->root], 8 * sizeof *bsp->node);
+  size_t first = cube->first_point, size = cube->n_points * sizeof(double);
+  fetch(bsp->x + first, size);
+  fetch(bsp->y + first, size);
+  fetch(bsp->z + first, size);
+  fetch(bsp->error + first, size);
+}
+
+/* Before the pieces of a leaf are told: the first of them, and their corners,
+ * which are CORNERS for each point or fewer, as a rule. */
+static void fetch_pieces(const struct hsr_bsp *bsp,
+                         const struct hsr_bsp_cube *cube) {
+  const struct hsr_bsp_piece *piece =
+      &bsp->piece[bsp->node[cube->root].first_piece];
+  fetch(piece, 10 * sizeof *piece);
+  fetch(&bsp->corner[piece->first_corner],
+        CORNERS * cube->n_points * sizeof *bsp->corner);
+}
+
+/* --- Cubes and pieces ----------------------------------------------------- */
+
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
+  fetch_cube(pieces->bsp, cube);
   uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
   bool counts = f->tiling.masks.counts && cube->root != HSR_NO_BSP &&
                 f->job->option[CUBES] == CUBES_TESTED;
   if (!(counts ? is_any_left : is_visible)(f, &cube->tight, pieces->shift,
                                            HSR_CELL(number, f->instance, 0)))
     return false;
-  if (cube->root != HSR_NO_BSP)
+  if (cube->root != HSR_NO_BSP) {
+    fetch_pieces(pieces->bsp, cube);
     hsr_pieces_leaf(pieces, cube);
+  }
   return true;
 }
 
@@ -250,6 +292,8 @@ static void tile_instances(struct frame *f, uint32_t number) {
   const struct hsr_grove *grove = &f->prepared->grove;
   const struct hsr_grove_node *node = &grove->node[number];
   if (node->axis >= 0) {
+    fetch(&grove->node[node->below], sizeof *node);
+    fetch(&grove->node[node->above], sizeof *node);
     if (!is_visible(f, &node->box, still, HSR_CELL(number, HSR_NO_ID, 0)))
       return;
     bool above = f->tiling.view.eye[node->axis] > node->at;

@@ -6,5 +6,8 @@ algorithm_files += \
   %D%/masks.h \
   %D%/masks_avx2.h \
   %D%/masks_avx512.h \
+  %D%/outline.c \
+  %D%/outline.h \
   %D%/polygon.c \
-  %D%/polygon.h
+  %D%/polygon.h \
+  %D%/silhouette.c

@@ -33,54 +33,17 @@
  * met before the eye although the corners are behind it. Their depths tell
  * nothing about near, unless the points of the tree have the face's `reach` as
  * their error. */
-#include "algorithms/image_space/area/tiling/masks/polygon.h"
-#include "common/base/numbers.h"
+#include "algorithms/image_space/area/tiling/masks/outline.h"
 #include "common/base/vector.h"
 #include "common/exact/order.h"
 
 #include <float.h>
 #include <math.h>
 
-static const double U = DBL_EPSILON / 2;
-
 enum { SILHOUETTE = 8 }; /* room for its lines */
 
-/* The corners of each side of a box, counterclockwise as seen from outside. Bit
- * k of a corner's number says that it is the upper one in coordinate k. Side 2
- * k is the lower one in coordinate k. */
-static const unsigned char SIDE[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5},
-                                         {0, 1, 5, 4}, {2, 6, 7, 3},
-                                         {0, 2, 3, 1}, {4, 5, 7, 6}};
-
-/* The silhouette of a box for an eye that is below it, within it or above it in
- * each coordinate: place 0, 1 or 2. It goes along the edges that have one side
- * that faces the eye and one that does not. */
-static struct hsr_silhouette find_silhouette(const int place[3]) {
-  struct hsr_silhouette silhouette = {0, {0}};
-  unsigned to[8] = {0}; /* a corner: where edges go from it */
-  for (int s = 0; s < 6; s++)
-    for (int e = 0; place[s / 2] == s % 2 * 2 && e < 4; e++) {
-      int a = SIDE[s][e], b = SIDE[s][(e + 1) & 3];
-      if (to[b] >> a & 1) /* between two such sides */
-        to[b] &= ~(1u << a);
-      else
-        to[a] |= 1u << b;
-    }
-  int first = 0;
-  while (first < 8 && !to[first])
-    first++;
-  if (first == 8)
-    return silhouette;
-  int corner = first;
-  do {
-    silhouette.corner[silhouette.n++] = (unsigned char)corner;
-    for (int next = 0; next < 8; next++)
-      if (to[corner] == 1u << next) {
-        corner = next;
-        break;
-      }
-  } while (corner != first);
-  return silhouette;
+static double sum_of_sizes(const double v[3]) {
+  return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
 enum hsr_status
@@ -108,9 +71,11 @@ hsr_pieces_begin(struct hsr_pieces_view *p, struct hsr_pieces_room room,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < room.face; k++)
     p->number[k] = k;
+  for (int c = 0; c < 3; c++)
+    p->spread[c] = sum_of_sizes(view->screen[c]);
   for (int k = 0; k < 27; k++) {
     const int place[3] = {k % 3, k / 3 % 3, k / 9};
-    p->silhouette[k] = find_silhouette(place);
+    p->silhouette[k] = hsr_silhouette_find(place);
   }
   return HSR_OK;
 }
@@ -124,32 +89,13 @@ void hsr_pieces_tree(struct hsr_pieces_view *p, const struct hsr_bsp *bsp,
 
 /* --- The transform -------------------------------------------------------- */
 
-/* The error of row . (V - E) for points within a box that is moved. */
-static double error_of(const struct hsr_pieces_view *p, const double row[3],
-                       const struct hsr_box *box, const double shift[3]) {
-  double sum = 0;
+/* The largest coordinates of V - E for points within a box that is moved. */
+static void find_far(const struct hsr_pieces_view *p, const struct hsr_box *box,
+                     const double shift[3], double far[3]) {
+  const double *E = p->view->E;
   for (int k = 0; k < 3; k++)
-    sum += fabs(row[k]) * hsr_max(fabs(box->lo[k] + shift[k] - p->view->E[k]),
-                                  fabs(box->hi[k] + shift[k] - p->view->E[k]));
-  return 8 * U * sum + 0x1p-960;
-}
-
-/* Errors of points within a box that is moved. */
-static void find_errors(const struct hsr_pieces_view *p,
-                        const struct hsr_box *box, const double shift[3],
-                        double error[3]) {
-  for (int c = 0; c < 3; c++)
-    error[c] = error_of(p, p->view->screen[c], box, shift) +
-               4 * U * fabs(p->view->origin[c]);
-}
-
-/* Whether a product of points of such errors may overflow: see Range. */
-static bool is_wild(const double error[3]) {
-  return !(error[0] <= 0x1p400 && error[1] <= 0x1p400 && error[2] <= 0x1p400);
-}
-
-static double sum_of_sizes(const double v[3]) {
-  return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
+    far[k] = hsr_max(fabs(box->lo[k] + shift[k] - E[k]),
+                     fabs(box->hi[k] + shift[k] - E[k]));
 }
 
 /* In parallel: no point of the leaf has a smaller t. */
@@ -164,34 +110,69 @@ static double nearest_depth(const struct hsr_pieces_view *p,
   return nearest;
 }
 
-/* Finds where the leaf's points are on the screen; the bounds are those of
- * add_point. */
+enum { LANES = 8 };
+
+/* What bounds the places of a leaf's points, in lanes. */
+struct extent {
+  double margin[LANES];  /* the largest */
+  double nearest[LANES]; /* the least W less its error */
+};
+
+/* Point k, of which bounds go to a lane. `spread` is what an error of 1 in a
+ * point's coordinates amounts to in X, Y and W. The bounds are those of
+ * hsr_hull_add. */
+static inline __attribute__((always_inline)) void
+place_point(const double *restrict x, const double *restrict y,
+            const double *restrict w, const double *restrict own,
+            double rounding, double most, double spread, double *restrict sx,
+            double *restrict sy, size_t k, size_t lane,
+            struct extent *restrict extent) {
+  double off_k = own[k] > 0 ? own[k] + rounding : 0;
+  double e = most + spread * off_k, per_w = 1 / w[k];
+  double at_x = x[k] * per_w, at_y = y[k] * per_w;
+  double far = hsr_max(fabs(at_x), fabs(at_y));
+  double off = (2 * e * (1 + far)) * per_w + 8 * HSR_U * far;
+  sx[k] = at_x;
+  sy[k] = at_y;
+  extent->margin[lane] = hsr_max(off, extent->margin[lane]);
+  extent->nearest[lane] = hsr_min(extent->nearest[lane], w[k] - 4 * e);
+}
+
+HSR_VECTOR static void
+place_points(size_t n, const double *restrict x, const double *restrict y,
+             const double *restrict w, const double *restrict own,
+             double rounding, double most, double spread, double *restrict sx,
+             double *restrict sy, struct extent *restrict extent) {
+  size_t k = 0;
+  for (size_t lane = 0; lane < LANES; lane++) {
+    extent->margin[lane] = 0;
+    extent->nearest[lane] = INFINITY;
+  }
+  for (; k + LANES <= n; k += LANES)
+    for (size_t lane = 0; lane < LANES; lane++)
+      place_point(x, y, w, own, rounding, most, spread, sx, sy, k + lane, lane,
+                  extent);
+  for (size_t lane = 0; k + lane < n; lane++)
+    place_point(x, y, w, own, rounding, most, spread, sx, sy, k + lane, lane,
+                extent);
+}
+
+/* Finds where the leaf's points are on the screen. */
 static void find_places(struct hsr_pieces_view *p,
                         const struct hsr_bsp_cube *leaf) {
   const double *own = p->bsp->error + leaf->first_point;
-  double margin = 0, nearest = INFINITY;
-  double spread =
-      0; /* what an error of 1 in a point's coordinates amounts to in
-                        X, Y and W */
-  for (int c = 0; c < 3; c++) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++)
-      sum += fabs(p->view->screen[c][k]);
-    spread = hsr_max(spread, sum);
-  }
   double most = hsr_max(hsr_max(p->error[0], p->error[1]), p->error[2]);
-  for (uint32_t k = 0; k < leaf->n_points; k++) {
-    double off_k = own[k] > 0 ? own[k] + p->rounding : 0;
-    double e = most + spread * off_k, per_w = 1 / p->w[k];
-    p->sx[k] = p->x[k] * per_w;
-    p->sy[k] = p->y[k] * per_w;
-    double far = hsr_max(fabs(p->sx[k]), fabs(p->sy[k]));
-    double off = (2 * e * (1 + far)) * per_w + 8 * U * far;
-    margin = off > margin ? off : margin;
-    nearest = hsr_min(nearest, p->w[k] - 4 * e);
+  double spread = hsr_max(hsr_max(p->spread[0], p->spread[1]), p->spread[2]);
+  double nearest = INFINITY;
+  struct extent extent;
+  place_points(leaf->n_points, p->x, p->y, p->w, own, p->rounding, most, spread,
+               p->sx, p->sy, &extent);
+  p->margin = 0;
+  for (int lane = 0; lane < LANES; lane++) {
+    p->margin = hsr_max(p->margin, extent.margin[lane]);
+    nearest = hsr_min(nearest, extent.nearest[lane]);
   }
-  p->margin = margin;
-  p->ahead = !p->is_wild && nearest > 0 && margin < INFINITY;
+  p->ahead = !p->is_wild && nearest > 0 && p->margin < INFINITY;
   if (p->view->parallel)
     nearest = nearest_depth(p, leaf);
   p->past_near = nearest > p->view->near;
@@ -235,138 +216,58 @@ void hsr_pieces_leaf(struct hsr_pieces_view *p,
                      const struct hsr_bsp_cube *leaf) {
   size_t first = leaf->first_point;
   p->first_point = leaf->first_point;
-  find_errors(p, &leaf->tight, p->shift, p->error);
-  p->is_wild = is_wild(p->error);
+  double far[3];
+  find_far(p, &leaf->tight, p->shift, far);
+  for (int c = 0; c < 3; c++)
+    p->error[c] = hsr_outline_error(p->view->screen[c], far) +
+                  4 * HSR_U * fabs(p->view->origin[c]);
+  p->is_wild = hsr_outline_is_wild(p->error);
   p->rounding = 0;
   for (int k = 0; k < 3; k++)
     if (p->shift[k] != 0)
       p->rounding = hsr_max(p->rounding,
-                            2 * U *
+                            2 * HSR_U *
                                 hsr_max(fabs(leaf->tight.lo[k] + p->shift[k]),
                                         fabs(leaf->tight.hi[k] + p->shift[k])));
   transform(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
             p->bsp->z + first, p->shift, p->view, p->x, p->y, p->w);
   p->t_error = p->error[2];
   if (p->view->parallel) {
-    p->t_error = error_of(p, p->view->depth, &leaf->tight, p->shift);
+    p->t_error = hsr_outline_error(p->view->depth, far);
     find_depths(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
                 p->bsp->z + first, p->shift, p->view, p->t);
   }
   find_places(p, leaf);
 }
 
-/* --- Lines ---------------------------------------------------------------- */
+/* --- Corners -------------------------------------------------------------- */
 
-struct point {
-  double x, y, w;
-  double ex, ey, ew; /* what it may be off by */
-  double t, et;      /* its depth, and what that may be off by */
-};
-
-/* The line from a to b, inside being where `side` times the determinant is
- * positive. */
-static struct hsr_mask_line line_through(double reach, const struct point *a,
-                                         const struct point *b, double side) {
-  double ax = fabs(a->x), ay = fabs(a->y), aw = fabs(a->w);
-  double bx = fabs(b->x), by = fabs(b->y), bw = fabs(b->w);
-  double ex = hsr_max(a->ex, b->ex), ey = hsr_max(a->ey, b->ey),
-         ew = hsr_max(a->ew, b->ew);
-  double error_a =
-      ey * (aw + bw) + ew * (ay + by) + 2 * U * (ay * bw + aw * by);
-  double error_b =
-      ex * (aw + bw) + ew * (ax + bx) + 2 * U * (ax * bw + aw * bx);
-  double error_c =
-      ex * (ay + by) + ey * (ax + bx) + 2 * U * (ax * by + ay * bx);
-  struct hsr_mask_line line;
-  line.a = side * (a->y * b->w - a->w * b->y);
-  line.b = side * (a->w * b->x - a->x * b->w);
-  line.c = side * (a->x * b->y - a->y * b->x);
-  line.span = fabs(line.a) + fabs(line.b);
-  line.error = 2 * (reach * (error_a + error_b) + error_c +
-                    5 * U * (reach * line.span + fabs(line.c))) +
-               0x1p-1000;
-  line.per_a = 1 / line.a;
-  line.per_b = 1 / line.b;
-  return line;
-}
-
-static struct point corner_point(const struct hsr_pieces_view *p,
-                                 const struct hsr_bsp_corner *corner) {
+static struct hsr_outline_point
+corner_point(const struct hsr_pieces_view *p,
+             const struct hsr_bsp_corner *corner) {
   uint32_t k = corner->point - p->first_point;
   double own = p->bsp->error[corner->point];
-  const double(*r)[3] = p->view->screen;
-  struct point point = {p->x[k],     p->y[k],     p->w[k], p->error[0],
-                        p->error[1], p->error[2], p->t[k], p->t_error};
+  struct hsr_outline_point point = {p->x[k],     p->y[k],     p->w[k],
+                                    p->error[0], p->error[1], p->error[2],
+                                    p->t[k],     p->t_error};
   if (own > 0) {
     own += p->rounding;
-    point.ex += own * sum_of_sizes(r[0]);
-    point.ey += own * sum_of_sizes(r[1]);
-    point.ew += own * sum_of_sizes(r[2]);
+    point.ex += own * p->spread[0];
+    point.ey += own * p->spread[1];
+    point.ew += own * p->spread[2];
     point.et += own * sum_of_sizes(p->view->depth);
   }
   return point;
 }
 
-/* --- The box of samples --------------------------------------------------- */
-
-/* A rectangle that holds points of the screen; and the borders of the window
- * that all of them are beyond, by their homogeneous coordinates, wherever they
- * are. */
-struct hull {
-  double x0, y0, x1, y1;
-  bool ahead; /* all points are surely before the eye */
-  unsigned beyond;
-};
-
-static struct hull no_hull(void) {
-  struct hull hull = {INFINITY, INFINITY, -INFINITY, -INFINITY, true, 31};
-  return hull;
-}
-
-static void add_point(struct hull *hull, const struct point *a,
-                      const struct hsr_window *window) {
-  double x0 = window->x0, y0 = window->y0, x1 = window->x1, y1 = window->y1;
-  double wide = a->ex + hsr_max(fabs(x0), fabs(x1)) * a->ew;
-  double high = a->ey + hsr_max(fabs(y0), fabs(y1)) * a->ew;
-  hull->beyond &= (unsigned)(a->x - x0 * a->w < -2 * wide) |
-                  (unsigned)(a->x - x1 * a->w > 2 * wide) << 1 |
-                  (unsigned)(a->y - y0 * a->w < -2 * high) << 2 |
-                  (unsigned)(a->y - y1 * a->w > 2 * high) << 3 |
-                  (unsigned)(a->w < -2 * a->ew) << 4;
-  if (!(a->w > 4 * a->ew)) {
-    hull->ahead = false;
-    return;
-  }
-  double sx = a->x / a->w, sy = a->y / a->w;
-  double mx = 2 * (a->ex + fabs(sx) * a->ew) / a->w + 4 * U * fabs(sx);
-  double my = 2 * (a->ey + fabs(sy) * a->ew) / a->w + 4 * U * fabs(sy);
-  hull->x0 = hsr_min(hull->x0, sx - mx);
-  hull->x1 = hsr_max(hull->x1, sx + mx);
-  hull->y0 = hsr_min(hull->y0, sy - my);
-  hull->y1 = hsr_max(hull->y1, sy + my);
-}
-
-/* The first whole number from x on, within [least, most]. */
-static int whole(double x, int least, int most) {
-  double within = hsr_min(hsr_max(x, least), most);
-  int down = (int)within;
-  return down + (down < within);
-}
-
-/* The samples of the window within the hull. */
-static bool box_of(const struct hull *hull, const struct hsr_window *w,
-                   bool anywhere, struct hsr_bounds *box) {
-  *box = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
-  if (hull->beyond)
-    return false;
-  if (!hull->ahead)
-    return true;
-  double before = anywhere ? 1 : 0.5, after = anywhere ? 0 : 0.5;
-  box->x0 = whole(hull->x0 - before, w->x0, w->x1);
-  box->y0 = whole(hull->y0 - before, w->y0, w->y1);
-  box->x1 = whole(hull->x1 - after, w->x0, w->x1);
-  box->y1 = whole(hull->y1 - after, w->y0, w->y1);
-  return box->x0 < box->x1 && box->y0 < box->y1;
+static void put_corner(struct hsr_ring *ring, uint32_t k,
+                       const struct hsr_outline_point *point) {
+  ring->x[k] = point->x;
+  ring->y[k] = point->y;
+  ring->w[k] = point->w;
+  ring->ex[k] = point->ex;
+  ring->ey[k] = point->ey;
+  ring->ew[k] = point->ew;
 }
 
 /* --- Exact questions ------------------------------------------------------ */
@@ -495,20 +396,31 @@ static void take_box(struct hsr_pieces_view *p) {
  * of a and b and from that of the parameter s, which is bounded by the errors
  * of the depths: those of a and b differ by more than four times these. W is
  * that depth, or it is 1. */
-static struct point at_near(const struct point *a, const struct point *b,
-                            bool parallel, double near) {
+static struct hsr_outline_point at_near(const struct hsr_outline_point *a,
+                                        const struct hsr_outline_point *b,
+                                        bool parallel, double near) {
   double step = b->t - a->t, s = (near - a->t) / step;
-  double off = 2 * (hsr_max(a->et, b->et) + 2 * U * (fabs(a->t) + near)) /
+  double off = 2 * (hsr_max(a->et, b->et) + 2 * HSR_U * (fabs(a->t) + near)) /
                    (fabs(step) - a->et - b->et) +
-               4 * U;
+               4 * HSR_U;
   double dx = b->x - a->x, dy = b->y - a->y;
-  struct point point = {
+  struct hsr_outline_point point = {
       a->x + s * dx, a->y + s * dy, parallel ? 1 : near, 0, 0, 0, near, 0};
   point.ex = 2 * (hsr_max(a->ex, b->ex) + off * fabs(dx)) +
-             4 * U * (fabs(a->x) + fabs(b->x));
+             4 * HSR_U * (fabs(a->x) + fabs(b->x));
   point.ey = 2 * (hsr_max(a->ey, b->ey) + off * fabs(dy)) +
-             4 * U * (fabs(a->y) + fabs(b->y));
+             4 * HSR_U * (fabs(a->y) + fabs(b->y));
   return point;
+}
+
+static void line_between(const struct hsr_pieces_view *p,
+                         const struct hsr_outline_point *from,
+                         const struct hsr_outline_point *to,
+                         struct hsr_mask_line *line) {
+  struct hsr_ring ring;
+  for (uint32_t k = 0; k <= HSR_RING; k++)
+    put_corner(&ring, k, k ? to : from);
+  hsr_outline_lines(p->reach, -p->facing, &ring, 1, line);
 }
 
 /* The line where near cuts a polygon that has corners on both sides of it.
@@ -517,11 +429,12 @@ static bool line_at_near(struct hsr_pieces_view *p,
                          const struct hsr_bsp_corner *corner, uint32_t n,
                          struct hsr_mask_line *line) {
   double near = p->view->near;
-  struct point from = {0}, to = {0};
+  struct hsr_outline_point from = {0}, to = {0};
   int found = 0;
   for (uint32_t k = 0; k < n; k++) {
-    struct point a = corner_point(p, &corner[k]);
-    struct point b = corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
+    struct hsr_outline_point a = corner_point(p, &corner[k]);
+    struct hsr_outline_point b =
+        corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
     if (!(fabs(a.t - near) > 4 * a.et && fabs(b.t - near) > 4 * b.et))
       return false;
     if ((a.t > near) == (b.t > near))
@@ -530,14 +443,14 @@ static bool line_at_near(struct hsr_pieces_view *p,
     found++;
   }
   if (found == 2)
-    *line = line_through(p->reach, &from, &to, -p->facing);
+    line_between(p, &from, &to, line);
   return found == 2;
 }
 
 /* The box of the piece at hand, of a leaf that is before the eye. */
 static bool find_box(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
-  struct hull hull = no_hull();
+  struct hsr_hull hull = hsr_hull_none();
   hull.beyond = 0;
   for (uint32_t k = 0; k < p->piece->n_corners; k++) {
     double sx = p->sx[corner[k].point - p->first_point];
@@ -551,7 +464,7 @@ static bool find_box(struct hsr_pieces_view *p) {
   hull.x1 += p->margin;
   hull.y0 -= p->margin;
   hull.y1 += p->margin;
-  return box_of(&hull, &p->view->window, p->anywhere, &p->box);
+  return hsr_hull_box(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
 static bool take_window(struct hsr_pieces_view *p) {
@@ -576,20 +489,21 @@ static bool may_be_near(const struct hsr_view *view) {
 /* The same, of a leaf that is not wholly before the eye and past near. */
 static bool find_box_around(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
-  struct hull hull = no_hull();
+  struct hsr_hull hull = hsr_hull_none();
   bool is_flat = p->bsp->world->mesh.deviation[p->piece->face] == 0;
   bool has_reach = p->bsp->error[corner->point] > 0;
   bool before_near = may_be_near(p->view) && (is_flat || has_reach);
   if (p->is_wild)
     return take_window(p);
   for (uint32_t k = 0; k < p->piece->n_corners; k++) {
-    struct point point = corner_point(p, &corner[k]);
-    add_point(&hull, &point, &p->view->window);
+    struct hsr_outline_point point = corner_point(p, &corner[k]);
+    hsr_hull_add(&hull, &point, &p->view->window);
     before_near &= point.t + point.et < p->view->near;
   }
   if (!is_flat && !hull.ahead && is_grazed(p))
     return take_window(p);
-  return !before_near && box_of(&hull, &p->view->window, p->anywhere, &p->box);
+  return !before_near &&
+         hsr_hull_box(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
 bool hsr_pieces_take(struct hsr_pieces_view *p,
@@ -605,7 +519,7 @@ static void cut_at_near(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
   bool cut = false;
   for (uint32_t k = 0; k < n; k++) {
-    struct point point = corner_point(p, &corner[k]);
+    struct hsr_outline_point point = corner_point(p, &corner[k]);
     cut |= !(point.t - point.et > p->view->near);
   }
   if (cut && line_at_near(p, corner, n, &p->line[n]))
@@ -614,175 +528,35 @@ static void cut_at_near(struct hsr_pieces_view *p) {
     p->polygon.covers = past_near;
 }
 
+/* The lines of the piece at hand from its corner `first` on, as many as a ring
+ * has. */
+static void find_lines(const struct hsr_pieces_view *p, uint32_t first) {
+  uint32_t n = p->piece->n_corners, left = n - first;
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  struct hsr_ring ring;
+  for (uint32_t k = 0; k <= HSR_RING; k++) {
+    const struct hsr_outline_point point =
+        corner_point(p, &corner[k < left ? first + k : 0]);
+    put_corner(&ring, k, &point);
+  }
+  hsr_outline_lines(p->reach, -p->facing, &ring,
+                    left < HSR_RING ? left : HSR_RING, p->line + first);
+}
+
 void hsr_pieces_outline(struct hsr_pieces_view *p) {
   const struct hsr_bsp_piece *piece = p->piece;
-  const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
   uint32_t n = piece->n_corners;
   if (p->bsp->world->mesh.deviation[piece->face] > 0) {
     take_box(p);
     return;
   }
-  struct point from = corner_point(p, &corner[0]), first = from;
   for (uint32_t k = 0; k < n && p->is_wild; k++)
     p->line[k] = (struct hsr_mask_line){.error = INFINITY};
-  for (uint32_t k = 0; k < n && !p->is_wild; k++) {
-    struct point to = k + 1 < n ? corner_point(p, &corner[k + 1]) : first;
-    p->line[k] = line_through(p->reach, &from, &to, -p->facing);
-    from = to;
-  }
+  for (uint32_t k = 0; k < n && !p->is_wild; k += HSR_RING)
+    find_lines(p, k);
   p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
   if (may_be_near(p->view) && p->is_wild)
     p->polygon.covers = past_near;
   else if (may_be_near(p->view) && !p->past_near)
     cut_at_near(p);
-}
-
-/* --- Boxes ---------------------------------------------------------------- */
-
-/* A moved box, and a little more: the sums are rounded. */
-static struct hsr_box moved_box(const struct hsr_box *box,
-                                const double shift[3]) {
-  struct hsr_box moved;
-  for (int c = 0; c < 3; c++) {
-    double lo = box->lo[c] + shift[c], hi = box->hi[c] + shift[c];
-    moved.lo[c] = lo - 2 * U * fabs(lo);
-    moved.hi[c] = hi + 2 * U * fabs(hi);
-  }
-  return moved;
-}
-
-/* The corners of a box, coordinate by coordinate, all with the same errors; and
- * their places on the screen. */
-struct corners {
-  double x[8], y[8], w[8], sx[8], sy[8];
-  double error[3]; /* of X, Y, W */
-};
-
-/* A corner has the upper end in coordinate c where bit c of its number is 1. */
-static const double UPPER[3][8] = {{0, 1, 0, 1, 0, 1, 0, 1},
-                                   {0, 0, 1, 1, 0, 0, 1, 1},
-                                   {0, 0, 0, 0, 1, 1, 1, 1}};
-
-/* A homogeneous coordinate of all corners, from that of the first, and what a
- * side of the box adds to it. */
-static inline __attribute__((always_inline)) void
-add_sides(double first, const double add[3], double *restrict at) {
-  for (int k = 0; k < 8; k++)
-    at[k] = first + add[0] * UPPER[0][k] + add[1] * UPPER[1][k] +
-            add[2] * UPPER[2][k];
-}
-
-/* The corner of the lower ends, to which the sides are added. That takes six
- * more roundings than the bound for a leaf's points allows, of terms no larger
- * than twice the sum; so the bound is taken three times. */
-HSR_VECTOR static void find_corners(const struct hsr_view *view,
-                                    const struct hsr_box *box,
-                                    struct corners *restrict corner) {
-  const double(*r)[3] = view->screen;
-  double lo[3], first[3], add[3][3];
-  for (int c = 0; c < 3; c++)
-    lo[c] = box->lo[c] - view->E[c];
-  for (int row = 0; row < 3; row++) {
-    first[row] = r[row][0] * lo[0] + r[row][1] * lo[1] + r[row][2] * lo[2] +
-                 view->origin[row];
-    for (int c = 0; c < 3; c++)
-      add[row][c] = r[row][c] * (box->hi[c] - box->lo[c]);
-  }
-  add_sides(first[0], add[0], corner->x);
-  add_sides(first[1], add[1], corner->y);
-  add_sides(first[2], add[2], corner->w);
-  for (int k = 0; k < 8; k++) {
-    double per_w = 1 / corner->w[k];
-    corner->sx[k] = corner->x[k] * per_w;
-    corner->sy[k] = corner->y[k] * per_w;
-  }
-}
-
-static struct point corner_of_box(const struct corners *corner, int k) {
-  return (struct point){.x = corner->x[k],
-                        .y = corner->y[k],
-                        .w = corner->w[k],
-                        .ex = corner->error[0],
-                        .ey = corner->error[1],
-                        .ew = corner->error[2],
-                        .t = NAN, /* nobody asks */
-                        .et = NAN};
-}
-
-static double least_of(const double at[8]) {
-  double least[4];
-  for (int k = 0; k < 4; k++)
-    least[k] = hsr_min(at[k], at[k + 4]);
-  return hsr_min(hsr_min(least[0], least[1]), hsr_min(least[2], least[3]));
-}
-
-static double most_of(const double at[8]) {
-  double most[4];
-  for (int k = 0; k < 4; k++)
-    most[k] = hsr_max(at[k], at[k + 4]);
-  return hsr_max(hsr_max(most[0], most[1]), hsr_max(most[2], most[3]));
-}
-
-/* The hull of the corners of a box. */
-static struct hull hull_of(const struct hsr_pieces_view *p,
-                           const struct corners *corner) {
-  struct hull hull = no_hull();
-  const double *error = corner->error;
-  double e = hsr_max(error[0], hsr_max(error[1], error[2]));
-  double nearest = least_of(corner->w);
-  if (!(nearest > 4 * e)) {
-    for (int k = 0; k < 8; k++) {
-      struct point point = corner_of_box(corner, k);
-      add_point(&hull, &point, &p->view->window);
-    }
-    return hull;
-  }
-  hull.beyond = 0;
-  hull.x0 = least_of(corner->sx);
-  hull.x1 = most_of(corner->sx);
-  hull.y0 = least_of(corner->sy);
-  hull.y1 = most_of(corner->sy);
-  double far = hsr_max(hsr_max(fabs(hull.x0), fabs(hull.x1)),
-                       hsr_max(fabs(hull.y0), fabs(hull.y1)));
-  double margin = 2 * e * (1 + far) / nearest + 8 * U * far;
-  hull.x0 -= margin;
-  hull.x1 += margin;
-  hull.y0 -= margin;
-  hull.y1 += margin;
-  return hull;
-}
-
-const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
-                                                     const struct hsr_box *box,
-                                                     const double shift[3],
-                                                     bool *known) {
-  static const double still[3] = {0, 0, 0};
-  struct hsr_box moved = moved_box(box, shift);
-  struct corners corner;
-  int place = 0;
-  find_errors(p, &moved, still, corner.error);
-  for (int c = 0; c < 3; c++)
-    corner.error[c] *= 3;
-  *known = !is_wild(corner.error);
-  if (!*known)
-    return NULL;
-  find_corners(p->view, &moved, &corner);
-  struct hull hull = hull_of(p, &corner);
-  if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
-    return NULL;
-  for (int c = 2; c >= 0; c--)
-    place = 3 * place + (p->view->eye[c] < moved.lo[c]   ? 0
-                         : p->view->eye[c] > moved.hi[c] ? 2
-                                                         : 1);
-  const struct hsr_silhouette *s = &p->silhouette[place];
-  *known = hull.ahead && s->n;
-  for (int k = 0; *known && k < s->n; k++) {
-    struct point from = corner_of_box(&corner, s->corner[k]);
-    struct point to =
-        corner_of_box(&corner, s->corner[k + 1 < s->n ? k + 1 : 0]);
-    p->line[k] = line_through(p->reach, &from, &to, -1);
-  }
-  p->polygon =
-      (struct hsr_mask_polygon){p->line, (uint32_t)s->n, NULL, NULL, p};
-  return *known ? &p->polygon : NULL;
 }

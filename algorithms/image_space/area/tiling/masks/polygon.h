@@ -28,13 +28,29 @@ extern "C" {
 #define hsr_pieces_leaf HSR_OF_BUILD(hsr_pieces_leaf)
 #define hsr_pieces_take HSR_OF_BUILD(hsr_pieces_take)
 #define hsr_pieces_outline HSR_OF_BUILD(hsr_pieces_outline)
+#define hsr_pieces_box HSR_OF_BUILD(hsr_pieces_box)
 #define hsr_pieces_silhouette HSR_OF_BUILD(hsr_pieces_silhouette)
+#define hsr_silhouette_find HSR_OF_BUILD(hsr_silhouette_find)
 
 /* The corners of a box that are on its silhouette, in order; none if the eye is
  * within the box. */
 struct hsr_silhouette {
   int n;
   unsigned char corner[6];
+};
+
+/* The silhouette of a box for an eye that is below it, within it or above it in
+ * each coordinate: place 0, 1 or 2. It goes along the edges that have one side
+ * that faces the eye and one that does not. */
+struct hsr_silhouette hsr_silhouette_find(const int place[3]);
+
+/* The corners of a box, coordinate by coordinate, all with the same errors; the
+ * rectangle that they span on the screen, which counts only if they are before
+ * the eye, and the least W. */
+struct hsr_box_corners {
+  double x[8], y[8], w[8];
+  double error[3]; /* of X, Y, W */
+  double x0, y0, x1, y1, nearest;
 };
 
 /* One view of the pieces. */
@@ -54,12 +70,14 @@ struct hsr_pieces_view {
   double *x, *y, *w;
   double *t; /* their depths: w, or in parallel, where all w are 1, others */
   double error[3], t_error;
-  bool is_wild;    /* nothing is known of them: polygon.c, Range */
-  bool ahead;      /* all points are surely before the eye */
-  double *sx, *sy; /* then: where they are on the screen, */
-  double margin;   /* within this */
-  bool past_near;  /* all points are past near */
-  double rounding; /* of moving a point that is no vertex */
+  bool is_wild;     /* nothing is known of them: polygon.c, Range */
+  bool ahead;       /* all points are surely before the eye */
+  double *sx, *sy;  /* then: where they are on the screen, */
+  double margin;    /* within this */
+  bool past_near;   /* all points are past near */
+  double rounding;  /* of moving a point that is no vertex */
+  double spread[3]; /* what an error of 1 in its coordinates amounts to in X, Y
+                       and W */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
@@ -67,6 +85,10 @@ struct hsr_pieces_view {
   struct hsr_bounds box;
   struct hsr_mask_line *line;
   struct hsr_mask_polygon polygon;
+
+  /* The box at hand. */
+  struct hsr_box_corners corners;
+  const struct hsr_silhouette *of_box;
 
   struct hsr_silhouette silhouette[27]; /* by where the eye is: view->eye */
   double *corner[2];  /* moved corners of faces, by coordinates */
@@ -102,13 +124,18 @@ bool hsr_pieces_take(struct hsr_pieces_view *pieces,
 /* Makes the polygon of the piece. */
 void hsr_pieces_outline(struct hsr_pieces_view *pieces);
 
-/* The silhouette of a moved box, as a polygon whose lines leave nothing of the
- * box outside; its box of samples is `box`. NULL if no sample of the window is
- * within it. *known is false, and the result NULL, if the box is not wholly
- * before the eye: then it may be seen. */
+/* Makes a moved box the one at hand, and finds its box of samples, `box`. It is
+ * outside if no sample of the window is within it. It is unknown, and may be
+ * seen, if it is not wholly before the eye. */
+enum hsr_box_place { HSR_BOX_OUTSIDE, HSR_BOX_INSIDE, HSR_BOX_UNKNOWN };
+enum hsr_box_place hsr_pieces_box(struct hsr_pieces_view *pieces,
+                                  const struct hsr_box *box,
+                                  const double shift[3]);
+
+/* The silhouette of that box, which is inside: a polygon whose lines leave
+ * nothing of the box outside. */
 const struct hsr_mask_polygon *
-hsr_pieces_silhouette(struct hsr_pieces_view *pieces, const struct hsr_box *box,
-                      const double shift[3], bool *known);
+hsr_pieces_silhouette(struct hsr_pieces_view *pieces);
 
 #ifdef __cplusplus
 }
