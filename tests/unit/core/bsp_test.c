@@ -546,6 +546,16 @@ static void add_quad(struct hsr_object *object, const double corner[4][3]) {
     exit(99);
 }
 
+static void add_triangle(struct hsr_object *object, const double corner[3][3]) {
+  uint32_t vertex[3];
+  for (int k = 0; k < 3; k++)
+    if (hsr_object_vertex(object, corner[k][0], corner[k][1], corner[k][2],
+                          &vertex[k]))
+      exit(99);
+  if (hsr_object_face(object, vertex, 3, NULL))
+    exit(99);
+}
+
 static struct hsr_scene *pierced_sheet(void) {
   enum { N_NARROW = 60 };
   struct hsr_scene *scene = hsr_scene_new(PIERCED);
@@ -574,21 +584,27 @@ static enum hsr_status open_by_name(struct fixture *x, const char *name,
   return hsr_scene_finish(x->scene, err);
 }
 
+/* Makes a scene ready that is open. */
+static void lay_out(struct fixture *x) {
+  struct hsr_error err = {.text = "out of memory"};
+  x->convex = *hsr_algorithm_find("null")->plain;
+  x->convex.restrictions = HSR_CF;
+  if (hsr_scene_add_orbit(x->scene, VIEWS) ||
+      hsr_world_init(&x->world, x->scene, &err) ||
+      hsr_setup_init(&x->setup, &x->convex, NULL, &x->world, &err))
+    fail(&err);
+}
+
 static bool open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_import import = {.drop_degenerate = true};
-  *x = (struct fixture){.name = name,
-                        .convex = *hsr_algorithm_find("null")->plain};
-  x->convex.restrictions = HSR_CF;
+  *x = (struct fixture){.name = name};
   if (open_by_name(x, name, &import, &err)) {
     if (strncmp(name, "mesh:", 5) == 0)
       return false;
     fail(&err);
   }
-  if (hsr_scene_add_orbit(x->scene, VIEWS) ||
-      hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_setup_init(&x->setup, &x->convex, NULL, &x->world, &err))
-    fail(&err);
+  lay_out(x);
   return true;
 }
 
@@ -643,6 +659,60 @@ static void check_refused(struct tap *tap, struct fixture *x,
   close_scene(x);
 }
 
+/* --- A corner close to a plane -------------------------------------------- */
+
+/* A triangle, and one that stands upon it. The tip of that is so many steps of a
+ * double above the plane of the first or below it, about. */
+static struct hsr_scene *standing(int steps) {
+  static const double flat[3][3] = {
+      {-.7, -1.3, .4}, {1.9, -.3, .9}, {.3, 1.7, -.6}};
+  struct hsr_scene *scene = hsr_scene_new("standing");
+  struct hsr_object *object =
+      scene ? hsr_scene_object(scene, "standing") : NULL;
+  double tip[3], z = steps > 0 ? INFINITY : -INFINITY;
+  for (int c = 0; c < 3; c++)
+    tip[c] = (flat[0][c] + flat[1][c] + flat[2][c]) / 3;
+  for (int k = 0; k < abs(steps); k++)
+    tip[2] = nextafter(tip[2], z);
+  if (!object)
+    exit(99);
+  add_triangle(object, flat);
+  add_triangle(object, (const double[3][3]){{tip[0], tip[1], tip[2]},
+                                            {tip[0] + .2, tip[1], tip[2] + 2},
+                                            {tip[0] - .2, tip[1], tip[2] + 2}});
+  if (hsr_scene_instance(scene, 0, NULL))
+    exit(99);
+  return scene;
+}
+
+/* If the tip is not below the plane, that divides nothing, and there are two
+ * pieces. If it is, each of the two planes divides the other triangle. */
+static void check_tips(struct tap *tap) {
+  static struct fixture fixture, *x = &fixture;
+  int of[3] = {0}; /* below, on, above */
+  bool good = true;
+  for (int steps = -6; steps <= 6; steps++) {
+    struct hsr_error err = {.text = "out of memory"};
+    *x = (struct fixture){.name = "standing", .scene = standing(steps)};
+    if (hsr_scene_finish(x->scene, &err))
+      fail(&err);
+    lay_out(x);
+    const struct hsr_mesh *mesh = &x->setup.world->mesh;
+    uint32_t v = mesh->vertex[mesh->start[1]];
+    const double tip[3] = {mesh->x[v], mesh->y[v], mesh->z[v]};
+    static const double still[3] = {0, 0, 0};
+    int side = hsr_exact_moved_plane_side(hsr_plane_loop(x->setup.world, 0),
+                                          still, tip, &x->out_of_memory);
+    of[side + 1]++;
+    good &= is_made(x, 0, 0, &err) && x->bsp.n_pieces == (side < 0 ? 3 : 2);
+    hsr_bsp_free(&x->bsp);
+    close_scene(x);
+  }
+  ok(tap, good && of[0] && of[2] && !x->out_of_memory,
+     "a tip close to a plane: below %d, on %d, above %d times", of[0], of[1],
+     of[2]);
+}
+
 int main(int argc, char **argv) {
   static const char *const built_in[] = {
       "house",         "color-cube:3", "soup:150:3",    "cyclic-overlap",
@@ -658,7 +728,7 @@ int main(int argc, char **argv) {
   const char *const *scenes =
       argc > 1 ? (const char *const *)argv + 1 : built_in;
   int n = argc > 1 ? argc - 1 : (int)(sizeof built_in / sizeof *built_in);
-  struct tap tap = plan(4 * n * MOST + 4);
+  struct tap tap = plan(4 * n * MOST + 5);
   for (int s = 0; s < n; s++) {
     bool is_here = open_scene(x, scenes[s]);
     for (int k = 0; k < MOST; k++) {
@@ -680,5 +750,6 @@ int main(int argc, char **argv) {
       close_scene(x);
   }
   check_refused(&tap, x, "soup:1000:3");
+  check_tips(&tap);
   return finish(&tap);
 }
