@@ -40,6 +40,7 @@
  *             numbers. The pairs left to the exact test grow as the crossings
  *             of the picture, X_r. Of Appel's steps the initial visibility,
  *             C_t F_r, is then the one that grows fastest. */
+#include "algorithms/object_space/edges/active_edges.h"
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 enum {
@@ -53,15 +54,6 @@ enum {
   UNPLACED
 };
 
-/* An edge in the active edge list. */
-struct active {
-  uint32_t e;
-  double x0, y0, slope, half;
-  double left, right;         /* its cover at the current Y */
-  double was_left, was_right; /* at the Y before; nothing if it was not there */
-  double end_y;
-};
-
 struct note {
   uint32_t e, c; /* contour edge c may change what hides e */
 };
@@ -73,8 +65,7 @@ struct sweep {
   uint32_t *entering, *leaving, n;
   double *top, *bottom; /* by edge */
 
-  struct active *list;
-  uint32_t n_active;
+  struct hsr_active_edges list;
   double *enters_at; /* by edge: left when it enters */
 
   struct hsr_growing noted; /* of struct note */
@@ -149,12 +140,12 @@ static enum hsr_status sort_by_y(const struct sweep *s, const double *key,
 
 /* --- Covers --------------------------------------------------------------- */
 
-static struct active activate(const struct sweep *s, uint32_t e) {
+static struct hsr_active activate(const struct sweep *s, uint32_t e) {
   const struct hsr_sight *sight = &s->network->sight;
   uint32_t a = sight->edges->a[e], b = sight->edges->b[e];
   double x0 = sight->sx[a], y0 = sight->sy[a];
   double dx = sight->sx[b] - x0, dy = sight->sy[b] - y0;
-  struct active edge = {.e = e, .x0 = x0, .y0 = y0, .end_y = s->bottom[e]};
+  struct hsr_active edge = {.e = e, .x0 = x0, .y0 = y0, .end_y = s->bottom[e]};
   if (fabs(dx) < 256 * fabs(dy)) {
     edge.slope = dx / dy;
     edge.half = 2 * HSR_DELTA * (1 + fabs(edge.slope));
@@ -163,16 +154,6 @@ static struct active activate(const struct sweep *s, uint32_t e) {
     edge.half = fabs(dx) / 2 + 2 * HSR_DELTA;
   }
   return edge;
-}
-
-static void cover(struct active *edge, double y) {
-  double x = edge->x0 + edge->slope * (y - edge->y0);
-  edge->left = x - edge->half;
-  edge->right = x + edge->half;
-}
-
-static bool have_met(const struct active *a, const struct active *b) {
-  return a->was_left <= b->was_right && b->was_left <= a->was_right;
 }
 
 /* --- Notes ---------------------------------------------------------------- */
@@ -197,104 +178,126 @@ static bool note(struct sweep *s, uint32_t e, uint32_t c) {
 
 /* --- The active edge list ------------------------------------------------- */
 
-/* Whether the entry before place k of the list is right of an edge. */
-static bool is_out_of_order(const struct sweep *s, uint32_t k,
-                            const struct active *edge) {
-  const struct active *left = &s->list[k - 1];
-  bool exchange = left->left > edge->left;
+/* The timed build passes over many entries at once, where nothing is found; the
+ * counting build counts each. Returns the first place from k on that is to be
+ * looked at, as are those up to *end. a[i] < b[i] tells that nothing is found at
+ * place i; there are n. */
+static uint32_t next_block(const double *a, const double *b, uint32_t k,
+                           uint32_t n, uint32_t *end) {
+  if (!HSR_COUNTING)
+    k += hsr_active_edges_pass(a + k, b + k, n - k);
+  *end = HSR_COUNTING || n - k < HSR_ACTIVE_BLOCK ? n : k + HSR_ACTIVE_BLOCK;
+  return k;
+}
+
+static bool have_met(const struct hsr_active_edges *list, uint32_t k,
+                     double was_left, double was_right) {
+  return list->was_left[k] <= was_right && was_left <= list->was_right[k];
+}
+
+/* Whether the entry before place k of the list is right of edge e, whose cover
+ * begins at `left`. */
+static bool is_out_of_order(const struct sweep *s, uint32_t k, uint32_t e,
+                            double left) {
+  bool exchange = s->list.left[k - 1] > left;
   HSR_STEP(s->network->tally, BUBBLE_SORT,
-           hsr_edge_subject(s->network->edges, edge->e),
-           hsr_edge_subject(s->network->edges, left->e), HSR_NOWHERE, exchange);
+           hsr_edge_subject(s->network->edges, e),
+           hsr_edge_subject(s->network->edges, s->list.e[k - 1]), HSR_NOWHERE,
+           exchange);
   return exchange;
 }
 
 /* Exchanges entry k, which is out of order, with its neighbours to the left
  * until it is in order. False if memory ran out. */
 static bool exchange(struct sweep *s, uint32_t k) {
-  struct active edge = s->list[k];
+  struct hsr_active_edges *list = &s->list;
+  struct hsr_active edge = hsr_active_edges_take(list, k);
+  uint32_t place = k;
   do {
-    const struct active *left = &s->list[k - 1];
+    place--;
     HSR_STEP(s->network->tally, INTERCHANGES,
              hsr_edge_subject(s->network->edges, edge.e),
-             hsr_edge_subject(s->network->edges, left->e), HSR_NOWHERE, 0);
+             hsr_edge_subject(s->network->edges, list->e[place]), HSR_NOWHERE,
+             0);
     /* Places that both cover, now or before, are found elsewhere. */
-    if (left->left > edge.right && !have_met(left, &edge) &&
-        !note(s, left->e, edge.e))
+    if (list->left[place] > edge.right &&
+        !have_met(list, place, edge.was_left, edge.was_right) &&
+        !note(s, list->e[place], edge.e))
       return false;
-    s->list[k] = *left;
-    k--;
-  } while (k && is_out_of_order(s, k, &edge));
-  s->list[k] = edge;
+  } while (place && is_out_of_order(s, place, edge.e, edge.left));
+  hsr_active_edges_shift(list, place + 1, place, k - place);
+  hsr_active_edges_put(list, place, &edge);
   return true;
 }
 
 /* Moves the list to another Y, and sorts it again. False if memory ran out. */
 static bool bubble_sort(struct sweep *s, double y) {
-  for (uint32_t k = 0; k < s->n_active; k++) {
-    struct active *edge = &s->list[k];
-    edge->was_left = edge->left;
-    edge->was_right = edge->right;
-    cover(edge, y);
-    if (k && is_out_of_order(s, k, edge) && !exchange(s, k))
-      return false;
+  struct hsr_active_edges *list = &s->list;
+  hsr_active_edges_move(list, y);
+  for (uint32_t k = 1, end; k < list->n;) {
+    k = 1 + next_block(list->left, list->left + 1, k - 1, list->n - 1, &end);
+    for (; k <= end; k++)
+      if (is_out_of_order(s, k, list->e[k], list->left[k]) && !exchange(s, k))
+        return false;
   }
   return true;
 }
 
 /* Merges the n edges that enter at y. */
 static void merge(struct sweep *s, uint32_t *edge, uint32_t n, double y) {
+  struct hsr_active_edges *list = &s->list;
   for (uint32_t k = 0; k < n; k++) {
-    struct active entry = activate(s, edge[k]);
-    cover(&entry, y);
+    struct hsr_active entry = activate(s, edge[k]);
+    hsr_active_cover(&entry, y);
     s->enters_at[edge[k]] = entry.left;
   }
   sort_bucket(s->enters_at, edge, n);
-  uint32_t from = s->n_active, to = s->n_active += n;
+  uint32_t beyond = list->n;
+  list->n += n;
   while (n) {
-    bool right = from && s->list[from - 1].left > s->enters_at[edge[n - 1]];
-    if (from)
+    uint32_t place = beyond;
+    for (bool right = true; place && right; place -= right) {
+      right = list->left[place - 1] > s->enters_at[edge[n - 1]];
       HSR_STEP(s->network->tally, X_MERGE,
                hsr_edge_subject(s->network->edges, edge[n - 1]),
-               hsr_edge_subject(s->network->edges, s->list[from - 1].e),
+               hsr_edge_subject(s->network->edges, list->e[place - 1]),
                HSR_NOWHERE, right);
-    if (right) {
-      s->list[--to] = s->list[--from];
-    } else {
-      struct active *entry = &s->list[--to];
-      *entry = activate(s, edge[--n]);
-      cover(entry, y);
-      entry->was_left = INFINITY;
-      entry->was_right = -INFINITY;
     }
+    hsr_active_edges_shift(list, place + n, place, beyond - place);
+    beyond = place;
+    struct hsr_active entry = activate(s, edge[--n]);
+    hsr_active_cover(&entry, y);
+    entry.was_left = INFINITY;
+    entry.was_right = -INFINITY;
+    hsr_active_edges_put(list, place + n, &entry);
   }
 }
 
-/* Notes the pairs whose covers have a place in common for the first time. False
- * if memory ran out. */
-static bool compare_covers(struct sweep *s) {
-  for (uint32_t k = 0; k < s->n_active; k++) {
-    const struct active *edge = &s->list[k];
-    for (uint32_t l = k + 1; l < s->n_active && s->list[l].left <= edge->right;
-         l++) {
-      bool met = have_met(edge, &s->list[l]);
-      HSR_STEP(s->network->tally, UNCERTAIN,
-               hsr_edge_subject(s->network->edges, edge->e),
-               hsr_edge_subject(s->network->edges, s->list[l].e), HSR_NOWHERE,
-               met);
-      if (!met && !note(s, edge->e, s->list[l].e))
-        return false;
-    }
+/* Notes the pairs of entry k whose covers have a place in common for the first
+ * time. False if memory ran out. */
+static bool compare_cover(struct sweep *s, uint32_t k) {
+  const struct hsr_active_edges *list = &s->list;
+  for (uint32_t l = k + 1; l < list->n && list->left[l] <= list->right[k];
+       l++) {
+    bool met = have_met(list, k, list->was_left[l], list->was_right[l]);
+    HSR_STEP(s->network->tally, UNCERTAIN,
+             hsr_edge_subject(s->network->edges, list->e[k]),
+             hsr_edge_subject(s->network->edges, list->e[l]), HSR_NOWHERE, met);
+    if (!met && !note(s, list->e[k], list->e[l]))
+      return false;
   }
   return true;
 }
 
-/* Edges that end at y leave the list. */
-static void retire(struct sweep *s, double y) {
-  uint32_t n = 0;
-  for (uint32_t k = 0; k < s->n_active; k++)
-    if (s->list[k].end_y > y)
-      s->list[n++] = s->list[k];
-  s->n_active = n;
+static bool compare_covers(struct sweep *s) {
+  const struct hsr_active_edges *list = &s->list;
+  for (uint32_t k = 0, end; k + 1 < list->n;) {
+    k = next_block(list->right, list->left + 1, k, list->n - 1, &end);
+    for (; k < end; k++)
+      if (!compare_cover(s, k))
+        return false;
+  }
+  return true;
 }
 
 /* Moves down the screen, from one Y where edges enter or leave to the next.
@@ -314,7 +317,7 @@ static bool sweep_down(struct sweep *s) {
     if (!compare_covers(s))
       return false;
     if (s->bottom[s->leaving[out]] == y)
-      retire(s, y);
+      hsr_active_edges_retire(&s->list, y);
     while (out < s->n && s->bottom[s->leaving[out]] == y)
       out++;
   }
@@ -393,14 +396,13 @@ static enum hsr_status allocate(struct sweep *s) {
   s->leaving = HSR_NEW(arena, uint32_t, n);
   s->top = HSR_NEW(arena, double, n);
   s->bottom = HSR_NEW(arena, double, n);
-  s->list = HSR_NEW(arena, struct active, n);
   s->enters_at = HSR_NEW(arena, double, n);
   s->tried = HSR_NEW(arena, uint32_t, n);
   s->unplaced = HSR_NEW(arena, uint32_t, s->network->n_contour);
-  return s->entering && s->leaving && s->top && s->bottom && s->list &&
-                 s->enters_at && s->tried && s->unplaced
-             ? HSR_OK
-             : HSR_E_NOMEM;
+  if (!s->entering || !s->leaving || !s->top || !s->bottom || !s->enters_at ||
+      !s->tried || !s->unplaced)
+    return HSR_E_NOMEM;
+  return hsr_active_edges_make(&s->list, n, arena);
 }
 
 /* Chooses the relevant and contour edges: those to sort, and those whose images

@@ -221,8 +221,6 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
     sight->numbers = new hsr_sight_numbers();
     Numbers &n = *sight->numbers;
     n.sight = sight;
-    n.exact_point.resize(edges->n_points);
-    n.exact_plane.resize(edges->world->n_faces);
     const int s = CGAL::sign(
         det(lift<Exact>(view->F), lift<Exact>(view->R), lift<Exact>(view->U)));
     n.exact.set(*view, s);
@@ -230,6 +228,7 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
       CGAL::Protect_FPU_rounding<true> upwards;
       n.rough.set(*view, s);
     }
+    n.find_rough();
   } catch (...) {
     return HSR_E_NOMEM;
   }

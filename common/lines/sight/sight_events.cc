@@ -153,6 +153,8 @@ struct Pierced {
   uint32_t f, a, b;
   uint32_t behind; // a or b
 
+  static Interval size_of(const Interval &height) { return CGAL::abs(height); }
+
   // Whether the face covers the point, in intervals and without the
   // displacement: +1 yes, -1 no, 0 uncertain.
   int covers_roughly() const {
@@ -160,12 +162,9 @@ struct Pierced {
     using T = Interval;
     const Plane<T> plane = n.plane<T>(f);
     const Point<T> A = n.point<T>(a), B = n.point<T>(b);
-    T ha = plane.height(A), hb = plane.height(B);
-    const int sa = certain_sign(ha), sb = certain_sign(hb);
-    if (!sa || !sb)
+    const T ha = size_of(plane.height(A)), hb = size_of(plane.height(B));
+    if (!certain_sign(ha) && !certain_sign(hb))
       return 0;
-    ha = sa > 0 ? ha : -ha;
-    hb = sb > 0 ? hb : -hb;
     const Point<T> X = {hb * A.p + ha * B.p, hb * A.d + ha * B.d,
                         hb * A.w + ha * B.w};
     const hsr_world *w = n.sight->world;

@@ -198,6 +198,18 @@ private:
   }
 };
 
+// Whether both ends of e are certainly before the plane of face f.
+bool lies_before(const hsr_sight *sight, uint32_t e, uint32_t f) {
+  const Numbers &n = *sight->numbers;
+  CGAL::Protect_FPU_rounding<true> upwards;
+  using T = Interval;
+  const Plane<T> plane = n.plane<T>(f);
+  for (uint32_t p : {sight->edges->a[e], sight->edges->b[e]})
+    if (certain_sign(plane.height(n.point<T>(p))) != sight->facing[f])
+      return false;
+  return true;
+}
+
 } // namespace
 
 enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
@@ -205,6 +217,8 @@ enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
                                struct hsr_growing *events, bool *hidden) {
   const Numbers &n = *sight->numbers;
   *hidden = false;
+  if (lies_before(sight, e, f))
+    return HSR_OK;
   try {
     const std::vector<hsr_sight_event> places = Places(n, e, f).places;
     bool first = true, before = false;

@@ -17,8 +17,8 @@
 //             for coverage where an edge pierces a plane. The sign is that of
 //             its value; if that is zero, of its change along R; if that is
 //             zero too, along -U. Each of these is a polynomial in the input
-//             doubles. The value is evaluated in intervals and, if its interval
-//             holds zero, all in exact numbers.
+//             doubles. Each is evaluated in intervals and, if its interval
+//             holds zero, in exact numbers.
 #ifndef HSR_COMMON_SIGHT_NUMBERS_H
 #define HSR_COMMON_SIGHT_NUMBERS_H
 
@@ -131,34 +131,58 @@ struct Numbers {
 
   template <class T> const Eye<T> &eye() const;
   template <class T> Point<T> point(uint32_t p) const {
-    return kept<Point<T>, T>(exact_point, p, [&] { return found_point<T>(p); });
+    if constexpr (std::is_same<T, Exact>::value)
+      return exact_point.get(p, [&] { return found_point<T>(p); });
+    else
+      return rough_point[p];
   }
   template <class T> Plane<T> plane(uint32_t f) const {
-    return kept<Plane<T>, T>(exact_plane, f, [&] { return found_plane<T>(f); });
+    if constexpr (std::is_same<T, Exact>::value)
+      return exact_plane.get(f, [&] { return found_plane<T>(f); });
+    else
+      return rough_plane[f];
   }
 
-  // Exact points and planes are kept, some thousands of them. They take long to
-  // find where coordinates are of very different scales: an exact number then
-  // has as many digits as there are between its first and its last.
-  mutable std::vector<std::unique_ptr<const Point<Exact>>> exact_point;
-  mutable std::vector<std::unique_ptr<const Plane<Exact>>> exact_plane;
+  // Finds the intervals of all points and planes.
+  void find_rough() {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    rough_point.reserve(sight->edges->n_points);
+    for (uint32_t p = 0; p < sight->edges->n_points; p++)
+      rough_point.push_back(found_point<Interval>(p));
+    rough_plane.reserve(sight->world->n_faces);
+    for (uint32_t f = 0; f < sight->world->n_faces; f++)
+      rough_plane.push_back(found_plane<Interval>(f));
+  }
 
 private:
-  enum { MOST_KEPT = 4096 };
-  mutable unsigned n_kept = 0;
-
-  template <class Item, class T, class List, class Find>
-  Item kept(List &list, uint32_t number, const Find &find) const {
-    if constexpr (std::is_same<T, Exact>::value) {
-      if (!list[number] && n_kept < MOST_KEPT) {
-        list[number].reset(new Item(find()));
-        n_kept++;
+  // Exact points and planes are kept, some thousands of them: the last of each
+  // number modulo N. They take long to find where coordinates are of very
+  // different scales: an exact number then has as many digits as there are
+  // between its first and its last.
+  template <class Item> class Kept {
+  public:
+    template <class Find> Item get(uint32_t number, const Find &find) const {
+      Place &place = places_[number % N];
+      if (!place.item || place.number != number) {
+        place.item.reset(new Item(find()));
+        place.number = number;
       }
-      if (list[number])
-        return *list[number];
+      return *place.item;
     }
-    return find();
-  }
+
+  private:
+    enum { N = 4096 };
+    struct Place {
+      uint32_t number;
+      std::unique_ptr<const Item> item;
+    };
+    mutable std::vector<Place> places_ = std::vector<Place>(N);
+  };
+  Kept<Point<Exact>> exact_point;
+  Kept<Plane<Exact>> exact_plane;
+  std::vector<Point<Interval>> rough_point;
+  std::vector<Plane<Interval>> rough_plane;
+
   template <class T> Point<T> found_point(uint32_t p) const;
   template <class T> Plane<T> found_plane(uint32_t f) const;
 };
@@ -232,9 +256,15 @@ int displaced_sign(const Numbers &n, enum hsr_question question,
         return sign;
     }
     count_exact(n, question);
-    for (int along : {VALUE, ALONG_R, ALONG_MINUS_U})
+    for (int along : {VALUE, ALONG_R, ALONG_MINUS_U}) {
+      if (along != VALUE) {
+        CGAL::Protect_FPU_rounding<true> upwards;
+        if (const int sign = certain_sign(value(Interval(), along)))
+          return sign;
+      }
       if (const int sign = certain_sign(value(Exact(), along)))
         return sign;
+    }
     return 0;
   } catch (...) {
     n.sight->tally->out_of_memory = true;
