@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Boxes of a list of edges or faces, side by side in memory: those that are apart
- * from another box are found many at once. The build that is timed passes over
- * them, the counting build counts each. */
+ * from another box are found many at once. First whole blocks of the list are
+ * looked at, for neighbours in it are mostly close to each other. The build that
+ * is timed passes over what is apart, the counting build counts each. */
 #ifndef HSR_ALGORITHMS_NEAR_BOXES_H
 #define HSR_ALGORITHMS_NEAR_BOXES_H
 
@@ -22,6 +23,8 @@ struct hsr_near_boxes {
   struct hsr_box_rows rows;
   uint32_t n;
   uint8_t *near; /* by item: 0 if it is apart from the box last asked about */
+  struct hsr_box_rows block_rows; /* around the boxes of each block of items */
+  uint8_t *block_near;            /* by block, likewise */
 };
 
 /* Of the boxes of n items. Memory is the arena's. HSR_E_NOMEM. */

@@ -153,8 +153,6 @@ struct Pierced {
   uint32_t f, a, b;
   uint32_t behind; // a or b
 
-  static Interval size_of(const Interval &height) { return CGAL::abs(height); }
-
   // Whether the face covers the point, in intervals and without the
   // displacement: +1 yes, -1 no, 0 uncertain.
   int covers_roughly() const {
@@ -162,7 +160,9 @@ struct Pierced {
     using T = Interval;
     const Plane<T> plane = n.plane<T>(f);
     const Point<T> A = n.point<T>(a), B = n.point<T>(b);
-    const T ha = size_of(plane.height(A)), hb = size_of(plane.height(B));
+    // Where a height may be zero, the edge may begin in the plane.
+    const T ha = CGAL::abs(plane.height(A));
+    const T hb = CGAL::abs(plane.height(B));
     if (!certain_sign(ha) && !certain_sign(hb))
       return 0;
     const Point<T> X = {hb * A.p + ha * B.p, hb * A.d + ha * B.d,

@@ -155,7 +155,7 @@ struct Numbers {
   }
 
 private:
-  // Exact points and planes are kept, some thousands of them: the last of each
+  // Exact points and planes are kept, some tens of them: the last of each
   // number modulo N. They take long to find where coordinates are of very
   // different scales: an exact number then has as many digits as there are
   // between its first and its last.
@@ -171,7 +171,7 @@ private:
     }
 
   private:
-    enum { N = 4096 };
+    enum { N = 64 };
     struct Place {
       uint32_t number;
       std::unique_ptr<const Item> item;
