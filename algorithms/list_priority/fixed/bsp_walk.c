@@ -96,7 +96,7 @@ static void tell_pieces(const struct hsr_bsp_walk *walk,
   }
 }
 
-/* Has on its way from memory what comes after the subtree that comes next. */
+/* Asks memory for what comes after the next subtree. */
 static void fetch_next(const struct hsr_bsp *bsp,
                        const struct hsr_bsp_node *node) {
   __builtin_prefetch(&bsp->piece[node->first_piece]);

@@ -178,10 +178,9 @@ static bool note(struct sweep *s, uint32_t e, uint32_t c) {
 
 /* --- The active edge list ------------------------------------------------- */
 
-/* The timed build passes over many entries at once, where nothing is found; the
- * counting build counts each. Returns the first place from k on that is to be
- * looked at, as are those up to *end. a[i] < b[i] tells that nothing is found at
- * place i; there are n. */
+/* The first place from k on that is to be looked at, of n; so are those up to
+ * *end. At place i nothing is found if a[i] < b[i]: the timed build passes over
+ * many such places at once, and the counting build counts each. */
 static uint32_t next_block(const double *a, const double *b, uint32_t k,
                            uint32_t n, uint32_t *end) {
   if (!HSR_COUNTING)

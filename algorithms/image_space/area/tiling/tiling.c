@@ -180,7 +180,8 @@ static bool is_any_left(struct frame *f, const struct hsr_box *box,
 
 /* --- What comes next ------------------------------------------------------ */
 
-/* Has memory on its way. It may reach beyond an array: nothing is read. */
+/* Asks memory for what is used soon. It may reach beyond an array: nothing is
+ * read. */
 static void fetch(const void *from, size_t size) {
   const size_t line = 64;
   for (size_t k = 0; k < size; k += line)
