@@ -16,7 +16,7 @@
 
 /* As many scenes are open at most, and none is opened while those that are have
  * so many faces. */
-enum { MOST_OPEN = 4, MANY_FACES = 1 << 20 };
+enum { MOST_OPEN = 8, MANY_FACES = 1 << 20 };
 
 /* A scene whose groups are judged. */
 struct open_scene {
