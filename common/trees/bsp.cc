@@ -542,9 +542,8 @@ bool Maker::fill(hsr_bsp *out) const {
     const uint32_t f = shapes_.face_of(p);
     out->face_of[p] = world_.pieces ? world_.pieces->first[f] : f;
   }
-  for (uint32_t f = 0; f < n; f++) {
+  for (uint32_t f = 0; f < n; f++)
     out->reach[f] = shapes_.reach(hsr_world_parent(&world_, f));
-  }
   std::vector<uint32_t> loose;
   for (uint32_t f = 0; f < n; f++)
     if (is_loose(f))

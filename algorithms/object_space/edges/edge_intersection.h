@@ -236,10 +236,10 @@ enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
  * Returns how many. */
 uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e);
 
-/* Puts e to other edges by cross_one, which adds their crossing, and which is
- * told of those that are known to be apart from e. These are edge[k] with box k
- * of `all`; or, if `all` is NULL, those near e of the edges whose boxes are
- * sorted. HSR_E_NOMEM. */
+/* Puts e to other edges by cross_one, which adds their crossing; `apart` says
+ * that c is known to be apart from e. The other edges are edge[k], with box k of
+ * `all`. If `all` is NULL, they are those edges near e whose boxes are sorted.
+ * HSR_E_NOMEM. */
 static inline enum hsr_status hsr_network_cross_edges(
     struct hsr_network *network, uint32_t e, struct hsr_near_boxes *all,
     const uint32_t *edge,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Boxes of a list of edges or faces, side by side in memory: those that are apart
- * from another box are found many at once. First whole blocks of the list are
- * looked at, for neighbours in it are mostly close to each other. The build that
- * is timed passes over what is apart, the counting build counts each. */
+ * from another box are found many at once. Whole blocks of the list are compared
+ * first: neighbours in the list are mostly close to each other. The build that is
+ * timed passes over what is apart, the counting build counts each. */
 #ifndef HSR_ALGORITHMS_NEAR_BOXES_H
 #define HSR_ALGORITHMS_NEAR_BOXES_H
 

@@ -155,8 +155,8 @@ struct Numbers {
   }
 
 private:
-  // Exact points and planes are kept, some tens of them: the last of each
-  // number modulo N. They take long to find where coordinates are of very
+  // N exact points and N planes are kept. Of numbers that are equal modulo N, the
+  // one asked for last is. They take long to find where coordinates are of very
   // different scales: an exact number then has as many digits as there are
   // between its first and its last.
   template <class Item> class Kept {

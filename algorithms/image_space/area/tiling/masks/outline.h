@@ -48,8 +48,7 @@ static inline double hsr_outline_error(const double row[3],
 enum { HSR_RING = 8 };
 
 /* Up to 8 corners in order around an outline, by coordinates, and what they may
- * be off by. After the last comes the one that closes the outline, or the part
- * of it. */
+ * be off by. After the last comes the corner to which the last line goes. */
 struct hsr_ring {
   double x[HSR_RING + 1], y[HSR_RING + 1], w[HSR_RING + 1];
   double ex[HSR_RING + 1], ey[HSR_RING + 1], ew[HSR_RING + 1];

@@ -40,8 +40,6 @@
 #include <float.h>
 #include <math.h>
 
-enum { SILHOUETTE = 8 }; /* room for its lines */
-
 static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
@@ -62,7 +60,7 @@ hsr_pieces_begin(struct hsr_pieces_view *p, struct hsr_pieces_room room,
   p->t = view->parallel ? HSR_NEW(arena, double, room.points) : p->w;
   p->sx = HSR_NEW(arena, double, room.points);
   p->sy = HSR_NEW(arena, double, room.points);
-  p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + SILHOUETTE);
+  p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + HSR_RING);
   p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)room.face);
   p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)room.face);
   p->number = HSR_NEW(arena, uint32_t, room.face);

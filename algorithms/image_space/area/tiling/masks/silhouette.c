@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Boxes on the screen. The bounds of errors are those of polygon.c; but a
- * corner is that of the lower ends, to which sides are added. That takes six
- * more roundings than the bound for a leaf's points allows, of terms no larger
- * than twice the sum; so the bound is taken three times. */
+/* Boxes on the screen. The bounds of errors are those of polygon.c, taken three
+ * times. A corner is found from the lowest one, by adding sides of the box. That
+ * is six more roundings than polygon.c has for a leaf's points. Each is of a term
+ * that is at most twice its sum. */
 #include "algorithms/image_space/area/tiling/masks/outline.h"
 #include "common/base/vector.h"
 
