@@ -242,24 +242,14 @@ bool hsr_makes_also(const struct hsr_algorithm *algorithm,
 bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
                       const struct hsr_choice *choice);
 
-/* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. A
- * function that several modules share is compiled twice, too: its header gives
- * it the name of this build, by #define hsr_f HSR_OF_BUILD(hsr_f). A third
- * build of some files defines HSR_BUILD. */
-#define HSR_ALGORITHM_PASTE2(a, b) a##b
-#define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
+/* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. All other
+ * names of the counting build get the ending _counting, by a header that is made
+ * of the symbols of the other build (algorithms/local.mk). */
 #if HSR_COUNTING
-#define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_counting_, id)
-#ifndef HSR_BUILD
-#define HSR_BUILD _counting
-#endif
+#define HSR_ALGORITHM(id) hsr_counting_##id
 #else
-#define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_algorithm_, id)
-#ifndef HSR_BUILD
-#define HSR_BUILD _plain
+#define HSR_ALGORITHM(id) hsr_algorithm_##id
 #endif
-#endif
-#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, HSR_BUILD)
 
 /* The line of the outline that a counter belongs to, from 1; 0: none. */
 static inline int hsr_line_of(const struct hsr_algorithm *algorithm,

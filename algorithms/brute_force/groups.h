@@ -22,18 +22,12 @@
 #ifndef HSR_ALGORITHMS_GROUPS_H
 #define HSR_ALGORITHMS_GROUPS_H
 
-#include "algorithms/brute_force/tiler.h"
+#include "algorithms/engines/tiler/tiler.h"
 #include "common/trees/box.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_groups_free HSR_OF_BUILD(hsr_groups_free)
-#define hsr_groups_look HSR_OF_BUILD(hsr_groups_look)
-#define hsr_groups_make HSR_OF_BUILD(hsr_groups_make)
-#define hsr_groups_snap HSR_OF_BUILD(hsr_groups_snap)
 
 struct hsr_groups {
   uint32_t n;

@@ -24,15 +24,11 @@
 #ifndef HSR_ALGORITHMS_LIGHT_VIEW_H
 #define HSR_ALGORITHMS_LIGHT_VIEW_H
 
-#include "algorithms/shadow.h"
+#include "algorithms/engines/light/shadow.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_light_view_begin HSR_OF_BUILD(hsr_light_view_begin)
-#define hsr_light_view_show HSR_OF_BUILD(hsr_light_view_show)
 
 /* Some faces, which are tried in this order. */
 struct hsr_light_list {

@@ -11,8 +11,4 @@ algorithm_files += \
   %D%/raycast.c \
   %D%/stream.c \
   %D%/stream.h \
-  %D%/tiler.c \
-  %D%/tiler.h \
-  %D%/tiler_avx2.h \
-  %D%/tiler_avx512.h \
   %D%/zbuffer.c

@@ -21,14 +21,11 @@
 #ifndef HSR_ALGORITHMS_PEEL_H
 #define HSR_ALGORITHMS_PEEL_H
 
-#include "algorithms/brute_force/tiler.h"
+#include "algorithms/engines/tiler/tiler.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_peel HSR_OF_BUILD(hsr_peel)
 
 /* Draws the transparent faces. Those that are opaque have been tiled, in one
  * part: tiler->ids says what is visible of them. Memory is taken from the job's

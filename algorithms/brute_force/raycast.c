@@ -14,7 +14,7 @@
  * Departures  the culls that the paper calls universally applicable come first;
  *             the minimax test precedes the surround test
  * Cost        100 n m F_r predicted: the minimax tests are n m F_r */
-#include "algorithms/shadow.h"
+#include "algorithms/engines/light/shadow.h"
 
 enum { MINIMAX, SURROUND, DEPTH, SHOWN, SHADOWS };
 

@@ -10,16 +10,11 @@
 #ifndef HSR_ALGORITHMS_STREAM_H
 #define HSR_ALGORITHMS_STREAM_H
 
-#include "algorithms/brute_force/tiler.h"
+#include "algorithms/engines/tiler/tiler.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_stream_begin HSR_OF_BUILD(hsr_stream_begin)
-#define hsr_stream_instance HSR_OF_BUILD(hsr_stream_instance)
-#define hsr_stream_tile_generally HSR_OF_BUILD(hsr_stream_tile_generally)
 
 struct hsr_stream {
   const struct hsr_world *scene; /* an outline; borrowed */

@@ -12,7 +12,7 @@
  *             against the frustum, but culled by their boxes on the screen, as
  *             those of any other node
  * Cost        proportional to what is in the frustum */
-#include "algorithms/hierarchical/cube_frame.h"
+#include "algorithms/engines/cubes/cube_frame.h"
 
 #include <stdlib.h>
 

@@ -13,24 +13,23 @@ algorithm_files += \
   %D%/bounded/strict.c \
   %D%/bounded/strict.h \
   %D%/clark.c \
-  %D%/cube_frame.c \
-  %D%/cube_frame.h \
-  %D%/cube_list.c \
-  %D%/cube_list.h \
-  %D%/cube_octants.c \
-  %D%/cube_octants.h \
+  %D%/culling/box_samples.h \
+  %D%/culling/meagher.c \
+  %D%/culling/naylor.c \
+  %D%/culling/octree_raycast.c \
+  %D%/culling/pvs.c \
+  %D%/culling/visibility_map.c \
+  %D%/culling/visibility_map.h \
   %D%/hzbuffer/cell.c \
   %D%/hzbuffer/coherence.c \
   %D%/hzbuffer/cube.c \
   %D%/hzbuffer/hzbuffer.c \
+  %D%/hzbuffer/movers.c \
+  %D%/hzbuffer/movers.h \
   %D%/hzbuffer/octrees.c \
-  %D%/hzbuffer/walk.h \
-  %D%/movers.c \
-  %D%/movers.h \
-  %D%/pyramid.c \
-  %D%/pyramid.h \
-  %D%/space_time.c \
-  %D%/space_time.h
+  %D%/hzbuffer/space_time.c \
+  %D%/hzbuffer/space_time.h \
+  %D%/hzbuffer/walk.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
   %D%/bounded/cut.cc \
@@ -40,9 +39,7 @@ libhsr_a_SOURCES += \
   %D%/bounded/shape.h \
   %D%/bounded/surface.cc \
   %D%/bounded/surface.h \
-  %D%/cube_cells.c \
-  %D%/cube_cells.h \
-  %D%/cube_objects.c \
-  %D%/cube_objects.h \
-  %D%/cubes.c \
-  %D%/cubes.h
+  %D%/culling/cell_sets.c \
+  %D%/culling/cell_sets.h \
+  %D%/culling/portals.c \
+  %D%/culling/portals.h

@@ -30,10 +30,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_solid_pyramid_init HSR_OF_BUILD(hsr_solid_pyramid_init)
-#define hsr_solid_pyramid_tile HSR_OF_BUILD(hsr_solid_pyramid_tile)
-
 enum { HSR_SOLID_LEVELS = 5 /* 4^5 = HSR_VOXELS_MOST */ };
 
 /* What tiling counts. In its events the cell numbered k of a level is

@@ -3,7 +3,7 @@
  * between clusters, a BSP tree, octrees. Trees that a module keeps to itself
  * are made again here by the same rule; that is deterministic. Numbers of faces
  * are the scene's own. */
-#include "algorithms/hierarchical/cubes.h"
+#include "algorithms/engines/cubes/cubes.h"
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "bench/lesson/lesson.h"
 #include "common/answers/coded.h"

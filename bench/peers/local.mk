@@ -67,15 +67,19 @@ endif
 
 # zbuffer compiled again, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
-libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/tiler.h \
+libinexact_a_SOURCES = algorithms/engines/tiler/tiler.c algorithms/engines/tiler/tiler.h \
   algorithms/brute_force/groups.c algorithms/brute_force/groups.h \
   algorithms/brute_force/groups_make.c \
-  algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/glass.c \
+  algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/engines/light/glass.c \
   algorithms/brute_force/light_view.c algorithms/brute_force/light_view.h \
   algorithms/brute_force/stream.c algorithms/brute_force/stream.h \
-  algorithms/glass.h algorithms/shadow.c algorithms/shadow.h \
+  algorithms/engines/light/glass.h algorithms/engines/light/shadow.c algorithms/engines/light/shadow.h \
   algorithms/brute_force/zbuffer.c
-libinexact_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0 \
-  -DHSR_INEXACT=1 -DHSR_BUILD=_inexact \
-  -Dhsr_algorithm_zbuffer=hsr_algorithm_zbuffer_inexact
+libinexact_a_CPPFLAGS = -include %D%/inexact-names.h $(AM_CPPFLAGS) \
+  -DHSR_COUNTING=0 -DHSR_INEXACT=1
+plain_once_more = $(subst /libinexact_a-,/libplain_a-,$(libinexact_a_OBJECTS))
+%D%/inexact-names.h: $(plain_once_more)
+	@$(call names_again,$(plain_once_more),_inexact) >$@.new && mv $@.new $@
+$(libinexact_a_OBJECTS): %D%/inexact-names.h
+CLEANFILES += %D%/inexact-names.h
 endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/samples.h"
 
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 #include <math.h>
 #include <stdlib.h>

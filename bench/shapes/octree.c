@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/shapes/shapes.h"
 
-#include "algorithms/hierarchical/cubes.h"
+#include "algorithms/engines/cubes/cubes.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -10,7 +10,7 @@
  *                             visited: visible blue, hidden red, outside grey
  *
  * usage: figures WHAT SCENE VIEW FILE      VIEW from 1; reports/greene/make */
-#include "algorithms/hierarchical/cubes.h"
+#include "algorithms/engines/cubes/cubes.h"
 #include "algorithms/variant.h"
 #include "common/files/image.h"
 #include "scenes/scenes.h"

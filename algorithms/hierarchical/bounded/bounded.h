@@ -26,28 +26,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_eb_subject HSR_OF_BUILD(hsr_eb_subject)
-#define hsr_eb_window HSR_OF_BUILD(hsr_eb_window)
-#define hsr_bounded_begin HSR_OF_BUILD(hsr_bounded_begin)
-#define hsr_bounded_add HSR_OF_BUILD(hsr_bounded_add)
-#define hsr_bounded_add_piece HSR_OF_BUILD(hsr_bounded_add_piece)
-#define hsr_bounded_settle HSR_OF_BUILD(hsr_bounded_settle)
-#define hsr_bounded_split HSR_OF_BUILD(hsr_bounded_split)
-#define hsr_bounded_cover HSR_OF_BUILD(hsr_bounded_cover)
-#define hsr_bounded_before HSR_OF_BUILD(hsr_bounded_before)
-#define hsr_bounded_could_be_seen HSR_OF_BUILD(hsr_bounded_could_be_seen)
-#define hsr_bounded_refine HSR_OF_BUILD(hsr_bounded_refine)
-#define hsr_bounded_shade HSR_OF_BUILD(hsr_bounded_shade)
-#define hsr_bounded_hull HSR_OF_BUILD(hsr_bounded_hull)
-#define hsr_bounded_mean HSR_OF_BUILD(hsr_bounded_mean)
-#define hsr_bounded_reach HSR_OF_BUILD(hsr_bounded_reach)
-#define hsr_bounded_now HSR_OF_BUILD(hsr_bounded_now)
-#define hsr_bounded_is_late HSR_OF_BUILD(hsr_bounded_is_late)
-#define hsr_bounded_leave HSR_OF_BUILD(hsr_bounded_leave)
-#define hsr_bounded_leave_all HSR_OF_BUILD(hsr_bounded_leave_all)
-#define hsr_bounded_free_below HSR_OF_BUILD(hsr_bounded_free_below)
-
 enum {
   /* Of the tiling pass */
   HSR_EB_NODES,

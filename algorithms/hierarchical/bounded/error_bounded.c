@@ -27,7 +27,7 @@
  *             shows, the more */
 #include "algorithms/hierarchical/bounded/bounded.h"
 #include "algorithms/hierarchical/bounded/strict.h"
-#include "algorithms/hierarchical/cube_frame.h"
+#include "algorithms/engines/cubes/cube_frame.h"
 
 #include <math.h>
 #include <stdlib.h>

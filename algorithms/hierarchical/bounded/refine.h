@@ -11,12 +11,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_eb_within_pixels HSR_OF_BUILD(hsr_eb_within_pixels)
-#define hsr_eb_across_pixels HSR_OF_BUILD(hsr_eb_across_pixels)
-#define hsr_eb_width HSR_OF_BUILD(hsr_eb_width)
-#define hsr_eb_accept HSR_OF_BUILD(hsr_eb_accept)
-
 struct hsr_eb_refining {
   struct hsr_eb_tree *tree;
   const struct hsr_eb_limits *limits;

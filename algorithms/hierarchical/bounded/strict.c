@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tiling in strict order: see strict.h. */
 #include "algorithms/hierarchical/bounded/strict.h"
-#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/engines/bsp/bsp_walk.h"
 #include "common/exact/order.h"
 
 /* --- Once ----------------------------------------------------------------- */

@@ -22,11 +22,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_strict_init HSR_OF_BUILD(hsr_strict_init)
-#define hsr_strict_free HSR_OF_BUILD(hsr_strict_free)
-#define hsr_strict_tile HSR_OF_BUILD(hsr_strict_tile)
-
 /* Once for all views. */
 struct hsr_strict {
   struct hsr_scene scene;

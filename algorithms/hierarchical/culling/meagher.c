@@ -28,8 +28,8 @@
  * HSR_DELTA of it, and underflow takes less than HSR_DELTA squared. Where the
  * filter leaves a sample open, the side is laid out alone, and the services
  * decide. */
-#include "algorithms/image_space/area/quadtree.h"
-#include "algorithms/list_priority/fixed/cells/cells.h"
+#include "algorithms/engines/windows/quadtree.h"
+#include "algorithms/engines/cells/cells.h"
 #include "common/base/bits.h"
 #include "common/trees/octree.h"
 

@@ -38,13 +38,7 @@
 #ifndef HSR_ALGORITHMS_VISIBILITY_MAP_H
 #define HSR_ALGORITHMS_VISIBILITY_MAP_H
 
-#include "algorithms/list_priority/fixed/bsp_frame.h"
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_map_begin HSR_OF_BUILD(hsr_map_begin)
-#define hsr_map_insert HSR_OF_BUILD(hsr_map_insert)
-#define hsr_map_hides HSR_OF_BUILD(hsr_map_hides)
-#define hsr_map_show HSR_OF_BUILD(hsr_map_show)
+#include "algorithms/engines/bsp/bsp_frame.h"
 
 /* The counters of a map come after those of bsp_frame.h. */
 enum {

@@ -8,7 +8,7 @@
  * Notation    octree cube -> node; z-pyramid -> far[]; z -> q = 1/t, greater is
  *             nearer; primitive -> face
  * Invariants  a face that is tiled lies in a cube that is not known to be
- *             hidden, or is loose (algorithms/hierarchical/cubes.h). Whenever a
+ *             hidden, or is loose (algorithms/engines/cubes/cubes.h). Whenever a
  *             cube or a face is tested, the pyramid agrees with the z-buffer.
  * Ties        a cube or a face that is as near as what hides it is not hidden;
  *             which face wins at a sample, tiler.h decides

@@ -6,32 +6,16 @@
 #ifndef HSR_ALGORITHMS_HZBUFFER_WALK_H
 #define HSR_ALGORITHMS_HZBUFFER_WALK_H
 
-#include "algorithms/hierarchical/cube_frame.h"
-#include "algorithms/hierarchical/cube_list.h"
-#include "algorithms/hierarchical/cube_octants.h"
-#include "algorithms/hierarchical/movers.h"
-#include "algorithms/hierarchical/pyramid.h"
-#include "algorithms/hierarchical/space_time.h"
+#include "algorithms/engines/cubes/cube_frame.h"
+#include "algorithms/engines/cubes/cube_list.h"
+#include "algorithms/engines/cubes/cube_octants.h"
+#include "algorithms/hierarchical/hzbuffer/movers.h"
+#include "algorithms/engines/pyramid/pyramid.h"
+#include "algorithms/hierarchical/hzbuffer/space_time.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_hz_is_box_visible HSR_OF_BUILD(hsr_hz_is_box_visible)
-#define hsr_hz_is_cube_visible HSR_OF_BUILD(hsr_hz_is_cube_visible)
-#define hsr_hz_tests_together HSR_OF_BUILD(hsr_hz_tests_together)
-#define hsr_hz_is_octant_visible HSR_OF_BUILD(hsr_hz_is_octant_visible)
-#define hsr_hz_faces_in HSR_OF_BUILD(hsr_hz_faces_in)
-#define hsr_hz_faces_below HSR_OF_BUILD(hsr_hz_faces_below)
-#define hsr_hz_refresh HSR_OF_BUILD(hsr_hz_refresh)
-#define hsr_hz_tile_face HSR_OF_BUILD(hsr_hz_tile_face)
-#define hsr_hz_tile_cell HSR_OF_BUILD(hsr_hz_tile_cell)
-#define hsr_hz_take_in_hand HSR_OF_BUILD(hsr_hz_take_in_hand)
-#define hsr_hz_render_octrees HSR_OF_BUILD(hsr_hz_render_octrees)
-#define hsr_hz_render_all HSR_OF_BUILD(hsr_hz_render_all)
-#define hsr_hz_render_last HSR_OF_BUILD(hsr_hz_render_last)
-#define hsr_hz_end_coherence HSR_OF_BUILD(hsr_hz_end_coherence)
 
 /* Counters. */
 enum {

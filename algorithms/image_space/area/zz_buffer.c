@@ -19,7 +19,7 @@
  * Cost        Every face of the picture is compared with windows, visible or
  *             not: the tiling pass. Then each sample looks at the list of its
  *             cell: the rendering pass. */
-#include "algorithms/image_space/area/area.h"
+#include "algorithms/engines/windows/area.h"
 
 enum {
   FACES,

@@ -38,8 +38,8 @@
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h: Table III has one column for Watkins and
  *             Bouknight, though the latter's spans are up to 2 S_l a line */
-#include "algorithms/glass.h"
-#include "algorithms/image_space/point/scan_line.h"
+#include "algorithms/engines/light/glass.h"
+#include "algorithms/engines/scan_line/scan_line.h"
 #include "algorithms/image_space/point/shadow_pairs.h"
 
 #include <string.h>

@@ -23,15 +23,11 @@
 #ifndef HSR_ALGORITHMS_SHADOW_PAIRS_H
 #define HSR_ALGORITHMS_SHADOW_PAIRS_H
 
-#include "algorithms/shadow.h"
+#include "algorithms/engines/light/shadow.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_shadow_pairs_begin HSR_OF_BUILD(hsr_shadow_pairs_begin)
-#define hsr_shadow_pairs_show HSR_OF_BUILD(hsr_shadow_pairs_show)
 
 /* The faces that may shade one, by their numbers among the blockers; not yet
  * known: n is HSR_NO_ID. */

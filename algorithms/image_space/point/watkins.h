@@ -5,7 +5,7 @@
 #ifndef HSR_ALGORITHMS_WATKINS_H
 #define HSR_ALGORITHMS_WATKINS_H
 
-#include "algorithms/image_space/point/scan_line.h"
+#include "algorithms/engines/scan_line/scan_line.h"
 #include "common/adapt/surfaces.h"
 
 #ifdef __cplusplus
@@ -59,12 +59,6 @@ struct hsr_watkins {
   void *context;
 };
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_watkins_reserve HSR_OF_BUILD(hsr_watkins_reserve)
-#define hsr_watkins_scan HSR_OF_BUILD(hsr_watkins_scan)
-#define hsr_watkins_solve HSR_OF_BUILD(hsr_watkins_solve)
-#define hsr_watkins_clear HSR_OF_BUILD(hsr_watkins_clear)
-
 /* Memory from job->scratch for windows that need no more than `room`, of pieces
  * with numbers less than n_pieces. HSR_E_NOMEM. */
 enum hsr_status hsr_watkins_reserve(struct hsr_watkins *watkins,
@@ -89,14 +83,12 @@ void hsr_watkins_clear(struct hsr_watkins *watkins,
 /* Puts all relevant faces into Z buckets, each a step of `sort`, so that only
  * segments of faces that share a bucket are compared in depth. Steps of
  * `compare` tell the others apart. Memory from job->scratch. HSR_E_NOMEM. */
-#define hsr_watkins_sort_z HSR_OF_BUILD(hsr_watkins_sort_z)
 enum hsr_status hsr_watkins_sort_z(struct hsr_watkins *watkins, int sort,
                                    int compare);
 
 /* Joins segments into runs from now on, all edges being added; each segment
  * looked at is a step of `counter`. *runs and *surfaces, which are those of the
  * world, are borrowed. Memory from job->scratch. HSR_E_NOMEM. */
-#define hsr_watkins_use_runs HSR_OF_BUILD(hsr_watkins_use_runs)
 enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *watkins,
                                      struct hsr_watkins_runs *runs,
                                      const struct hsr_surfaces *surfaces,
@@ -105,8 +97,6 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *watkins,
 /* What watkins.c takes from watkins_runs.c. hsr_watkins_join: makes runs of
  * segment[]. hsr_watkins_part: the segment of a run at column x, which is in
  * it. */
-#define hsr_watkins_join HSR_OF_BUILD(hsr_watkins_join)
-#define hsr_watkins_part HSR_OF_BUILD(hsr_watkins_part)
 void hsr_watkins_join(struct hsr_watkins *watkins, int j);
 const struct hsr_watkins_segment *
 hsr_watkins_part(const struct hsr_watkins *watkins,

@@ -76,8 +76,8 @@
  *             F_r^2 f^2 / 2 pairs overlap on the screen, and the extents of
  *             each are compared once. A fraction f of them overlap in depth
  *             too, and take at most the eight vertices of two rectangles */
-#include "algorithms/glass.h"
-#include "algorithms/image_space/point/scan_line.h"
+#include "algorithms/engines/light/glass.h"
+#include "algorithms/engines/scan_line/scan_line.h"
 
 #include <string.h>
 

@@ -17,7 +17,7 @@
  * Departures  faces for which the tree has no place are compared in depth
  *             (bsp_frame.h)
  * Cost        samples of all faces: written, or looked at */
-#include "algorithms/list_priority/fixed/bsp_frame.h"
+#include "algorithms/engines/bsp/bsp_frame.h"
 
 enum { OVERWRITES = HSR_BSP_N_COUNTERS };
 enum { TAKEN = HSR_BSP_N_COUNTERS };

@@ -38,7 +38,7 @@
  *             of the clusters into which those of the scene had to be split;
  *             back-face cull F_r, Y cull n E_s, X sort and priority search
  *             n m S_l */
-#include "algorithms/glass.h"
+#include "algorithms/engines/light/glass.h"
 #include "algorithms/list_priority/fixed/cluster_order.h"
 #include "common/base/bits.h"
 #include "common/base/vector.h"

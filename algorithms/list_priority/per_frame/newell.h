@@ -4,7 +4,7 @@
 #ifndef HSR_ALGORITHMS_NEWELL_H
 #define HSR_ALGORITHMS_NEWELL_H
 
-#include "algorithms/glass.h"
+#include "algorithms/engines/light/glass.h"
 #include "algorithms/list_priority/per_frame/priority_list.h"
 
 #ifdef __cplusplus
@@ -26,14 +26,6 @@ struct hsr_newell {
   uint32_t free_bead;
   uint32_t *row; /* a row of the window: its first bead */
 };
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_newell_reserve HSR_OF_BUILD(hsr_newell_reserve)
-#define hsr_newell_open HSR_OF_BUILD(hsr_newell_open)
-#define hsr_newell_paint HSR_OF_BUILD(hsr_newell_paint)
-#define hsr_newell_paint_unordered HSR_OF_BUILD(hsr_newell_paint_unordered)
-#define hsr_newell_show HSR_OF_BUILD(hsr_newell_show)
-#define hsr_newell_solve HSR_OF_BUILD(hsr_newell_solve)
 
 /* Memory from job->scratch for lists of no more than most_faces faces. The
  * rest is as hsr_list_reserve has it. HSR_E_NOMEM. */

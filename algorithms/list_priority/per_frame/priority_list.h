@@ -112,11 +112,6 @@ struct hsr_priority_list {
   uint32_t scratch_room;
 };
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_list_reserve HSR_OF_BUILD(hsr_list_reserve)
-#define hsr_list_sort HSR_OF_BUILD(hsr_list_sort)
-#define hsr_list_next HSR_OF_BUILD(hsr_list_next)
-
 /* Memory from job->scratch, for lists of no more than most_faces faces; it
  * grows where faces are divided, and then serves the next list. With a previous
  * order, which may be NULL, there is one list a frame. HSR_E_NOMEM. */

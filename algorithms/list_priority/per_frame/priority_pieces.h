@@ -33,10 +33,6 @@ static inline struct hsr_subject subject(const struct hsr_priority_list *s,
   return HSR_PIECE(piece_at(s, p)->part.face, p);
 }
 
-#define hsr_index_sort HSR_OF_BUILD(hsr_index_sort)
-#define hsr_index_add HSR_OF_BUILD(hsr_index_add)
-#define hsr_index_find HSR_OF_BUILD(hsr_index_find)
-
 /* What priority_list.c takes from priority_index.c, and that from it.
  * hsr_index_sort: sorts a new list's pieces. hsr_index_add: adds a divided
  * piece. hsr_index_find: a piece that P may obscure, or HSR_NO_PIECE; `bucket`
@@ -46,7 +42,6 @@ void hsr_index_sort(struct hsr_priority_list *list);
 void hsr_index_add(struct hsr_priority_list *list, uint32_t p);
 uint32_t hsr_index_find(struct hsr_priority_list *list, uint32_t p,
                         uint32_t bucket);
-#define hsr_list_may_obscure HSR_OF_BUILD(hsr_list_may_obscure)
 bool hsr_list_may_obscure(struct hsr_priority_list *list, uint32_t p,
                           uint32_t q);
 

@@ -13,15 +13,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_active_edges_make HSR_OF_BUILD(hsr_active_edges_make)
-#define hsr_active_edges_take HSR_OF_BUILD(hsr_active_edges_take)
-#define hsr_active_edges_put HSR_OF_BUILD(hsr_active_edges_put)
-#define hsr_active_edges_move HSR_OF_BUILD(hsr_active_edges_move)
-#define hsr_active_edges_shift HSR_OF_BUILD(hsr_active_edges_shift)
-#define hsr_active_edges_retire HSR_OF_BUILD(hsr_active_edges_retire)
-#define hsr_active_edges_pass HSR_OF_BUILD(hsr_active_edges_pass)
-
 /* An edge in the list. */
 struct hsr_active {
   uint32_t e;

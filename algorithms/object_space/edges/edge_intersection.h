@@ -97,24 +97,6 @@ struct hsr_intersector {
                         hidden interval, and its crossings are not sorted */
 };
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_network_prepare HSR_OF_BUILD(hsr_network_prepare)
-#define hsr_network_release HSR_OF_BUILD(hsr_network_release)
-#define hsr_network_init HSR_OF_BUILD(hsr_network_init)
-#define hsr_network_sort_boxes HSR_OF_BUILD(hsr_network_sort_boxes)
-#define hsr_network_find_near HSR_OF_BUILD(hsr_network_find_near)
-#define hsr_network_cross HSR_OF_BUILD(hsr_network_cross)
-#define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
-#define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
-#define hsr_network_interval HSR_OF_BUILD(hsr_network_interval)
-#define hsr_network_find_faces HSR_OF_BUILD(hsr_network_find_faces)
-#define hsr_network_hides HSR_OF_BUILD(hsr_network_hides)
-#define hsr_network_wait HSR_OF_BUILD(hsr_network_wait)
-#define hsr_network_promote HSR_OF_BUILD(hsr_network_promote)
-#define hsr_network_draw HSR_OF_BUILD(hsr_network_draw)
-#define hsr_network_render HSR_OF_BUILD(hsr_network_render)
-#define hsr_network_expense HSR_OF_BUILD(hsr_network_expense)
-
 /* `expense` of those that compare every edge with every other: the minimax
  * tests. About one of three sides is that of an edge in the picture. */
 double hsr_network_expense(const struct hsr_world *world,

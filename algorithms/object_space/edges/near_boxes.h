@@ -6,18 +6,14 @@
 #ifndef HSR_ALGORITHMS_NEAR_BOXES_H
 #define HSR_ALGORITHMS_NEAR_BOXES_H
 
-#include "algorithms/box_rows.h"
-#include "algorithms/object_space/corner_boxes.h"
+#include "algorithms/engines/boxes/box_rows.h"
+#include "algorithms/engines/boxes/corner_boxes.h"
 
 #include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_near_boxes_make HSR_OF_BUILD(hsr_near_boxes_make)
-#define hsr_near_boxes_find HSR_OF_BUILD(hsr_near_boxes_find)
 
 struct hsr_near_boxes {
   struct hsr_box_rows rows;

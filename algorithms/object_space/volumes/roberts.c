@@ -39,8 +39,8 @@
  *             environment. Alone, a face that is not convex is as many volumes
  *             as it has convex parts: with n corners, up to n of them for each
  *             of its n edges */
-#include "algorithms/box_rows.h"
-#include "algorithms/object_space/corner_boxes.h"
+#include "algorithms/engines/boxes/box_rows.h"
+#include "algorithms/engines/boxes/corner_boxes.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
 

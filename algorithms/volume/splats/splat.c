@@ -20,7 +20,7 @@
  *             between the view before and this one
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 #include <string.h>
 

@@ -10,7 +10,7 @@
  * Cost        as splats.h, and the pixels of each sheet's rectangle
  *
  * Notation, invariant, ties, further departures are those of splats.h. */
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 #include <math.h>
 

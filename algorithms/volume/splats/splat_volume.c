@@ -13,7 +13,7 @@
  *             buckets of all pixels
  *
  * Invariant, ties, further departures are those of splats.h. */
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 #include <math.h>
 

@@ -8,7 +8,7 @@
  *             overflow
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 enum { MOST_SPLATS = 65536 };
 

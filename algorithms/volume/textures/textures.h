@@ -30,7 +30,7 @@
 #ifndef HSR_ALGORITHMS_TEXTURES_H
 #define HSR_ALGORITHMS_TEXTURES_H
 
-#include "algorithms/volume/splats/splats.h"
+#include "algorithms/engines/splats/splats.h"
 
 /* --- What the modules have in common -------------------------------------- */
 
@@ -94,21 +94,17 @@ struct hsr_preimage {
 };
 
 /* Refuses a grid that is not one layer. HSR_E_REFUSED. */
-#define hsr_textures_prepare HSR_OF_BUILD(hsr_textures_prepare)
 enum hsr_status hsr_textures_prepare(const struct hsr_world *world,
                                      const long *option, void **prepared,
                                      struct hsr_error *err);
-#define hsr_textures_release HSR_OF_BUILD(hsr_textures_release)
 void hsr_textures_release(void *prepared);
 
 /* Begins a frame. HSR_E_NOMEM. */
-#define hsr_textures_begin HSR_OF_BUILD(hsr_textures_begin)
 enum hsr_status hsr_textures_begin(struct hsr_texture *texture,
                                    const struct hsr_job *job);
 
 /* Calls texture->filter for every pixel that meets the layer, and writes what it
  * gives. */
-#define hsr_textures_draw HSR_OF_BUILD(hsr_textures_draw)
 void hsr_textures_draw(struct hsr_texture *texture, const struct hsr_job *job);
 
 /* The texel of so many texels that a place is in. */
@@ -118,7 +114,6 @@ static inline int hsr_texel_of(double at, int n) {
 }
 
 /* The sides of the box around a preimage, in texels, times `width`. */
-#define hsr_preimage_sides HSR_OF_BUILD(hsr_preimage_sides)
 void hsr_preimage_sides(const struct hsr_texture *texture,
                         const struct hsr_preimage *pre, double side[2]);
 

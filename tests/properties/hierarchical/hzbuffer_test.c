@@ -20,6 +20,7 @@
  * walk through the octrees is written again here; it notes the result of each
  * step, and must count the same as the true one, counter by counter. */
 #define HSR_COUNTING 1
+#include "algorithms/counting-names.h" /* the functions of that build */
 #include "algorithms/algorithm.h"
 #undef HSR_ALGORITHM
 #define HSR_ALGORITHM(name) own_##name

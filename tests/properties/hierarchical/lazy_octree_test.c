@@ -12,7 +12,7 @@
  *             is divided: all of an object that is seen at all.
  *
  * usage: lazy_octree_test [SCENE...]    prints the figures of other scenes */
-#include "algorithms/hierarchical/cubes.h"
+#include "algorithms/engines/cubes/cubes.h"
 #include "algorithms/variant.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"

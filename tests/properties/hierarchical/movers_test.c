@@ -3,12 +3,13 @@
  * must draw the same as the z-buffer, for which the scene is laid out anew in
  * every frame. Carts drive through the office; some frames move them out of the
  * building, or back in time. Greene's thesis, 3.4. */
-#define HSR_COUNTING 1 /* to call the functions of that build */
+#define HSR_COUNTING 1
+#include "algorithms/counting-names.h" /* the functions of that build */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
-#include "algorithms/hierarchical/movers.h"
+#include "algorithms/hierarchical/hzbuffer/movers.h"
 #include "algorithms/variant.h"
 #include "common/scene/motion.h"
 

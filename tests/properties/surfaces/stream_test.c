@@ -10,7 +10,7 @@
  *             it.
  * Choices     what needs the scene laid out takes no outline: glass, shadows, and
  *             groups. Which scenes come as an outline. */
-#include "algorithms/brute_force/tiler.h"
+#include "algorithms/engines/tiler/tiler.h"
 #include "algorithms/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -4,7 +4,8 @@
 // decide that on the scene's own corners; the centre is displaced by (e, e^2,
 // e^3). The oracle of voxels, which goes by columns, is compared with the same
 // judge.
-#define HSR_COUNTING 1 // what the pyramid does is counted
+#define HSR_COUNTING 1
+#include "algorithms/counting-names.h" // the functions of that build
 #include "algorithms/setup.h"
 #include "algorithms/volume/solid_pyramid.h"
 #include "scenes/scenes.h"

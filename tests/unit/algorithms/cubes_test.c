@@ -4,7 +4,8 @@
  * on the screen. Each inequality that locates a cube is a step. Pairs of faces
  * compare as they do in the scene laid out. */
 #define HSR_COUNTING 1
-#include "algorithms/hierarchical/cube_frame.h"
+#include "algorithms/counting-names.h" /* the functions of that build */
+#include "algorithms/engines/cubes/cube_frame.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

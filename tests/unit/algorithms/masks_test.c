@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mask pyramid alone (algorithms/image_space/area/tiling/masks/masks.h):
+/* The mask pyramid alone (algorithms/engines/masks/masks.h):
  * random convex polygons with corners on a fine grid, tiled from front to back,
  * against a loop over all samples; everything in integers.
  *
@@ -21,8 +21,7 @@
  * jittered samples taken as others; shows() that forgets what is active, or
  * covered. choose() may keep lines that are inside: that only costs time.
  */
-#define HSR_COUNTING 1
-#include "algorithms/image_space/area/tiling/masks/masks.h"
+#include "algorithms/engines/masks/masks.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
@@ -30,17 +29,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The other build, which may have vectors. */
-enum hsr_status hsr_masks_init_plain(struct hsr_masks *,
-                                     const struct hsr_window *, uint32_t,
-                                     struct hsr_arena *);
-bool hsr_masks_tile_plain(struct hsr_masks *, const struct hsr_mask_polygon *,
-                          struct hsr_bounds, const struct hsr_mask_sink *);
-void hsr_masks_tile_root_plain(struct hsr_masks *,
-                               const struct hsr_mask_polygon *,
-                               const struct hsr_mask_sink *);
-bool hsr_masks_show_plain(struct hsr_masks *, const struct hsr_mask_polygon *,
-                          struct hsr_bounds);
+/* The counting build, which has no vectors. */
+enum hsr_status hsr_masks_init_counting(struct hsr_masks *,
+                                        const struct hsr_window *, uint32_t,
+                                        struct hsr_arena *);
+bool hsr_masks_tile_counting(struct hsr_masks *,
+                             const struct hsr_mask_polygon *, struct hsr_bounds,
+                             const struct hsr_mask_sink *);
+void hsr_masks_tile_root_counting(struct hsr_masks *,
+                                  const struct hsr_mask_polygon *,
+                                  const struct hsr_mask_sink *);
+bool hsr_masks_show_counting(struct hsr_masks *,
+                             const struct hsr_mask_polygon *,
+                             struct hsr_bounds);
 
 static const struct build {
   const char *name;
@@ -55,8 +56,8 @@ static const struct build {
 } builds[] = {
     {"counting", hsr_masks_init_counting, hsr_masks_tile_counting,
      hsr_masks_tile_root_counting, hsr_masks_show_counting},
-    {"plain", hsr_masks_init_plain, hsr_masks_tile_plain,
-     hsr_masks_tile_root_plain, hsr_masks_show_plain},
+    {"plain", hsr_masks_init, hsr_masks_tile, hsr_masks_tile_root,
+     hsr_masks_show},
 };
 
 /* The counters that the masks raise. */
@@ -727,7 +728,7 @@ static void test_memory(struct tap *tap) {
     bits = 8 * (double)arena.used_bytes / samples;
     good &= masks.n_levels == levels && bits >= 1 + 1 / 32.0 &&
             bits - pad / samples < 1 + 2 / 63.0 &&
-            hsr_masks_extent_counting(&masks) == side;
+            hsr_masks_extent(&masks) == side;
     hsr_arena_free(&arena);
   }
   ok(tap, good, "memory: %.4f bits a sample of 4096 x 4096", bits);
@@ -753,7 +754,7 @@ static void test_cells(struct tap *tap) {
     struct hsr_window window = {16, 5, 16 + windows[w][0], 5 + windows[w][1]};
     if (hsr_masks_init_counting(&masks, &window, 0, &arena))
       stop("out of memory");
-    int root = hsr_masks_extent_counting(&masks), size = root;
+    int root = hsr_masks_extent(&masks), size = root;
     for (int level = 0; level < masks.n_levels; level++, size /= 8) {
       size_t most = 0;
       for (int y = 0; y < windows[w][1]; y++)
@@ -761,7 +762,7 @@ static void test_cells(struct tap *tap) {
           size_t number = number_of(x, y, root, size);
           most = number > most ? number : most;
         }
-      good += hsr_masks_cells_counting(&masks, level) == most + 1;
+      good += hsr_masks_cells(&masks, level) == most + 1;
     }
     hsr_arena_free(&arena);
   }

@@ -2,8 +2,8 @@
 /* Octants in lanes against one cube after another; and the pyramid's test of
  * rows at once against a look at every sample. Both are of the build that is
  * timed, and use the vector unit that the machine has. */
-#include "algorithms/hierarchical/cube_octants.h"
-#include "algorithms/hierarchical/pyramid.h"
+#include "algorithms/engines/cubes/cube_octants.h"
+#include "algorithms/engines/pyramid/pyramid.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -2,7 +2,8 @@
 /* The z-pyramid, in windows of any size and place: after any writes it equals a
  * rebuilt one, and its tests agree with a look at every sample. */
 #define HSR_COUNTING 1
-#include "algorithms/hierarchical/pyramid.h"
+#include "algorithms/counting-names.h" /* the functions of that build */
+#include "algorithms/engines/pyramid/pyramid.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -3,7 +3,7 @@
  * coordinates are integers, so nothing is rounded: separating axes in integers
  * decide what a triangle meets. That has nothing in common with
  * common/trees/box.h. */
-#include "algorithms/hierarchical/cube_frame.h"
+#include "algorithms/engines/cubes/cube_frame.h"
 #include "common/trees/grain.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/area/sorting/area_slots.h"
-#include "algorithms/box_rows.h"
+#include "algorithms/engines/boxes/box_rows.h"
 
 /* Widens a box by that of an area. */
 static void enclose(struct hsr_float_box *box, const struct hsr_area *area) {

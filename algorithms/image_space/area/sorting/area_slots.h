@@ -7,12 +7,6 @@
 
 #include "algorithms/image_space/area/sorting/areas.h"
 
-#define hsr_area_slots_add HSR_OF_BUILD(hsr_area_slots_add)
-#define hsr_area_slots_box HSR_OF_BUILD(hsr_area_slots_box)
-#define hsr_area_slots_close HSR_OF_BUILD(hsr_area_slots_close)
-#define hsr_area_slots_cut HSR_OF_BUILD(hsr_area_slots_cut)
-#define hsr_area_slots_near HSR_OF_BUILD(hsr_area_slots_near)
-
 /* What is left of one area of a list: pieces of one face, in their order. */
 struct hsr_area_slot {
   struct hsr_area_list list; /* perhaps empty */

@@ -23,25 +23,6 @@
 #include "algorithms/algorithm.h"
 #include "common/exact/named_lines.h"
 
-#define hsr_area_free HSR_OF_BUILD(hsr_area_free)
-#define hsr_areas_apart HSR_OF_BUILD(hsr_areas_apart)
-#define hsr_areas_clip HSR_OF_BUILD(hsr_areas_clip)
-#define hsr_areas_join HSR_OF_BUILD(hsr_areas_join)
-#define hsr_areas_of_border HSR_OF_BUILD(hsr_areas_of_border)
-#define hsr_areas_of_face HSR_OF_BUILD(hsr_areas_of_face)
-#define hsr_areas_pop HSR_OF_BUILD(hsr_areas_pop)
-#define hsr_areas_push HSR_OF_BUILD(hsr_areas_push)
-#define hsr_area_of_half HSR_OF_BUILD(hsr_area_of_half)
-#define hsr_border_add HSR_OF_BUILD(hsr_border_add)
-#define hsr_border_between HSR_OF_BUILD(hsr_border_between)
-#define hsr_border_cut HSR_OF_BUILD(hsr_border_cut)
-#define hsr_border_divide HSR_OF_BUILD(hsr_border_divide)
-#define hsr_border_is_within HSR_OF_BUILD(hsr_border_is_within)
-#define hsr_border_make HSR_OF_BUILD(hsr_border_make)
-#define hsr_border_precedes HSR_OF_BUILD(hsr_border_precedes)
-#define hsr_clipper_item HSR_OF_BUILD(hsr_clipper_item)
-#define hsr_clipper_knot HSR_OF_BUILD(hsr_clipper_knot)
-
 struct hsr_border_edge {
   uint32_t line;
   int sign;          /* +1 or -1 */

@@ -12,15 +12,11 @@
 #ifndef HSR_ALGORITHMS_TILING_CLIP_H
 #define HSR_ALGORITHMS_TILING_CLIP_H
 
-#include "algorithms/image_space/area/tiling/masks/polygon.h"
+#include "algorithms/engines/masks/polygon.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_region_clip HSR_OF_BUILD(hsr_region_clip)
-#define hsr_clip_piece HSR_OF_BUILD(hsr_clip_piece)
 
 struct hsr_region {
   double above[3], below[3]; /* infinite: no plane */

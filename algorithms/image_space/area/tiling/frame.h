@@ -14,21 +14,12 @@
 #ifndef HSR_ALGORITHMS_TILING_FRAME_H
 #define HSR_ALGORITHMS_TILING_FRAME_H
 
-#include "algorithms/image_space/area/tiling/masks/canvas.h"
-#include "algorithms/image_space/area/tiling/masks/polygon.h"
+#include "algorithms/engines/masks/canvas.h"
+#include "algorithms/engines/masks/polygon.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Compiled twice, as the algorithms are. */
-#define hsr_tiling_prepare HSR_OF_BUILD(hsr_tiling_prepare)
-#define hsr_sampling_free HSR_OF_BUILD(hsr_sampling_free)
-#define hsr_tiling_begin HSR_OF_BUILD(hsr_tiling_begin)
-#define hsr_tiling_room HSR_OF_BUILD(hsr_tiling_room)
-#define hsr_tiling_pattern HSR_OF_BUILD(hsr_tiling_pattern)
-#define hsr_tiling_shows HSR_OF_BUILD(hsr_tiling_shows)
-#define hsr_tiling_background HSR_OF_BUILD(hsr_tiling_background)
 
 /* --- Once ----------------------------------------------------------------- */
 

@@ -17,7 +17,7 @@
  * Cost        that of tiling, where the order is exact and cells are not deep
  */
 #include "algorithms/algorithm.h"
-#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/engines/bsp/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "algorithms/image_space/area/tiling/separate.h"

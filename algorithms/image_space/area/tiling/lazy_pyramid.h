@@ -30,13 +30,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_lazy_begin HSR_OF_BUILD(hsr_lazy_begin)
-#define hsr_lazy_face HSR_OF_BUILD(hsr_lazy_face)
-#define hsr_lazy_tile HSR_OF_BUILD(hsr_lazy_tile)
-#define hsr_lazy_shows HSR_OF_BUILD(hsr_lazy_shows)
-#define hsr_lazy_resolve HSR_OF_BUILD(hsr_lazy_resolve)
-
 /* Bounds of q. If there is nothing, far > near. */
 struct hsr_lazy_depth {
   double far, near;

@@ -13,11 +13,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_loose_begin HSR_OF_BUILD(hsr_loose_begin)
-#define hsr_loose_refuse HSR_OF_BUILD(hsr_loose_refuse)
-#define hsr_loose_draw HSR_OF_BUILD(hsr_loose_draw)
-
 struct hsr_loose {
   struct hsr_screen screen;
   uint32_t *face, n; /* ascending */

@@ -29,7 +29,7 @@
  *             faces are flat.
  * Cost        that of tiling, and of trees where bodies are visible and meet */
 #include "algorithms/algorithm.h"
-#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/engines/bsp/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/clip.h"
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/loose.h"

@@ -11,10 +11,6 @@
 extern "C" {
 #endif
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_separate_init HSR_OF_BUILD(hsr_separate_init)
-#define hsr_all_points HSR_OF_BUILD(hsr_all_points)
-
 /* Piece f is face f of the world, which is borrowed. Freed with hsr_bsp_free,
  * also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_separate_init(struct hsr_bsp *bsp,

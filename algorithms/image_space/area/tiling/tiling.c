@@ -16,7 +16,7 @@
  * Cost        grows with the cells that visible edges cross, and with the
  *             visible cubes and their children */
 #include "algorithms/algorithm.h"
-#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/engines/bsp/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/loose.h"
 #include "algorithms/image_space/area/tiling/grove.h"

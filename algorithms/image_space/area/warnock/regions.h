@@ -24,11 +24,6 @@
 #include "common/base/arena.h"
 #include "common/exact/screen.h"
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_regions_new HSR_OF_BUILD(hsr_regions_new)
-#define hsr_regions_free HSR_OF_BUILD(hsr_regions_free)
-#define hsr_regions_update HSR_OF_BUILD(hsr_regions_update)
-
 /* Regions a side: 1 << level. */
 enum { HSR_MOST_REGION_LEVEL = 4, HSR_MOST_REGIONS_ASIDE = 16 };
 

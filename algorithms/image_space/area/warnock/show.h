@@ -18,11 +18,6 @@
 #include "common/base/arena.h"
 #include "common/exact/screen.h"
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_show_init HSR_OF_BUILD(hsr_show_init)
-#define hsr_show_window HSR_OF_BUILD(hsr_show_window)
-#define hsr_show_raster HSR_OF_BUILD(hsr_show_raster)
-
 /* The samples of `window` show face `id`, or what covers them of `front`, a face
  * before it. HSR_BACKGROUND: no face. */
 struct hsr_decided {

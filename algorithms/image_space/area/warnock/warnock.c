@@ -29,7 +29,7 @@
  *             ("Frame and Object Coherence", regions.h)
  * Cost        Z sort 2 F_r, Warnock special 100 L_v D_c, depth search L_v D_c
  */
-#include "algorithms/image_space/area/area.h"
+#include "algorithms/engines/windows/area.h"
 #include "algorithms/image_space/area/warnock/regions.h"
 #include "algorithms/image_space/area/warnock/show.h"
 #include "algorithms/image_space/area/warnock/warnock.h"

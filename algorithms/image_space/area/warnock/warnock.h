@@ -45,9 +45,6 @@ struct hsr_finisher {
 /* Few faces: fewer than 100. Scenes have four corners a face or so. */
 enum { HSR_FEW_FACES = 99, HSR_FEW_CORNERS = 8 * HSR_FEW_FACES };
 
-/* Compiled twice, as the algorithms are. */
-#define hsr_warnock_run HSR_OF_BUILD(hsr_warnock_run)
-
 /* The view's window. The finisher counts from HSR_WARNOCK_FINISHER on.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_warnock_run(const struct hsr_job *job,

@@ -16,8 +16,8 @@
  *             compared in depth (bsp_frame.h).
  * Cost        The work grows with the number of cells that visible edges cross.
  */
-#include "algorithms/image_space/area/quadtree.h"
-#include "algorithms/list_priority/fixed/bsp_frame.h"
+#include "algorithms/engines/windows/quadtree.h"
+#include "algorithms/engines/bsp/bsp_frame.h"
 
 enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
 

@@ -9,7 +9,7 @@
  *             direction along it cannot be right on both sides of the eye.
  *
  * Notation, invariant, ties, departures and cost are those of cells.h. */
-#include "algorithms/list_priority/fixed/cells/cells.h"
+#include "algorithms/engines/cells/cells.h"
 
 static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
 

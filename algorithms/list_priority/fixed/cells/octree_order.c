@@ -10,7 +10,7 @@
  *
  * Notation, invariant, ties, further departures and cost are those of cells.h.
  */
-#include "algorithms/list_priority/fixed/cells/cells.h"
+#include "algorithms/engines/cells/cells.h"
 
 static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
 

@@ -7,7 +7,7 @@
  * Known wrong in perspective, as btf is, though in fewer views.
  *
  * Notation, invariant, ties, departures and cost are those of cells.h. */
-#include "algorithms/list_priority/fixed/cells/cells.h"
+#include "algorithms/engines/cells/cells.h"
 
 static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
 
