@@ -20,24 +20,6 @@
 /* What is counted, and told to who listens. */
 enum { SPANS, DEPTH, WRITES };
 
-static const struct hsr_counter counters[] = {
-    [SPANS] = {"spans", "stretches of a row that a face covers", HSR_SPAN,
-               HSR_OF_FACE, HSR_OF_WINDOW},
-    [DEPTH] = {"depth tests", "depths compared", HSR_COMPARE, HSR_OF_FACE,
-               HSR_OF_FACE, "farther|nearer"},
-    [WRITES] = {"writes", "samples given to a face", HSR_ACCEPT, HSR_OF_FACE,
-                HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each relevant face"},
-    {"  for each span of samples that it covers", HSR_RAISES(SPANS)},
-    {"    for each sample of the span"},
-    {"      is the face nearer than the one that the sample shows?",
-     HSR_RAISES(DEPTH)},
-    {"      if so, or if it shows none, show the face", HSR_RAISES(WRITES)},
-    {NULL}};
-
 /* One frame. All memory is taken at its beginning. */
 struct frame {
   const struct hsr_job *job;
@@ -102,6 +84,26 @@ static enum hsr_status render(const struct hsr_job *job,
     show_face(&s, s.screen.relevant[r]);
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [SPANS] = {"spans", "stretches of a row that a face covers", HSR_SPAN,
+               HSR_OF_FACE, HSR_OF_WINDOW},
+    [DEPTH] = {"depth tests", "depths compared", HSR_COMPARE, HSR_OF_FACE,
+               HSR_OF_FACE, "farther|nearer"},
+    [WRITES] = {"writes", "samples given to a face", HSR_ACCEPT, HSR_OF_FACE,
+                HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each relevant face"},
+    {"  for each span of samples that it covers", HSR_RAISES(SPANS)},
+    {"    for each sample of the span"},
+    {"      is the face nearer than the one that the sample shows?",
+     HSR_RAISES(DEPTH)},
+    {"      if so, or if it shows none, show the face", HSR_RAISES(WRITES)},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(example) = {
     .name = "example",

@@ -12,6 +12,7 @@
 #ifndef HSR_ALGORITHMS_ALGORITHM_H
 #define HSR_ALGORITHMS_ALGORITHM_H
 
+#include "algorithms/part.h"
 #include "common/adapt/adapt.h"
 #include "common/base/arena.h"
 #include "common/base/count.h"
@@ -63,41 +64,6 @@ enum {
 };
 
 struct hsr_octree; /* common/trees/octree.h */
-
-/* A sort that the algorithm makes, as in figure 29b. */
-struct hsr_sort {
-  const char *what;   /* "edges" */
-  const char *key;    /* "Y" */
-  const char *method; /* "bucket sort" */
-  const char *often;  /* "once a frame" */
-};
-
-/* What a count costs: factor * count; factor is the complexity factor of
- * appendix B. */
-struct hsr_term {
-  int counter; /* index into the algorithm's counters */
-  double factor;
-};
-
-/* A cost step, as in Table III: cost = factor * count, and likewise for `more`.
- */
-#define HSR_MORE_TERMS 7
-struct hsr_step {
-  const char *label; /* "X merge" */
-  int counter;
-  double factor;
-  const char *formula; /* the paper's prediction of the cost, or NULL */
-  double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
-  struct hsr_term more[HSR_MORE_TERMS];         /* ended by .factor == 0 */
-};
-
-/* A line of an algorithm's outline: its pseudocode, in the paper's words. */
-struct hsr_line {
-  const char *text;  /* two blanks before it for each level of nesting */
-  uint64_t counters; /* HSR_RAISES(k): steps of counter k are taken here; each
-                        counter belongs to one line */
-};
-#define HSR_RAISES(counter) (UINT64_C(1) << (counter))
 
 /* What was chosen of an algorithm. */
 struct hsr_choice {
@@ -184,11 +150,17 @@ struct hsr_algorithm {
   unsigned makes; /* of the first option of that kind, the words that it makes:
                      1 << HSR_OVER ...; the first of them is standard. 0: all */
   unsigned flags;
-  const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
-  const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
-  const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
-  const struct hsr_line *outline;     /* ended by .text == NULL */
-  const struct hsr_option *options;   /* ended by .name == NULL; NULL: none */
+
+  /* What it counts and how: the parts that it uses, and its own. Each array is
+   * ended by an empty one; NULL: none. In a registered algorithm the parts' are
+   * put before its own, and `base` says where each part's counters begin. */
+  const struct hsr_use *parts;
+  const struct hsr_counter *counters;
+  const struct hsr_step *steps;
+  const struct hsr_sort *sorts;
+  const struct hsr_line *outline;
+  uint8_t base[HSR_MOST_PARTS];
+  const struct hsr_option *options; /* ended by .name == NULL; NULL: none */
 
   /* About how many elementary comparisons a view takes, by which a harness
    * refuses what would take too long; NULL: it grows no faster than the faces
@@ -251,12 +223,15 @@ bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
 #define HSR_ALGORITHM(id) hsr_algorithm_##id
 #endif
 
-/* The line of the outline that a counter belongs to, from 1; 0: none. */
+/* The line of a registered algorithm's outline that a counter belongs to, from 1;
+ * 0: none. */
 static inline int hsr_line_of(const struct hsr_algorithm *algorithm,
                               int counter) {
-  for (int k = 0; algorithm->outline && algorithm->outline[k].text; k++)
-    if (algorithm->outline[k].counters & HSR_RAISES(counter))
-      return k + 1;
+  const struct hsr_line *line = algorithm->outline;
+  for (int k = 0; line && line[k].text; k++)
+    for (int r = 0; r < line[k].n_raises; r++)
+      if (line[k].raises[r] == counter)
+        return k + 1;
   return 0;
 }
 
@@ -266,9 +241,14 @@ struct hsr_listed {
   const struct hsr_algorithm *plain, *counting;
 };
 
-/* All that can be named, ended by .plain == NULL: the program's own list, or
- * that of bench/registry.c, the oracles before the algorithms of list.def. */
-extern const struct hsr_listed hsr_algorithms[];
+/* The descriptors of all that can be named, ended by .plain == NULL: the
+ * program's own list, or that of bench/registry.c, the oracles before the
+ * algorithms of list.def. */
+extern const struct hsr_listed hsr_modules[];
+
+/* The same, registered, in the same order. Registers them when it is first
+ * called. May be called by several threads. */
+const struct hsr_listed *hsr_algorithms(void);
 
 /* The listed algorithm of that name, or NULL. */
 const struct hsr_listed *hsr_algorithm_find(const char *name);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice: counting and not counting.
-nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/setup.h %D%/variant.h
+nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/part.h %D%/setup.h %D%/variant.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c \
   %D%/list.def %D%/proposals.def
 
@@ -21,15 +21,11 @@ libcounting_a_CPPFLAGS = -include %D%/counting-names.h $(AM_CPPFLAGS) \
   -DHSR_COUNTING=1
 libhsr_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)
 
-# names_again OBJECTS ENDING: prints a #define for each global symbol of these
-# objects, which gives it that ending, so that they can be compiled once more for
-# the same program.
-names_again = $(NM) -g $(1) | $(AWK) '$$2 ~ /^[BCDGRSTi]$$/ && \
-  $$3 ~ /^[A-Za-z_][A-Za-z_0-9]*$$/ { print "\#define " $$3 " " $$3 "$(2)" }' | \
-  LC_ALL=C sort -u
-# The header changes only if a name does.
+# The names of the counting build. The header changes only if a name does.
+EXTRA_DIST += %D%/names-again
 %D%/counting-names.stamp: $(libplain_a_OBJECTS)
-	@$(call names_again,$(libplain_a_OBJECTS),_counting) >%D%/counting-names.new
+	@NM="$(NM)" $(srcdir)/%D%/names-again _counting $(libplain_a_OBJECTS) \
+	  >%D%/counting-names.new
 	@cmp -s %D%/counting-names.new %D%/counting-names.h || \
 	  cp %D%/counting-names.new %D%/counting-names.h
 	@: >$@

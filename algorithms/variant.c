@@ -251,7 +251,7 @@ static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
 static enum hsr_status no_algorithm(const char *name, struct hsr_error *err) {
   struct hsr_names list = {0};
   char hint[256] = "";
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     if (hsr_names_add(&list, a->plain->name, strlen(a->plain->name)))
       break; /* there is no hint without memory */
   hsr_names_like(&list, name, hint, sizeof hint);

@@ -114,7 +114,7 @@ static json_t *algorithm_json(const struct hsr_algorithm *a) {
 
 json_t *algorithms_json(void) {
   json_t *all = json_array();
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     hsr_json_append(&all, algorithm_json(a->plain));
   return all;
 }
@@ -147,7 +147,7 @@ static void say_restrictions(const struct hsr_algorithm *a, char *text,
 /* The width of the column of sorting orders. */
 static int sorts_width(void) {
   int width = 5;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
     const char *order = a->plain->sort_order;
     if (order && (int)strlen(order) > width)
       width = (int)strlen(order);
@@ -203,7 +203,7 @@ static void print_option(const struct hsr_option *o) {
 /* Whether a kind is that of some algorithm which is no judge. */
 static bool is_played(const struct hsr_answer_type *kind) {
   bool any = false;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     any |= a->plain->kind == kind && !(a->plain->flags & HSR_JUDGE);
   return any;
 }
@@ -234,7 +234,7 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
 static void print_further_kind(const struct hsr_answer_type *type) {
   char names[500] = "";
   size_t n = 0;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     if (hsr_makes_also(a->plain, type) && n < sizeof names)
       n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "",
                             a->plain->name);
@@ -253,7 +253,7 @@ static void print_options(void) {
     print_kind_options(hsr_answer_types[k]);
   for (int k = 0; hsr_answer_types[k]; k++)
     print_further_kind(hsr_answer_types[k]);
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
     if (a->plain->options)
       printf("  %s\n", a->plain->name);
     for (const struct hsr_option *o = a->plain->options; o && o->name; o++)
@@ -281,7 +281,7 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
   int sorts = sorts_width();
   printf("%-19s %4s  %-*s %-8s  %s\n", "name", "year", sorts, "sorts", "kind",
          "taxonomy; restrictions");
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     print_algorithm(a->plain, sorts);
   print_options();
   print_palettes();

@@ -8,7 +8,7 @@
 #include "algorithms/list.def"
 #undef HSR_LISTED
 
-const struct hsr_listed hsr_algorithms[] = {
+const struct hsr_listed hsr_modules[] = {
 #define HSR_LISTED(id) {&hsr_counting_##id, &hsr_counting_##id},
 #include "bench/judge/list.def"
 #undef HSR_LISTED

@@ -10,7 +10,7 @@ typedef enum hsr_status hsr_build(struct hsr_scene *scene,
                                   const long long *parameter);
 typedef enum hsr_status hsr_build_part(struct hsr_scene *scene,
                                        const long long *parameter,
-                                       struct hsr_part *part);
+                                       struct hsr_scene_part *part);
 
 /* Fills it with a part; see hsr_builtin.build_part. */
 hsr_build_part hsr_build_soup_part;

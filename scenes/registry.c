@@ -443,7 +443,8 @@ static bool is_made_by_parts(const char *name) {
 /* A part of a scene that is made by parts. It is not so small that it would have
  * to be enlarged. */
 static enum hsr_status make_part(struct hsr_scene *scene, const char *name,
-                                 struct hsr_part *part, struct hsr_error *err) {
+                                 struct hsr_scene_part *part,
+                                 struct hsr_error *err) {
   const struct hsr_builtin *builtin;
   long long parameter[HSR_MAX_PARAMETERS];
   enum hsr_status status = read_builtin(name, &builtin, parameter, err);
@@ -455,7 +456,7 @@ static enum hsr_status make_part(struct hsr_scene *scene, const char *name,
 
 /* Views for a part, as the whole scene gets them if it has too few. */
 static enum hsr_status add_views(struct hsr_scene *scene,
-                                 const struct hsr_part *part,
+                                 const struct hsr_scene_part *part,
                                  struct hsr_error *err) {
   const struct hsr_scene_extent *extent = &part->extent;
   if (scene->n_views >= part->least_views)
@@ -469,7 +470,8 @@ static enum hsr_status add_views(struct hsr_scene *scene,
 }
 
 /* Makes a whole scene, with its cameras, a part. */
-static enum hsr_status cut_part(struct hsr_scene *scene, struct hsr_part *part,
+static enum hsr_status cut_part(struct hsr_scene *scene,
+                                struct hsr_scene_part *part,
                                 struct hsr_error *err) {
   hsr_scene_enlarge(scene);
   enum hsr_status status = add_views(scene, part, err);
@@ -478,7 +480,7 @@ static enum hsr_status cut_part(struct hsr_scene *scene, struct hsr_part *part,
 
 /* With `part`, that part; NULL: the whole scene. */
 static enum hsr_status open_scene(const char *name, struct hsr_import *import,
-                                  struct hsr_part *part,
+                                  struct hsr_scene_part *part,
                                   struct hsr_scene **scene,
                                   struct hsr_error *err) {
   if (import) {
@@ -516,7 +518,7 @@ enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
 }
 
 enum hsr_status hsr_scene_open_part(const char *name, struct hsr_import *import,
-                                    struct hsr_part *part,
+                                    struct hsr_scene_part *part,
                                     struct hsr_scene **scene,
                                     struct hsr_error *err) {
   return open_scene(name, import, part, scene, err);

@@ -34,7 +34,7 @@ struct hsr_builtin {
    * NULL: the scene is made whole, and cut. */
   enum hsr_status (*build_part)(struct hsr_scene *scene,
                                 const long long *parameter,
-                                struct hsr_part *part);
+                                struct hsr_scene_part *part);
 };
 
 /* All of them, in the order of tables, ended by .name == NULL. */
@@ -59,7 +59,7 @@ enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
  * filled in; it may be used again for another part of the same scene. A scene
  * that has no build_part is opened whole, and cut. */
 enum hsr_status hsr_scene_open_part(const char *name, struct hsr_import *import,
-                                    struct hsr_part *part,
+                                    struct hsr_scene_part *part,
                                     struct hsr_scene **scene,
                                     struct hsr_error *err);
 

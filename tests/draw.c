@@ -278,7 +278,7 @@ const struct hsr_listed *all_listed(void) {
   int n = 0;
   if (listed[0].plain)
     return listed;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     listed[n++] = *a;
   for (int k = 0; k < N_PROPOSALS; k++) {
     struct hsr_variant variant;

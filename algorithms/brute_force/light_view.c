@@ -83,8 +83,7 @@ static void add_face(struct hsr_light_view *v, int s, uint32_t f,
   struct cells c = cells_of(v, side, box);
   if (is_wide(v, c)) {
     if (side->wide.face)
-      HSR_STEP(tally, v->first + HSR_LIGHT_WIDE, HSR_FACE(f), HSR_NOTHING,
-               HSR_NOWHERE, 0);
+      HSR_STEP(tally, HSR_LIGHT_WIDE, HSR_FACE(f), HSR_NOTHING, HSR_NOWHERE, 0);
     add(&side->wide, f);
     return;
   }
@@ -92,8 +91,8 @@ static void add_face(struct hsr_light_view *v, int s, uint32_t f,
     for (int x = c.x0; x <= c.x1; x++) {
       struct hsr_light_list *list = &side->cell[y * v->cells + x];
       if (list->face)
-        HSR_STEP(tally, v->first + HSR_LIGHT_CELLS, HSR_FACE(f),
-                 HSR_CELL(s, x, y), HSR_NOWHERE, 0);
+        HSR_STEP(tally, HSR_LIGHT_CELLS, HSR_FACE(f), HSR_CELL(s, x, y),
+                 HSR_NOWHERE, 0);
       add(list, f);
     }
 }
@@ -148,10 +147,9 @@ static int choose_cells(const struct hsr_light_view *v) {
 
 enum hsr_status hsr_light_view_begin(struct hsr_light_view *view,
                                      const struct hsr_job *job,
-                                     const struct hsr_screen *screen,
-                                     int first) {
-  *view = (struct hsr_light_view){.first = first};
-  if (hsr_shadow_begin(&view->shadow, job, screen, first))
+                                     const struct hsr_screen *screen) {
+  *view = (struct hsr_light_view){0};
+  if (hsr_shadow_begin(&view->shadow, job, screen))
     return HSR_E_NOMEM;
   uint32_t n = view->shadow.n_blockers;
   bool *seen = HSR_NEW(job->scratch, bool, n + 1);
@@ -219,3 +217,28 @@ void hsr_light_view_show(struct hsr_light_view *view) {
         hsr_shadow_lit(&view->shadow, f, i, i + 1, j);
     }
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"light cells",
+                             "faces put into cells of the light's picture",
+                             HSR_SORT, HSR_OF_FACE, HSR_OF_CELL},
+    {"wide faces", "faces kept for a whole side of the light's picture",
+         HSR_SORT, HSR_OF_FACE, HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"with shadows: put each face into the cells that it meets, as the "
+     "light sees it",
+     HSR_RAISES(HSR_LIGHT_CELLS)},
+    {"  or keep it for its side, if these are too many",
+     HSR_RAISES(HSR_LIGHT_WIDE)},
+    {"for each visible sample"},
+    {"  ", .part = &hsr_shadow_part, .group = HSR_SHADOW_FACING_LINES},
+    {"    for each face of its cell, and then of its side"},
+    {"      ", .part = &hsr_shadow_part, .group = HSR_SHADOW_LINES},
+    {NULL}};
+
+const struct hsr_part hsr_light_view_part = {
+    HSR_PART_LIGHT_VIEW, counters, NULL, NULL, {lines}};

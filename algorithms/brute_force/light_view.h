@@ -44,7 +44,6 @@ struct hsr_light_side {
 
 struct hsr_light_view {
   struct hsr_shadow shadow;
-  int first; /* the number of its first counter */
   int cells; /* in a row and column of a side */
   struct hsr_light_side side[HSR_LIGHT_SIDES];
 };
@@ -53,36 +52,14 @@ struct hsr_light_view {
  * hsr_shadow_begin. */
 enum hsr_status hsr_light_view_begin(struct hsr_light_view *view,
                                      const struct hsr_job *job,
-                                     const struct hsr_screen *screen,
-                                     int first);
+                                     const struct hsr_screen *screen);
 
 /* Shows the samples of the job's window lit or not; its ids are written. */
 void hsr_light_view_show(struct hsr_light_view *view);
 
-/* The counters that it keeps, in their order, and their lines of an outline,
- * `in` blanks deep. */
-enum {
-  HSR_LIGHT_CELLS = HSR_N_SHADOW_COUNTERS,
-  HSR_LIGHT_WIDE,
-  HSR_N_LIGHT_VIEW_COUNTERS
-};
-#define HSR_LIGHT_VIEW_COUNTERS                                                \
-  HSR_SHADOW_COUNTERS,                                                         \
-      {"light cells", "faces put into cells of the light's picture", HSR_SORT, \
-       HSR_OF_FACE, HSR_OF_CELL},                                              \
-  {                                                                            \
-    "wide faces", "faces kept for a whole side of the light's picture",        \
-        HSR_SORT, HSR_OF_FACE, HSR_OF_NOTHING                                  \
-  }
-#define HSR_LIGHT_VIEW_LINES(first, in)                                        \
-  {in "with shadows: put each face into the cells that it meets, as the "      \
-      "light sees it",                                                         \
-   HSR_RAISES((first) + HSR_LIGHT_CELLS)},                                     \
-      {in "  or keep it for its side, if these are too many",                  \
-       HSR_RAISES((first) + HSR_LIGHT_WIDE)},                                  \
-      {in "for each visible sample"}, HSR_SHADOW_FACING_LINE(first, in "  "),  \
-      {in "    for each face of its cell, and then of its side"},              \
-      HSR_SHADOW_LINES(first, in "      ")
+/* What it counts, besides what shadow.h does. Its lines hold those. */
+extern const struct hsr_part hsr_light_view_part;
+enum { HSR_LIGHT_CELLS = HSR_FIRST_OF(HSR_PART_LIGHT_VIEW), HSR_LIGHT_WIDE };
 
 #ifdef __cplusplus
 }

@@ -126,3 +126,37 @@ enum hsr_status hsr_peel(struct hsr_glass *glass, struct hsr_tiler *tiler) {
   while (show_layer(&p));
   return HSR_OK;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"layer tests",
+                             "transparent faces compared in depth with what is "
+                             "combined at a sample",
+                             HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                             "farther|nearer"},
+    {"farthest tests",
+                               "transparent faces compared in depth with the "
+                               "farthest of the layer so far",
+                               HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                               "nearer|farther"},
+    {"layers",
+                                      "passes over the transparent faces",
+                                      HSR_ACTIVATE, HSR_OF_WINDOW},
+    {"combined",
+         "colours shown at samples: of opaque faces, and then of "
+         "layers over them",
+         HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"for each layer of transparent faces", HSR_RAISES(HSR_PEEL_LAYERS)},
+    {"  for each of these, at each sample: nearer than what is combined?",
+     HSR_RAISES(HSR_PEEL_BEHIND)},
+    {"    and farther than what the layer has there so far? Keep it",
+     HSR_RAISES(HSR_PEEL_FARTHEST)},
+    {"  put the layer over what is combined", HSR_RAISES(HSR_PEEL_SHOWN)},
+    {NULL}};
+
+const struct hsr_part hsr_peel_part = {
+    HSR_PART_PEEL, counters, NULL, NULL, {lines}};

@@ -32,46 +32,14 @@ extern "C" {
  * scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_peel(struct hsr_glass *glass, struct hsr_tiler *tiler);
 
-/* The counters that it keeps, after those of tiler.h. */
+/* What it counts, besides what tiler.h does. */
+extern const struct hsr_part hsr_peel_part;
 enum {
-  HSR_PEEL_BEHIND = HSR_N_TILER_COUNTERS,
+  HSR_PEEL_BEHIND = HSR_FIRST_OF(HSR_PART_PEEL),
   HSR_PEEL_FARTHEST,
   HSR_PEEL_LAYERS,
   HSR_PEEL_SHOWN
 };
-#define HSR_PEEL_COUNTERS                                                      \
-  [HSR_PEEL_BEHIND] = {"layer tests",                                          \
-                       "transparent faces compared in depth with what is "     \
-                       "combined at a sample",                                 \
-                       HSR_COMPARE,                                            \
-                       HSR_OF_FACE,                                            \
-                       HSR_OF_FACE,                                            \
-                       "farther|nearer"},                                      \
-  [HSR_PEEL_FARTHEST] = {"farthest tests",                                     \
-                         "transparent faces compared in depth with the "       \
-                         "farthest of the layer so far",                       \
-                         HSR_COMPARE,                                          \
-                         HSR_OF_FACE,                                          \
-                         HSR_OF_FACE,                                          \
-                         "nearer|farther"},                                    \
-  [HSR_PEEL_LAYERS] = {"layers", "passes over the transparent faces",          \
-                       HSR_ACTIVATE, HSR_OF_WINDOW},                           \
-  [HSR_PEEL_SHOWN] = {                                                         \
-      "combined",                                                              \
-      "colours shown at samples: of opaque faces, and then of "                \
-      "layers over them",                                                      \
-      HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW}
-
-/* Their lines of the outline. */
-#define HSR_PEEL_LINES                                                         \
-  {"for each layer of transparent faces", HSR_RAISES(HSR_PEEL_LAYERS)},        \
-      {"  for each of these, at each sample: nearer than what is combined?",   \
-       HSR_RAISES(HSR_PEEL_BEHIND)},                                           \
-      {"    and farther than what the layer has there so far? Keep it",        \
-       HSR_RAISES(HSR_PEEL_FARTHEST)},                                         \
-  {                                                                            \
-    "  put the layer over what is combined", HSR_RAISES(HSR_PEEL_SHOWN)        \
-  }
 
 #ifdef __cplusplus
 }

@@ -16,40 +16,7 @@
  * Cost        100 n m F_r predicted: the minimax tests are n m F_r */
 #include "algorithms/engines/light/shadow.h"
 
-enum { MINIMAX, SURROUND, DEPTH, SHOWN, SHADOWS };
-
-static const struct hsr_counter counters[] = {
-    [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample",
-                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
-    [SURROUND] = {"surround tests", "faces tested for surrounding a sample",
-                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
-                  "does not surround|surrounds"},
-    [DEPTH] = {"depth tests", "depths compared", HSR_COMPARE, HSR_OF_FACE,
-               HSR_OF_FACE, "farther|nearer"},
-    [SHOWN] = {"samples shown", "samples at which a face is visible",
-               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    HSR_SHADOW_COUNTERS,
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each raster element"},
-    {"  for each relevant face"},
-    {"    minimax test: is the element inside the face's box?",
-     HSR_RAISES(MINIMAX)},
-    {"    does the face surround the element?", HSR_RAISES(SURROUND)},
-    {"    is it nearer than the nearest face so far?", HSR_RAISES(DEPTH)},
-    {"  show the nearest face", HSR_RAISES(SHOWN)},
-    HSR_SHADOW_FACING_LINE(SHADOWS, "  "),
-    HSR_SHADOW_LINES(SHADOWS, "    "),
-    {NULL}};
-
-static double predict_search(const struct hsr_table1 *t) {
-  return 100 * t->n * t->m * t->F_r;
-}
-
-static const struct hsr_step steps[] = {
-    {"search of all faces", MINIMAX, 100, "100 n m F_r", predict_search},
-    {NULL}};
+enum { MINIMAX, SURROUND, DEPTH, SHOWN };
 
 static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
                              struct hsr_tally *tally) {
@@ -105,7 +72,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   struct hsr_shadow shadow;
   struct hsr_light_balls balls;
-  if (job->lit && (hsr_shadow_begin(&shadow, job, &screen, SHADOWS) ||
+  if (job->lit && (hsr_shadow_begin(&shadow, job, &screen) ||
                    hsr_light_balls_make(&balls, job->world, shadow.blocker,
                                         shadow.n_blockers, job->scratch)))
     return hsr_fail_nomem(err);
@@ -120,6 +87,42 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_shadow_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
+    [SURROUND] = {"surround tests", "faces tested for surrounding a sample",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                  "does not surround|surrounds"},
+    [DEPTH] = {"depth tests", "depths compared", HSR_COMPARE, HSR_OF_FACE,
+               HSR_OF_FACE, "farther|nearer"},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each raster element"},
+    {"  for each relevant face"},
+    {"    minimax test: is the element inside the face's box?",
+     HSR_RAISES(MINIMAX)},
+    {"    does the face surround the element?", HSR_RAISES(SURROUND)},
+    {"    is it nearer than the nearest face so far?", HSR_RAISES(DEPTH)},
+    {"  show the nearest face", HSR_RAISES(SHOWN)},
+    {"  ", .part = &hsr_shadow_part, .group = HSR_SHADOW_FACING_LINES},
+    {"    ", .part = &hsr_shadow_part, .group = HSR_SHADOW_LINES},
+    {NULL}};
+
+static double predict_search(const struct hsr_table1 *t) {
+  return 100 * t->n * t->m * t->F_r;
+}
+
+static const struct hsr_step steps[] = {
+    {"search of all faces", MINIMAX, 100, "100 n m F_r", predict_search},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .name = "raycast",
     .title = "Brute force without memory",
@@ -133,6 +136,7 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .also = {HSR_SHADOWED},
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

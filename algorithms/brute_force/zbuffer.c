@@ -29,57 +29,16 @@
 
 #include <stdlib.h>
 
-enum {
-  SHADOWS = HSR_PEEL_SHOWN + 1,
-  GROUPS = SHADOWS + HSR_N_LIGHT_VIEW_COUNTERS,
-  AWAY,
-  OUT,
-  LEFT_OUT
-};
-
-static const struct hsr_counter counters[] = {
-    HSR_TILER_COUNTERS,
-    HSR_PEEL_COUNTERS,
-    HSR_LIGHT_VIEW_COUNTERS,
-    [GROUPS] = {"groups tested", "of triangles: may one of them be seen?",
-                HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
-                "kept|turned away|outside"},
-    [AWAY] = {"groups away", "by the cone of their normals", HSR_REJECT,
-              HSR_OF_CELL, HSR_OF_NOTHING},
-    [OUT] = {"groups out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
-             HSR_OF_WINDOW},
-    [LEFT_OUT] = {"triangles left out", "with their groups", HSR_REJECT,
-                  HSR_OF_FACE, HSR_OF_CELL},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"clear the memory: at each raster element, no face"},
-    {"by groups: may a triangle of the group be seen?", HSR_RAISES(GROUPS)},
-    {"  if all turn away, or are outside of the frustum: leave them out",
-     HSR_RAISES(AWAY) | HSR_RAISES(OUT) | HSR_RAISES(LEFT_OUT)},
-    {"for each face"},
-    HSR_TILER_LINES("  "),
-    HSR_PEEL_LINES,
-    {"show the recorded ids"},
-    HSR_LIGHT_VIEW_LINES(SHADOWS, ""),
-    {NULL}};
+enum { GROUPS, AWAY, OUT, LEFT_OUT };
 
 enum { NO_GROUPS, CONES };
 static const struct hsr_word groupings[] = {
     {"none", "each face is looked at", 0},
     {"cones", "those that cannot be seen are left out together",
      HSR_NEEDS_LAID_OUT},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_option options[] = {
     {"groups", "of triangles, made beforehand", groupings, 0, 1, NO_GROUPS},
-    {NULL, NULL, NULL, 0, 0, 0}};
-
-static double predict_tiling(const struct hsr_table1 *t) {
-  return 10 * t->H_f * t->H_f * t->F_r;
-}
-
-static const struct hsr_step steps[] = {
-    {"depth comparison", HSR_DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
     {NULL}};
 
 enum {
@@ -432,7 +391,7 @@ static enum hsr_status tile(struct frame *t) {
 static enum hsr_status cast_shadows(struct frame *t) {
   struct hsr_light_view view;
   hsr_screen_planes(&t->tiler.screen);
-  if (hsr_light_view_begin(&view, t->job, &t->tiler.screen, SHADOWS))
+  if (hsr_light_view_begin(&view, t->job, &t->tiler.screen))
     return HSR_E_NOMEM;
   hsr_light_view_show(&view);
   return HSR_OK;
@@ -475,6 +434,46 @@ static void release(void *prepared) {
   free(prepared);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_tiler_part},
+                                      {&hsr_peel_part},
+                                      {&hsr_shadow_part},
+                                      {&hsr_light_view_part},
+                                      {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [GROUPS] = {"groups tested", "of triangles: may one of them be seen?",
+                HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
+                "kept|turned away|outside"},
+    [AWAY] = {"groups away", "by the cone of their normals", HSR_REJECT,
+              HSR_OF_CELL, HSR_OF_NOTHING},
+    [OUT] = {"groups out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
+             HSR_OF_WINDOW},
+    [LEFT_OUT] = {"triangles left out", "with their groups", HSR_REJECT,
+                  HSR_OF_FACE, HSR_OF_CELL},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"clear the memory: at each raster element, no face"},
+    {"by groups: may a triangle of the group be seen?", HSR_RAISES(GROUPS)},
+    {"  if all turn away, or are outside of the frustum: leave them out",
+     HSR_RAISES(AWAY, OUT, LEFT_OUT)},
+    {"for each face"},
+    {"  ", .part = &hsr_tiler_part},
+    {"", .part = &hsr_peel_part},
+    {"show the recorded ids"},
+    {"", .part = &hsr_light_view_part},
+    {NULL}};
+
+static double predict_tiling(const struct hsr_table1 *t) {
+  return 10 * t->H_f * t->H_f * t->F_r;
+}
+
+static const struct hsr_step steps[] = {
+    {"depth comparison", HSR_DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .name = "zbuffer",
     .title = "Brute force with a large memory: the z-buffer",
@@ -488,6 +487,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .flags = HSR_INSTANCED | HSR_LAID_OUT_UNLESS_LARGE,
     .kind = HSR_IDS,
     .also = {HSR_TRANSPARENT, HSR_SHADOWED},
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -16,31 +16,7 @@
 
 #include <stdlib.h>
 
-enum { NODES = HSR_N_TILER_COUNTERS, INEQUALITIES, NODES_OUT, NODES_IN, FACES };
-
-static const struct hsr_counter counters[] = {
-    HSR_TILER_COUNTERS,
-    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [INEQUALITIES] = HSR_INEQUALITIES_COUNTER,
-    [NODES_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
-                   HSR_OF_CELL, HSR_OF_WINDOW},
-    [NODES_IN] = {"nodes inside", "wholly, as their subtrees are", HSR_ACTIVATE,
-                  HSR_OF_CELL, HSR_OF_WINDOW},
-    [FACES] = {"faces met", "in nodes that are not outside", HSR_ACTIVATE,
-               HSR_OF_FACE, HSR_OF_CELL},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each node of the octree", HSR_RAISES(NODES)},
-    {"  unless its parent is inside the frustum: where is its cube?",
-     HSR_RAISES(INEQUALITIES)},
-    {"  outside: skip the node and its subtree", HSR_RAISES(NODES_OUT)},
-    {"  inside: the whole subtree is, and is not tested", HSR_RAISES(NODES_IN)},
-    {"  for each face of the node", HSR_RAISES(FACES)},
-    HSR_TILER_LINES("    "),
-    {"  the same for its eight children"},
-    {NULL}};
+enum { NODES, NODES_OUT, NODES_IN, FACES };
 
 struct walk {
   struct hsr_cube_frame frame;
@@ -86,7 +62,7 @@ static bool classify(struct walk *w, const struct hsr_placing *placing,
   if (!*inside) {
     struct hsr_octree_box cube = hsr_octree_cube(node);
     enum hsr_box_verdict verdict =
-        hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES, subject);
+        hsr_cube_classify(&w->frame, placing, &cube, subject);
     if (verdict == HSR_BOX_OUT) {
       HSR_STEP(w->tally, NODES_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
       return false;
@@ -179,6 +155,33 @@ static void release(void *prepared) {
   free(prepared);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_tiler_part}, {&hsr_inequalities_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [NODES_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
+                   HSR_OF_CELL, HSR_OF_WINDOW},
+    [NODES_IN] = {"nodes inside", "wholly, as their subtrees are", HSR_ACTIVATE,
+                  HSR_OF_CELL, HSR_OF_WINDOW},
+    [FACES] = {"faces met", "in nodes that are not outside", HSR_ACTIVATE,
+               HSR_OF_FACE, HSR_OF_CELL},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each node of the octree", HSR_RAISES(NODES)},
+    {"  unless its parent is inside the frustum: where is its cube?",
+     HSR_RAISES(HSR_INEQUALITIES)},
+    {"  outside: skip the node and its subtree", HSR_RAISES(NODES_OUT)},
+    {"  inside: the whole subtree is, and is not tested", HSR_RAISES(NODES_IN)},
+    {"  for each face of the node", HSR_RAISES(FACES)},
+    {"    ", .part = &hsr_tiler_part},
+    {"  the same for its eight children"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .name = "clark",
     .title = "The z-buffer behind hierarchical frustum culling",
@@ -192,6 +195,7 @@ const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .prepare = prepare,

@@ -8,6 +8,7 @@ algorithm_files += \
   %D%/fixed/cells/vbuffer.c \
   %D%/fixed/cells/wbtf.c \
   %D%/fixed/cluster_faces.h \
+  %D%/fixed/cluster_order.c \
   %D%/fixed/cluster_order.h \
   %D%/fixed/schumacker.c \
   %D%/fixed/schumacker_newell.c \

@@ -99,6 +99,8 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
 static const struct hsr_counter counters[] = {
     [HSR_SOLID_CELL] = {"cells", "cells visited above the finest level",
                         HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_VOLUME, NULL, false},
@@ -118,22 +120,22 @@ static const struct hsr_counter counters[] = {
                HSR_ACTIVATE, HSR_OF_VOLUME, HSR_OF_NOTHING, NULL, false},
     [PYRAMID_BITS] = {"pyramid bits", "size of the coverage pyramid, in bits",
                       HSR_ACTIVATE, HSR_OF_NOTHING, HSR_OF_NOTHING, NULL, true},
-    {0}};
+    {NULL}};
 
 static const struct hsr_line outline[] = {
     {"clear the coverage pyramid", HSR_RAISES(PYRAMID_BITS)},
     {"for each convex part of each solid:", HSR_RAISES(PARTS)},
-    {"  begin with the root cell", 0},
+    {"  begin with the root cell"},
     {"  for each cell that is visited:",
-     HSR_RAISES(HSR_SOLID_CELL) | HSR_RAISES(HSR_SOLID_FINEST)},
+     HSR_RAISES(HSR_SOLID_CELL, HSR_SOLID_FINEST)},
     {"    compose the part's triage mask out of those of its planes",
      HSR_RAISES(HSR_SOLID_MASK)},
     {"    in a finest cell, decide each active voxel by its centre",
      HSR_RAISES(HSR_SOLID_EXACT)},
     {"    cover what is vacant here and inside the part",
      HSR_RAISES(HSR_SOLID_COVERED)},
-    {"    visit the active subcells; then propagate their coverage", 0},
-    {NULL, 0}};
+    {"    visit the active subcells; then propagate their coverage"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_solids) = {
     .name = "tiling-solids",

@@ -108,7 +108,7 @@ bool is_summed(const struct check_options *options, int algorithm);
  * (bench/check/sort_last_sums.c). `part` tells how many parts there are, and how
  * many views. Rank 0 has to open the whole scene. */
 enum hsr_status judge_summed_parts(struct scene_run *run,
-                                   const struct hsr_part *part,
+                                   const struct hsr_scene_part *part,
                                    struct hsr_error *err);
 
 /* Makes the views in all sizes: the scene has them. As hsr_view_init. */

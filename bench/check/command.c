@@ -63,7 +63,7 @@ static error_t add_named(struct check_options *o, const char *name) {
 static error_t add_matching(struct check_options *o, const char *pattern) {
   bool found = false;
   error_t failed = 0;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain && !failed; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain && !failed; a++)
     if (is_judged(a->plain) && !fnmatch(pattern, a->plain->name, 0)) {
       struct hsr_variant variant = hsr_variant_standard(a);
       found = true;
@@ -323,7 +323,7 @@ static void set_standards(struct check_options *o) {
   }
   o->all_algorithms = !o->n_algorithms;
   if (o->all_algorithms)
-    for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
       if (is_judged(a->plain))
         add_standard(o, hsr_variant_standard(a));
       for (int k = 0; is_judged(a->plain) && a->plain->also[k]; k++)

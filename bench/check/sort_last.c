@@ -29,7 +29,7 @@ struct judged {
 
 struct sorting {
   struct scene_run *run;
-  struct hsr_part part;
+  struct hsr_scene_part part;
   struct hsr_scene *scene; /* the part's */
   struct hsr_world world;
   struct judged *judged; /* a size and view */
@@ -440,7 +440,7 @@ static int count_summed(const struct check_options *o) {
 
 static enum hsr_status judge_all(struct sorting *s, struct hsr_error *err) {
   const struct check_options *o = s->run->options;
-  const struct hsr_part part = s->part;
+  const struct hsr_scene_part part = s->part;
   int n_summed = count_summed(o);
   enum hsr_status status =
       n_summed < o->n_algorithms ? judge_ids(s, err) : HSR_OK;

@@ -14,7 +14,7 @@ enum { BUILDS = 2 }; /* of an algorithm: the timed one, the counting one */
 
 struct summing {
   struct scene_run *run;
-  struct hsr_part part;
+  struct hsr_scene_part part;
   struct hsr_scene *scene; /* the part's */
   struct hsr_world world;
   struct hsr_answer *sums; /* a size and view, algorithm and build; a body of
@@ -235,7 +235,7 @@ static enum hsr_status judge_all(struct summing *s, struct hsr_error *err) {
 }
 
 enum hsr_status judge_summed_parts(struct scene_run *run,
-                                   const struct hsr_part *part,
+                                   const struct hsr_scene_part *part,
                                    struct hsr_error *err) {
   size_t n_algorithms = (size_t)run->options->n_algorithms;
   struct summing s = {.run = run, .part = *part};

@@ -35,7 +35,7 @@ static const struct folded *folded_of(const struct hsr_answer_type *type) {
 const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
   if (kind->fold && folded_of(kind))
     kind = kind->fold->of;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
       return a->plain;
   return NULL;

@@ -77,9 +77,10 @@ libinexact_a_SOURCES = algorithms/engines/tiler/tiler.c algorithms/engines/tiler
   algorithms/brute_force/zbuffer.c
 libinexact_a_CPPFLAGS = -include %D%/inexact-names.h $(AM_CPPFLAGS) \
   -DHSR_COUNTING=0 -DHSR_INEXACT=1
-plain_once_more = $(subst /libinexact_a-,/libplain_a-,$(libinexact_a_OBJECTS))
-%D%/inexact-names.h: $(plain_once_more)
-	@$(call names_again,$(plain_once_more),_inexact) >$@.new && mv $@.new $@
+%D%/inexact-names.h: $(libplain_a_OBJECTS)
+	@NM="$(NM)" $(srcdir)/algorithms/names-again _inexact \
+	  `echo $(libinexact_a_OBJECTS) | sed 's/libinexact_a-/libplain_a-/g'` >$@.new && \
+	  mv $@.new $@
 $(libinexact_a_OBJECTS): %D%/inexact-names.h
 CLEANFILES += %D%/inexact-names.h
 endif

@@ -23,7 +23,7 @@ static void list_names(const struct hsr_answer_type *kind, char *names,
                        size_t size) {
   size_t used = 0;
   int n = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++) {
     if (l->plain->flags & HSR_NO_PICTURE)
       continue;
     struct hsr_variant variant = hsr_variant_standard(l);

@@ -21,7 +21,7 @@ struct sorting {
   struct hsr_choice choice;    /* of pictures of ids, or of what is summed */
   const struct hsr_fold *fold; /* NULL: that picture is wanted itself */
   struct hsr_view view;        /* that is wanted */
-  struct hsr_part part;
+  struct hsr_scene_part part;
   struct composite *composite; /* a picture */
   long n;
   const struct hsr_summing *summing; /* NULL: pictures of ids are wanted */

@@ -453,7 +453,7 @@ bool is_shown(const struct hsr_algorithm *a) {
 
 /* Lists the algorithms that have a cell, of faces or of others. */
 static void list_drawings_of(struct sheet *s, bool faces) {
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
     const json_t *cell = json_object_get(s->subject->cells, a->plain->name);
     if (!cell || (a->plain->kind->show_difference != NULL) != faces)
       continue;

@@ -155,7 +155,7 @@ static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
                                       struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   bool found = false;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain && !status; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain && !status; a++)
     if (!fnmatch(pattern, a->plain->name, 0)) {
       found = true;
       status = add_standard(plan, a, err);
@@ -190,7 +190,7 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_algorithms && !status; k++)
     status = add_algorithms(plan, o->algorithm[k], err);
-  for (const struct hsr_listed *a = hsr_algorithms;
+  for (const struct hsr_listed *a = hsr_algorithms();
        !o->n_algorithms && a->plain && !status; a++)
     if (!(a->plain->flags & HSR_JUDGE) && a->plain->subjects & 1u << HSR_FACES)
       status = add_standard(plan, a, err);

@@ -111,7 +111,7 @@ static void ask_scenes(const struct options *o, struct sweep_options *asked) {
   ask(o, asked, TABLES_SIZE);
   for (const char *const *scene = tables_scenes; *scene; scene++)
     asked->scene[asked->n_scenes++] = *scene;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->steps)
       asked->algorithm[asked->n_algorithms++] = l->plain->name;
   for (const char *const *name = tables_variants; *name; name++)

@@ -228,14 +228,14 @@ static void fill_algorithm(const struct tables *t, struct table_algorithm *a,
 
 static enum hsr_status fill(struct tables *t, struct hsr_error *err) {
   int n = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     n += l->plain->steps != NULL;
   t->algorithm = calloc((size_t)n + 1, sizeof *t->algorithm);
   t->variant = calloc(sizeof tables_variants / sizeof *tables_variants,
                       sizeof *t->variant);
   if (!t->algorithm || !t->variant)
     return hsr_fail_nomem(err);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->steps)
       fill_algorithm(t, &t->algorithm[t->n_algorithms++], l->plain->name,
                      l->plain);

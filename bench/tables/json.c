@@ -174,7 +174,7 @@ static json_t *figure13_json(void) {
   json_t *array = json_array();
   for (int b = 0; b < HSR_YARDSTICK; b++) {
     json_t *names = json_array();
-    for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+    for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
       if (l->plain->taxonomy == (enum hsr_branch)b)
         hsr_json_append(&names, json_string(l->plain->name));
     struct taxonomy place = taxonomy((enum hsr_branch)b);
@@ -187,7 +187,7 @@ static json_t *figure13_json(void) {
 
 static json_t *figure29a_json(void) {
   json_t *array = json_array();
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->taxonomy != HSR_YARDSTICK)
       hsr_json_append(&array,
                       json_pack("{ss so}", "algorithm", l->plain->name,
@@ -197,7 +197,7 @@ static json_t *figure29a_json(void) {
 
 static json_t *figure29b_json(void) {
   json_t *array = json_array();
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->taxonomy != HSR_YARDSTICK)
       hsr_json_append(&array,
                       json_pack("{ss ss? ss? so}", "algorithm", l->plain->name,
@@ -220,7 +220,7 @@ static json_t *of_order(const json_t *array, const char *order) {
 
 static json_t *orders_json(void) {
   json_t *array = json_array();
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain && array; l++) {
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain && array; l++) {
     const char *order = l->plain->sort_order;
     if (!order)
       continue;

@@ -335,7 +335,7 @@ static bool more_of_branch(const struct hsr_listed *after, enum hsr_branch b) {
 }
 
 static void print_branch(enum hsr_branch branch, const char *indent) {
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->taxonomy == branch) {
       char before[40];
       snprintf(before, sizeof before, "%s%s-- ", indent,
@@ -376,10 +376,10 @@ static int print_next(const char *name, int column) {
 
 static void print_orders(void) {
   title("Sorting orders");
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++) {
     const char *order = l->plain->sort_order;
     bool before = false;
-    for (const struct hsr_listed *b = hsr_algorithms; order && b != l; b++)
+    for (const struct hsr_listed *b = hsr_algorithms(); order && b != l; b++)
       before = before ||
                (b->plain->sort_order && !strcmp(b->plain->sort_order, order));
     if (!order || before)
@@ -404,7 +404,7 @@ static void print_figure29a(void) {
   for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
     printf(" %s", hsr_restriction_code(1u << k));
   putchar('\n');
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++) {
     if (is_yardstick(l->plain))
       continue;
     char row[2 + 9 * 3] = "";
@@ -417,7 +417,7 @@ static void print_figure29a(void) {
 static void print_figure29b(void) {
   title("Figure 29b. What each algorithm sorts, by what key and method, how "
         "often");
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++) {
     const struct hsr_algorithm *a = l->plain;
     if (is_yardstick(a))
       continue;

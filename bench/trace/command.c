@@ -182,7 +182,7 @@ static enum hsr_status choose_counters(struct options *o,
                       "--counters: %s has no counter '%.*s' (see hsr list "
                       "--json)",
                       a->name, (int)length, at);
-    o->filter.counters |= HSR_RAISES(k);
+    o->filter.counters |= UINT64_C(1) << k;
     at = at[length] ? at + length + 1 : NULL;
   }
   return HSR_OK;

@@ -268,7 +268,7 @@ static json_t *filter_json(const struct trace_filter *filter,
   if (filter->has_counters)
     counters = json_array();
   for (int k = 0; filter->has_counters && k < trace_n_counters(a); k++)
-    if (filter->counters & HSR_RAISES(k))
+    if (filter->counters >> k & 1)
       hsr_json_append(&counters, json_integer(k));
   return json_pack("{so so si}", "window", window, "counters", counters,
                    "every", (int)filter->every);

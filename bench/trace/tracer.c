@@ -26,7 +26,7 @@ static enum trace_reason choose(struct tracer *tracer,
     return TRACE_WINDOW;
   if (tracer->algorithm->counters[event->counter].kind == HSR_ACCEPT)
     return TRACE_KEPT;
-  if (filter->has_counters && !(filter->counters & HSR_RAISES(event->counter)))
+  if (filter->has_counters && !(filter->counters >> event->counter & 1))
     return TRACE_COUNTERS;
   return tracer->candidates++ % (uint64_t)filter->every ? TRACE_EVERY
                                                         : TRACE_KEPT;

@@ -20,12 +20,12 @@ static bool is_offered(const struct hsr_listed *listed) {
 /* The algorithm before or after the first player's that takes the scene. */
 static void choose_next(struct viewer *v, int step) {
   int n = 0, at = 0;
-  for (; hsr_algorithms[n].plain; n++)
-    if (&hsr_algorithms[n] == v->player[0]->variant.listed)
+  for (; hsr_algorithms()[n].plain; n++)
+    if (&hsr_algorithms()[n] == v->player[0]->variant.listed)
       at = n;
   for (int k = 1; k < n; k++) {
     const struct hsr_listed *listed =
-        &hsr_algorithms[(at + step * k + n * k) % n];
+        &hsr_algorithms()[(at + step * k + n * k) % n];
     if (is_offered(listed) && viewer_choose(v, listed->plain->name))
       return;
   }

@@ -22,7 +22,7 @@ void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
                     const void *part) {
   struct hsr_trace *trace = tally->trace;
   struct hsr_event event = {.number = trace->n++,
-                            .counter = tally->first + counter,
+                            .counter = hsr_tally_place(tally, counter),
                             .a = a,
                             .b = b,
                             .own = {a.id[0], b.id[0]},

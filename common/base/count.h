@@ -75,8 +75,9 @@ struct hsr_subject {
  * from 0, with an enumeration in its file, and describes them in its
  * descriptor. A counter that is not described there is not kept, which is not
  * the same as 0. Counters of different algorithms that count the same have the
- * same name. */
-#define HSR_MAX_COUNTERS 48
+ * same name. What several algorithms share are parts: counter k of part p has
+ * the number HSR_PART_SIZE p + k (algorithms/part.h). */
+enum { HSR_MAX_COUNTERS = 48, HSR_PART_SIZE = 64, HSR_MOST_PARTS = 32 };
 struct hsr_counter {
   const char *name;    /* "X merge" */
   const char *meaning; /* "comparisons to merge entering edges into the list" */
@@ -115,7 +116,7 @@ extern const char *const hsr_question_name[HSR_N_QUESTIONS];
 /* One step of a run. */
 struct hsr_event {
   uint64_t number; /* in the run, from 0 */
-  int counter;     /* the algorithm's own number */
+  int counter;     /* its place in the algorithm's list of counters */
   struct hsr_subject a, b;
   uint32_t own[2]; /* the first numbers of a and b as the algorithm has them:
                       those of the faces that it was given */
@@ -145,8 +146,8 @@ struct hsr_trace {
 /* All zero at the start. */
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
-  int first; /* the index in count[] of the running algorithm's counter 0; not 0
-                where one algorithm works inside another */
+  uint8_t base[HSR_MOST_PARTS];    /* where the counters of each part begin in
+                                   count[]; hsr_setup_render sets them */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
   uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
   bool out_of_memory;       /* an exact predicate could not be decided */
@@ -158,6 +159,11 @@ struct hsr_tally {
 
   struct hsr_trace *trace; /* borrowed; NULL when nobody listens */
 };
+
+/* Where a counter is kept in count[]. */
+static inline int hsr_tally_place(const struct hsr_tally *tally, int counter) {
+  return tally->base[counter / HSR_PART_SIZE] + counter % HSR_PART_SIZE;
+}
 
 /* Adds the counts and questions of `from` to those of `to`. */
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
@@ -218,12 +224,12 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #if HSR_COUNTING
 #define HSR_TOLD(tally, counter_, a, b, window, outcome, part)                 \
   do {                                                                         \
-    (tally)->count[(tally)->first + (counter_)]++;                             \
+    (tally)->count[hsr_tally_place(tally, counter_)]++;                        \
     if ((tally)->trace)                                                        \
       hsr_tally_tell(tally, counter_, a, b, window, (int)(outcome), part);     \
   } while (0)
 #define HSR_COMPUTED(tally, counter, n)                                        \
-  ((void)((tally)->count[(tally)->first + (counter)] += (uint64_t)(n)))
+  ((void)((tally)->count[hsr_tally_place(tally, counter)] += (uint64_t)(n)))
 #define HSR_TOUCH(tally, i, j)                                                 \
   do {                                                                         \
     if ((tally)->work)                                                         \

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-void hsr_part_set(struct hsr_part *part, uint32_t all) {
+void hsr_scene_part_set(struct hsr_scene_part *part, uint32_t all) {
   part->all = all;
   part->first = (uint32_t)((uint64_t)all * part->number / part->of);
   part->n_faces =
@@ -110,7 +110,8 @@ static enum hsr_status keep(struct cut *cut,
       cut->to, whole ? cut->moved : cut->to->n_objects - 1, instance->m);
 }
 
-static enum hsr_status keep_all(struct cut *cut, const struct hsr_part *part) {
+static enum hsr_status keep_all(struct cut *cut,
+                                const struct hsr_scene_part *part) {
   uint64_t at = 0, first = part->first, end = first + part->n_faces;
   enum hsr_status status = HSR_OK;
   for (uint32_t i = 0; i < cut->from->n_instances && !status; i++) {
@@ -145,14 +146,15 @@ static void swap_contents(struct hsr_scene *from, struct hsr_scene *to) {
   to->n_instances = kept.n_instances;
 }
 
-static void cut_grid(struct hsr_grid *grid, struct hsr_part *part) {
+static void cut_grid(struct hsr_grid *grid, struct hsr_scene_part *part) {
   uint32_t all = grid->n_faces;
-  hsr_part_set(part, grid->n_cells);
+  hsr_scene_part_set(part, grid->n_cells);
   part->all = all;
   hsr_grid_cut(grid, part->first, part->first + part->n_faces);
 }
 
-enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
+enum hsr_status hsr_scene_cut(struct hsr_scene *scene,
+                              struct hsr_scene_part *part,
                               struct hsr_error *err) {
   struct cut cut = {.from = scene, .object = NONE};
   if (part->keeps_grid && scene->grid) {
@@ -162,7 +164,7 @@ enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
   enum hsr_status status = hsr_scene_make_faces(scene, err);
   if (status)
     return status;
-  hsr_part_set(part, (uint32_t)hsr_scene_faces(scene));
+  hsr_scene_part_set(part, (uint32_t)hsr_scene_faces(scene));
   cut.to = hsr_scene_new("");
   status = cut.to ? keep_all(&cut, part) : HSR_E_NOMEM;
   if (!status)

@@ -25,7 +25,7 @@ void hsr_scene_extent_reach(struct hsr_scene_extent *extent, const double p[3]);
 double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]);
 
 /* Which part is wanted, and what is known of it once it is made. */
-struct hsr_part {
+struct hsr_scene_part {
   uint32_t number, of;     /* from 0 */
   bool keeps_grid;         /* a grid stays one, and has an interval of its kept
                               cells: `first` and `n_faces` are those of cells */
@@ -37,12 +37,13 @@ struct hsr_part {
 };
 
 /* Sets first, n_faces and all, for a scene of so many faces. */
-void hsr_part_set(struct hsr_part *part, uint32_t all);
+void hsr_scene_part_set(struct hsr_scene_part *part, uint32_t all);
 
 /* Leaves the wanted part of a finished scene, with the views of the whole, and
  * frees the rest. Id first + k becomes k. A grid becomes faces, unless it is
  * kept. A part may have no face. HSR_E_NOMEM. */
-enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
+enum hsr_status hsr_scene_cut(struct hsr_scene *scene,
+                              struct hsr_scene_part *part,
                               struct hsr_error *err);
 
 /* As hsr_scene_add_orbit, around a sphere that is given. */

@@ -56,7 +56,7 @@ static void measure_soup(const struct soup *soup,
 }
 
 static void soup_faces(struct hsr_pen *pen, const struct soup *soup,
-                       const struct hsr_part *part) {
+                       const struct hsr_scene_part *part) {
   struct hsr_random random = random_at(soup, part->first);
   hsr_pen_object(pen, "soup", false);
   for (uint32_t f = 0; f < part->n_faces && !pen->status; f++) {
@@ -70,7 +70,7 @@ static void soup_faces(struct hsr_pen *pen, const struct soup *soup,
 enum { SOUP_VIEWS = 9 };
 
 /* Four views, and others around the whole soup. */
-static void soup_views(struct hsr_pen *pen, const struct hsr_part *part) {
+static void soup_views(struct hsr_pen *pen, const struct hsr_scene_part *part) {
   static const double eye[4][3] = {
       {0.5, 0.25, 4}, {0, 0, 0}, {-0.3, 0.2, 1}, {2.5, 2.25, 2}};
   static const double at[4][3] = {{0, 0, 0}, {1, 0.25, -0.5}, {0, 0, -1}};
@@ -85,12 +85,12 @@ static void soup_views(struct hsr_pen *pen, const struct hsr_part *part) {
 
 enum hsr_status hsr_build_soup_part(struct hsr_scene *scene,
                                     const long long *parameter,
-                                    struct hsr_part *part) {
+                                    struct hsr_scene_part *part) {
   struct soup soup = {.n = parameter[0],
                       .seed = (uint64_t)parameter[1],
                       .size = fmin(1, 7 / sqrt((double)parameter[0]))};
   struct hsr_pen pen;
-  hsr_part_set(part, (uint32_t)soup.n);
+  hsr_scene_part_set(part, (uint32_t)soup.n);
   if (!part->is_measured)
     measure_soup(&soup, &part->extent);
   part->is_measured = true;
@@ -102,7 +102,7 @@ enum hsr_status hsr_build_soup_part(struct hsr_scene *scene,
 
 enum hsr_status hsr_build_soup(struct hsr_scene *scene,
                                const long long *parameter) {
-  struct hsr_part whole = {.of = 1};
+  struct hsr_scene_part whole = {.of = 1};
   return hsr_build_soup_part(scene, parameter, &whole);
 }
 

@@ -17,7 +17,7 @@ const struct hsr_answer_type *const hsr_answer_types[] = {
 
 #define BOTH(id)                                                               \
   { &hsr_algorithm_layer_##id, &hsr_algorithm_layer_##id }
-const struct hsr_listed hsr_algorithms[] = {
+const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
     BOTH(oracle),

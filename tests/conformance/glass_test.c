@@ -79,7 +79,7 @@ static long check_scene(struct hsr_scene *scene, const char *name,
   struct hsr_answer wanted;
   draw_chosen(judge, &choice, &world, &view, &wanted, NULL);
   long differing = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (hsr_makes_also(l->plain, HSR_TRANSPARENT)) {
       differing += check_build(l->plain, rule, name, &world, &view, &wanted);
       differing += check_build(l->counting, rule, name, &world, &view, &wanted);

@@ -286,7 +286,7 @@ static bool check_scene(struct comparison *c, const char *file) {
       struct hsr_choice standard = hsr_choice_standard(judge);
       if (!draw(c, judge, &standard, lines, c->wanted, &c->wanted_lines))
         continue;
-      for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+      for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
         if ((l->plain->kind == (lines ? HSR_SEGMENTS : HSR_IDS) ||
              (!lines && l->plain->kind == HSR_POLYGONS)) &&
             !(l->plain->flags & HSR_JUDGE))

@@ -121,7 +121,7 @@ static long check_scene(struct hsr_scene *scene, const char *name,
     fail(name, &err);
   choose_view(seed, &world, name, &view);
   draw_answer(judge(), &world, &view, &wanted, NULL);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (hsr_makes_also(l->plain, HSR_SHADOWED)) {
       differing += check_build(l->plain, name, &world, &view, &wanted);
       differing += check_build(l->counting, name, &world, &view, &wanted);

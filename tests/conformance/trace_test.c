@@ -163,7 +163,8 @@ static bool has_outline(const struct hsr_algorithm *a) {
   int lines[HSR_MAX_COUNTERS] = {0};
   for (const struct hsr_line *l = a->outline; l && l->text; l++)
     for (int k = 0; k < HSR_MAX_COUNTERS; k++)
-      lines[k] += (l->counters & HSR_RAISES(k)) != 0;
+      for (int r = 0; r < l->n_raises; r++)
+        lines[k] += l->raises[r] == k;
   bool good = a->outline != NULL;
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
     if (lines[k] != (k < n_counters(a))) {

@@ -5,7 +5,7 @@
 extern const struct hsr_algorithm hsr_counting_oracle, hsr_algorithm_zbuffer,
     hsr_counting_zbuffer, hsr_algorithm_example, hsr_counting_example;
 
-const struct hsr_listed hsr_algorithms[] = {
+const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
     {&hsr_algorithm_example, &hsr_counting_example},

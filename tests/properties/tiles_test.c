@@ -203,7 +203,7 @@ static void test_kind(const struct hsr_answer_type *kind, const char *begin,
   double far =
       hypot(hypot(camera.eye[0] - camera.at[0], camera.eye[1] - camera.at[1]),
             camera.eye[2] - camera.at[2]);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     for (int c = 0; c < 2; c++) {
       const struct hsr_algorithm *a = l->counting;
       if (!makes(a, kind) || strncmp(a->name, begin, strlen(begin)))
@@ -366,7 +366,7 @@ static void count_one(const struct hsr_algorithm *a, void *n) {
 
 static int count_makers(const struct hsr_answer_type *kind) {
   int n = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     n += makes(l->counting, kind);
   return n;
 }

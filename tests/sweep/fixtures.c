@@ -258,7 +258,7 @@ FIXTURE(same_4, "same-4", .render = zbuffer)
 
 #define BOTH(id)                                                               \
   { &fixture_##id, &fixture_##id }
-const struct hsr_listed hsr_algorithms[] = {
+const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_null, &hsr_counting_null},
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},

@@ -34,9 +34,7 @@ static const struct hsr_counter plotter_counters[] = {
 
 static const struct hsr_line plotter_outline[] = {
     {"for each edge, the last first"},
-    {"  look about", HSR_RAISES(LOOKS) | HSR_RAISES(SIDES) | HSR_RAISES(CELLS) |
-                         HSR_RAISES(VOLUMES) | HSR_RAISES(SKIPS) |
-                         HSR_RAISES(BITS)},
+    {"  look about", HSR_RAISES(LOOKS, SIDES, CELLS, VOLUMES, SKIPS, BITS)},
     {"  draw it in three parts", HSR_RAISES(DRAWN)},
     {NULL}};
 
@@ -120,7 +118,7 @@ static const struct hsr_counter painter_counters[] = {
     {NULL}};
 
 static const struct hsr_line painter_outline[] = {
-    {"paint all", HSR_RAISES(SHOWN) | HSR_RAISES(MORE)}, {NULL}};
+    {"paint all", HSR_RAISES(SHOWN, MORE)}, {NULL}};
 
 /* One face everywhere. */
 static enum hsr_status paint(const struct hsr_job *job, struct hsr_error *err) {
@@ -198,25 +196,25 @@ FIXTURE(mute, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,
 
 #define BOTH(id)                                                               \
   { &id, &id }
-const struct hsr_listed hsr_algorithms[] = {BOTH(hsr_counting_oracle),
-                                            BOTH(hsr_counting_null),
-                                            BOTH(hsr_counting_zbuffer),
-                                            BOTH(hsr_counting_raycast),
-                                            BOTH(hsr_counting_tiling_solids),
-                                            BOTH(hsr_counting_splat),
-                                            BOTH(fixture_plotter),
-                                            BOTH(fixture_plotter2),
-                                            BOTH(fixture_paints),
-                                            BOTH(fixture_liar),
-                                            BOTH(fixture_bulk),
-                                            BOTH(fixture_unknown),
-                                            BOTH(fixture_failing),
-                                            BOTH(fixture_endless),
-                                            BOTH(fixture_mute),
-                                            {NULL, NULL}};
+const struct hsr_listed hsr_modules[] = {BOTH(hsr_counting_oracle),
+                                         BOTH(hsr_counting_null),
+                                         BOTH(hsr_counting_zbuffer),
+                                         BOTH(hsr_counting_raycast),
+                                         BOTH(hsr_counting_tiling_solids),
+                                         BOTH(hsr_counting_splat),
+                                         BOTH(fixture_plotter),
+                                         BOTH(fixture_plotter2),
+                                         BOTH(fixture_paints),
+                                         BOTH(fixture_liar),
+                                         BOTH(fixture_bulk),
+                                         BOTH(fixture_unknown),
+                                         BOTH(fixture_failing),
+                                         BOTH(fixture_endless),
+                                         BOTH(fixture_mute),
+                                         {NULL, NULL}};
 
 const struct hsr_listed *hsr_algorithm_find(const char *name) {
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     if (!strcmp(a->plain->name, name))
       return a;
   return NULL;

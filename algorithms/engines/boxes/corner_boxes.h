@@ -58,33 +58,13 @@ uint32_t hsr_corner_boxes_find(const struct hsr_corner_boxes *boxes,
                                const struct hsr_image_box *box,
                                struct hsr_subject of);
 
-/* The option; its counter where edges are sorted; and its line of the outline.
- * `what` is sorted, as "contour edges". */
+/* What it counts, where edges are sorted. */
+extern const struct hsr_part hsr_box_sort_part;
+enum { HSR_BOX_SORT = HSR_FIRST_OF(HSR_PART_BOX_SORT) };
+
+/* The words of the option. */
 enum { HSR_NOT_SORTED, HSR_BY_CORNER };
-#define HSR_BOX_SORTINGS                                                       \
-  {                                                                            \
-    [HSR_NOT_SORTED] = {"none", "not: an edge is put to all of them", 0},      \
-    [HSR_BY_CORNER] = {"corner",                                               \
-                       "by their boxes' upper left corners: an edge is put "   \
-                       "to those that may be near it",                         \
-                       0},                                                     \
-    {                                                                          \
-      NULL                                                                     \
-    }                                                                          \
-  }
-#define HSR_BOX_SORT_COUNTER(what)                                             \
-  {                                                                            \
-    "box sort",                                                                \
-        "comparisons to sort boxes of " what                                   \
-        ", and to find among them those near an edge",                         \
-        HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"               \
-  }
-#define HSR_BOX_SORT_LINE(what, raises)                                        \
-  {                                                                            \
-    "with sorted boxes: sort " what " by the upper left corners of their "     \
-    "boxes, and find those near an edge",                                      \
-        raises                                                                 \
-  }
+extern const struct hsr_word hsr_box_sortings[];
 
 #ifdef __cplusplus
 }

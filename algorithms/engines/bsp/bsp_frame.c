@@ -310,3 +310,21 @@ void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame) {
     }
   }
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"pieces",
+                            "pieces of faces in the order of the tree, with a "
+                            "sample in their box",
+                            HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    {"samples", "samples written", HSR_ACCEPT,
+                                      HSR_OF_FACE, HSR_OF_WINDOW},
+    {"thickness checks",
+         "comparisons in depth with faces that are not flat and have no place "
+         "in the tree",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {NULL}};
+
+const struct hsr_part hsr_bsp_part = {
+    HSR_PART_BSP, counters, NULL, NULL, {NULL}};

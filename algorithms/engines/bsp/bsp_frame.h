@@ -21,23 +21,13 @@
 extern "C" {
 #endif
 
-/* The counters that all have, before their own. */
-enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
-#define HSR_BSP_COUNTERS                                                       \
-  [HSR_BSP_PIECES] = {"pieces",                                                \
-                      "pieces of faces in the order of the tree, with a "      \
-                      "sample in their box",                                   \
-                      HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},              \
-  [HSR_BSP_SAMPLES] = {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE,  \
-                       HSR_OF_WINDOW},                                         \
-  [HSR_BSP_THICKNESS] = {                                                      \
-      "thickness checks",                                                      \
-      "comparisons in depth with faces that are not flat and have no place "   \
-      "in the tree",                                                           \
-      HSR_COMPARE,                                                             \
-      HSR_OF_FACE,                                                             \
-      HSR_OF_FACE,                                                             \
-      "farther|nearer"}
+/* What all these algorithms count. */
+extern const struct hsr_part hsr_bsp_part;
+enum {
+  HSR_BSP_PIECES = HSR_FIRST_OF(HSR_PART_BSP),
+  HSR_BSP_SAMPLES,
+  HSR_BSP_THICKNESS
+};
 
 /* `prepare` and `release` of these algorithms. */
 enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,

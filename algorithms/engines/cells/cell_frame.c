@@ -20,13 +20,13 @@ static const struct hsr_word nestings[] = {
     {"xyz", "likewise", 0},
     {NULL, NULL, 0}};
 
-#define FRONT                                                                  \
-  [HSR_CELLS_FRONT] = {                                                        \
-      "front", "in which order cells are visited", off_on, 0, 1, 0}
-
-const struct hsr_option hsr_cells_front[] = {FRONT, {NULL}};
+const struct hsr_option hsr_cells_front[] = {
+    [HSR_CELLS_FRONT] = {"front", "in which order cells are visited", off_on, 0,
+                         1, 0},
+    {NULL}};
 const struct hsr_option hsr_cells_nested[] = {
-    FRONT,
+    [HSR_CELLS_FRONT] = {"front", "in which order cells are visited", off_on, 0,
+                         1, 0},
     [HSR_CELLS_NESTING] = {"nesting", "how the three loops are nested",
                            nestings, 0, 5, 0},
     {NULL}};
@@ -393,3 +393,43 @@ enum hsr_status hsr_cells_render(enum hsr_grid_order order,
   return hsr_grid_visit(order, nesting, cells.front, &seen, visit_run, &cells,
                         err);
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"runs", "rows of cells visited that have a kept one", HSR_ACTIVATE,
+     HSR_OF_CELL, HSR_OF_NOTHING},
+    {"groups", "rectangles around up to 16 cells of a row tested", HSR_COMPARE,
+     HSR_OF_CELL, HSR_OF_CELL, "out of sight|occupied|drawn"},
+    {"cells",
+     "cells with a side towards the eye whose rectangle "
+     "was tested",
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "out of sight|occupied|drawn"},
+    {"sides", "sides of cells drawn", HSR_ACTIVATE, HSR_OF_FACE,
+     HSR_OF_NOTHING},
+    {"spans", "stretches of a row that a side covers", HSR_SPAN, HSR_OF_FACE,
+     HSR_OF_WINDOW},
+    {"samples taken", "samples looked at that were not vacant", HSR_REJECT,
+     HSR_OF_FACE, HSR_OF_FACE},
+    {"writes", "samples given to a face", HSR_ACCEPT, HSR_OF_FACE,
+     HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"for each row of cells, in this order", HSR_RAISES(HSR_CELLS_RUNS)},
+    {"  pass over cells that are out of sight or, from front to back, "
+     "hidden",
+     HSR_RAISES(HSR_CELLS_GROUPS)},
+    {"  for each cell that is kept and may be seen",
+     HSR_RAISES(HSR_CELLS_CELLS)},
+    {"    for each of its sides that faces the eye",
+     HSR_RAISES(HSR_CELLS_SIDES)},
+    {"      for each span of samples that it covers",
+     HSR_RAISES(HSR_CELLS_SPANS)},
+    {"        from front to back: is a sample taken? leave it",
+     HSR_RAISES(HSR_CELLS_OCCUPIED)},
+    {"        else paint it", HSR_RAISES(HSR_CELLS_WRITES)},
+    {NULL}};
+
+const struct hsr_part hsr_cells_part = {
+    HSR_PART_CELLS, counters, NULL, NULL, {lines}};

@@ -34,72 +34,21 @@
 
 /* --- What the modules have in common -------------------------------------- */
 
+/* What they count. The lines stand below that of the order itself. */
+extern const struct hsr_part hsr_cells_part;
 enum {
-  HSR_CELLS_RUNS,
+  HSR_CELLS_RUNS = HSR_FIRST_OF(HSR_PART_CELLS),
   HSR_CELLS_GROUPS,
   HSR_CELLS_CELLS,
   HSR_CELLS_SIDES,
   HSR_CELLS_SPANS,
   HSR_CELLS_OCCUPIED,
-  HSR_CELLS_WRITES,
-  HSR_CELLS_N_COUNTERS
+  HSR_CELLS_WRITES
 };
-
-#define HSR_CELLS_FATES "out of sight|occupied|drawn"
-#define HSR_CELLS_COUNTERS                                                     \
-  [HSR_CELLS_RUNS] = {"runs", "rows of cells visited that have a kept one",    \
-                      HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},              \
-  [HSR_CELLS_GROUPS] = {"groups",                                              \
-                        "rectangles around up to 16 cells of a row tested",    \
-                        HSR_COMPARE,                                           \
-                        HSR_OF_CELL,                                           \
-                        HSR_OF_CELL,                                           \
-                        HSR_CELLS_FATES},                                      \
-  [HSR_CELLS_CELLS] = {"cells",                                                \
-                       "cells with a side towards the eye whose rectangle "    \
-                       "was tested",                                           \
-                       HSR_COMPARE,                                            \
-                       HSR_OF_CELL,                                            \
-                       HSR_OF_NOTHING,                                         \
-                       HSR_CELLS_FATES},                                       \
-  [HSR_CELLS_SIDES] = {"sides", "sides of cells drawn", HSR_ACTIVATE,          \
-                       HSR_OF_FACE, HSR_OF_NOTHING},                           \
-  [HSR_CELLS_SPANS] = {"spans", "stretches of a row that a side covers",       \
-                       HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},                  \
-  [HSR_CELLS_OCCUPIED] = {"samples taken",                                     \
-                          "samples looked at that were not vacant",            \
-                          HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},               \
-  [HSR_CELLS_WRITES] = {"writes", "samples given to a face", HSR_ACCEPT,       \
-                        HSR_OF_FACE, HSR_OF_WINDOW},                           \
-  {                                                                            \
-    NULL                                                                       \
-  }
-
-/* The lines below that of the order itself. */
-#define HSR_CELLS_LINES                                                        \
-  {"for each row of cells, in this order", HSR_RAISES(HSR_CELLS_RUNS)},        \
-      {"  pass over cells that are out of sight or, from front to back, "      \
-       "hidden",                                                               \
-       HSR_RAISES(HSR_CELLS_GROUPS)},                                          \
-      {"  for each cell that is kept and may be seen",                         \
-       HSR_RAISES(HSR_CELLS_CELLS)},                                           \
-      {"    for each of its sides that faces the eye",                         \
-       HSR_RAISES(HSR_CELLS_SIDES)},                                           \
-      {"      for each span of samples that it covers",                        \
-       HSR_RAISES(HSR_CELLS_SPANS)},                                           \
-      {"        from front to back: is a sample taken? leave it",              \
-       HSR_RAISES(HSR_CELLS_OCCUPIED)},                                        \
-      {"        else paint it", HSR_RAISES(HSR_CELLS_WRITES)}, {               \
-    NULL                                                                       \
-  }
 
 /* The options; those without a nesting have `front` alone. */
 enum { HSR_CELLS_FRONT, HSR_CELLS_NESTING };
 extern const struct hsr_option hsr_cells_front[], hsr_cells_nested[];
-
-#define HSR_OF_CELLS                                                           \
-  .taxonomy = HSR_LIST_PRIORITY_FIXED, .sort_order = "Z(XY)",                  \
-  .coherence = "object", .subjects = 1 << HSR_GRID, .kind = HSR_IDS
 
 enum hsr_status hsr_cells_render(enum hsr_grid_order order,
                                  const struct hsr_job *job,

@@ -175,7 +175,7 @@ bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t i) {
 enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
                                        const struct hsr_placing *p,
                                        const struct hsr_octree_box *box,
-                                       int counter, struct hsr_subject cube) {
+                                       struct hsr_subject cube) {
   struct hsr_box_work work = {0, 0};
   struct hsr_box grown;
   for (int k = 0; k < 3; k++) {
@@ -190,7 +190,7 @@ enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
   enum hsr_box_verdict verdict = hsr_box_classify(&frame->frustum, &grown, NULL,
                                                   HSR_COUNTING ? &work : NULL);
   for (unsigned k = 1; HSR_COUNTING && k <= work.deciding; k++)
-    HSR_STEP(frame->job->tally, counter, cube, HSR_THE_WINDOW,
+    HSR_STEP(frame->job->tally, HSR_INEQUALITIES, cube, HSR_THE_WINDOW,
              frame->job->view->window,
              k == work.deciding && verdict == HSR_BOX_OUT);
   return verdict;
@@ -463,3 +463,13 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
   memset(frame->one_sided, 1, cubes->most_faces * sizeof *frame->one_sided);
   return HSR_OK;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"inequalities", "of appendix A, to tell where nodes lie", HSR_COMPARE,
+     HSR_OF_CELL, HSR_OF_WINDOW, "leaves it open|outside"},
+    {NULL}};
+
+const struct hsr_part hsr_inequalities_part = {
+    HSR_PART_INEQUALITIES, counters, NULL, NULL, {NULL}};

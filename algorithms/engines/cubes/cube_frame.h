@@ -89,18 +89,15 @@ bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t instance);
 /* Makes an instance the one at hand. */
 void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t instance);
 
-/* Where a cube lies, as of hsr_box_classify. Each of the inequalities of
- * appendix A that decide it raises a counter, which is declared as below: the
- * last one decides that the cube is outside, if it is. */
+/* Where a cube lies, as of hsr_box_classify. Each of the inequalities of appendix
+ * A that decide it is a step: the last one decides that the cube is outside, if it
+ * is. */
+extern const struct hsr_part hsr_inequalities_part;
+enum { HSR_INEQUALITIES = HSR_FIRST_OF(HSR_PART_INEQUALITIES) };
 enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
                                        const struct hsr_placing *placing,
                                        const struct hsr_octree_box *box,
-                                       int counter, struct hsr_subject cube);
-#define HSR_INEQUALITIES_COUNTER                                               \
-  {                                                                            \
-    "inequalities", "of appendix A, to tell where nodes lie", HSR_COMPARE,     \
-        HSR_OF_CELL, HSR_OF_WINDOW, "leaves it open|outside"                   \
-  }
+                                       struct hsr_subject cube);
 
 /* A cube as a subject: node number, of an octree of faces the instance, which
  * is HSR_NO_ID in the octree of instances. */

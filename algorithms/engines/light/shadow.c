@@ -3,13 +3,11 @@
 
 enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
                                  const struct hsr_job *job,
-                                 const struct hsr_screen *screen, int first) {
+                                 const struct hsr_screen *screen) {
   const struct hsr_window *w = &job->view->window;
   uint32_t n_faces = job->world->n_faces;
-  *shadow =
-      (struct hsr_shadow){.job = job,
-                          .first = first,
-                          .blocker = HSR_NEW(job->scratch, uint32_t, n_faces)};
+  *shadow = (struct hsr_shadow){
+      .job = job, .blocker = HSR_NEW(job->scratch, uint32_t, n_faces)};
   if (!shadow->blocker ||
       hsr_lighting_init(&shadow->lighting, screen, job->scratch, job->tally))
     return HSR_E_NOMEM;
@@ -27,8 +25,8 @@ bool hsr_shadow_faces(struct hsr_shadow *shadow, uint32_t f,
   struct hsr_tally *tally = shadow->job->tally;
   bool faces = hsr_faces_light(&shadow->lighting, f, tally);
   (void)window; /* for the trace */
-  HSR_STEP(tally, shadow->first + HSR_LIGHT_FACINGS, HSR_FACE(f),
-           HSR_THE_WINDOW, window, faces);
+  HSR_STEP(tally, HSR_LIGHT_FACINGS, HSR_FACE(f), HSR_THE_WINDOW, window,
+           faces);
   return faces;
 }
 
@@ -38,8 +36,8 @@ static void count_test(struct hsr_shadow *shadow,
   struct hsr_tally *tally = shadow->job->tally;
   (void)point, (void)i, (void)j, (void)face, (void)blocks; /* for the trace */
   HSR_TOUCH(tally, i, j);
-  HSR_STEP(tally, shadow->first + HSR_SHADOW_TESTS, HSR_FACE(face),
-           HSR_FACE(point->face), HSR_AT(i, j), blocks);
+  HSR_STEP(tally, HSR_SHADOW_TESTS, HSR_FACE(face), HSR_FACE(point->face),
+           HSR_AT(i, j), blocks);
 }
 
 uint32_t hsr_shadow_test(struct hsr_shadow *shadow,
@@ -79,8 +77,34 @@ void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,
   const struct hsr_job *job = shadow->job;
   const bool lit = true;
   (void)f, (void)lit; /* for the trace */
-  HSR_ACCEPTED(job->tally, shadow->first + HSR_LIT, HSR_FACE(f), HSR_THE_WINDOW,
+  HSR_ACCEPTED(job->tally, HSR_LIT, HSR_FACE(f), HSR_THE_WINDOW,
                HSR_ON(x0, x1, j), &lit);
   for (int i = x0; i < x1; i++)
     job->lit[(size_t)j * job->ids_stride + (size_t)i] = true;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"light facings", "visible faces tested for being turned to the light",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "turned away|turned to it"},
+    {"shadow tests",
+         "faces tested for blocking the light from what is seen of a face",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "does not block|blocks"},
+    {"lit", "stretches of samples shown lit",
+                              HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line facing_lines[] = {
+    {"with shadows: is the face turned to the light?",
+     HSR_RAISES(HSR_LIGHT_FACINGS)},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"does another face block the light from the sample?",
+     HSR_RAISES(HSR_SHADOW_TESTS)},
+    {"if none does, show the sample lit", HSR_RAISES(HSR_LIT)},
+    {NULL}};
+
+const struct hsr_part hsr_shadow_part = {
+    HSR_PART_SHADOW, counters, NULL, NULL, {facing_lines, lines}};

@@ -21,7 +21,6 @@ extern "C" {
 struct hsr_shadow {
   const struct hsr_job *job;
   struct hsr_lighting lighting;
-  int first;         /* the number of the first counter below */
   uint32_t *blocker; /* the faces that may block, by ascending number */
   uint32_t n_blockers;
 };
@@ -31,7 +30,7 @@ struct hsr_shadow {
  * HSR_E_NOMEM. */
 enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
                                  const struct hsr_job *job,
-                                 const struct hsr_screen *screen, int first);
+                                 const struct hsr_screen *screen);
 
 /* Whether face f, which is visible in the window, is turned to the light. */
 bool hsr_shadow_faces(struct hsr_shadow *shadow, uint32_t f,
@@ -52,34 +51,15 @@ bool hsr_shadow_blocked(struct hsr_shadow *shadow,
 void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,
                     int j);
 
-/* The counters that these keep, in their order, and their lines of an outline,
- * `in` blanks deep. */
-enum { HSR_LIGHT_FACINGS, HSR_SHADOW_TESTS, HSR_LIT, HSR_N_SHADOW_COUNTERS };
-#define HSR_SHADOW_COUNTERS                                                    \
-  {"light facings", "visible faces tested for being turned to the light",      \
-   HSR_COMPARE,     HSR_OF_FACE,                                               \
-   HSR_OF_WINDOW,   "turned away|turned to it"},                               \
-      {"shadow tests",                                                         \
-       "faces tested for blocking the light from what is seen of a face",      \
-       HSR_COMPARE,                                                            \
-       HSR_OF_FACE,                                                            \
-       HSR_OF_FACE,                                                            \
-       "does not block|blocks"},                                               \
-  {                                                                            \
-    "lit", "stretches of samples shown lit", HSR_ACCEPT, HSR_OF_FACE,          \
-        HSR_OF_WINDOW                                                          \
-  }
-#define HSR_SHADOW_FACING_LINE(first, in)                                      \
-  {                                                                            \
-    in "with shadows: is the face turned to the light?",                       \
-        HSR_RAISES((first) + HSR_LIGHT_FACINGS)                                \
-  }
-#define HSR_SHADOW_LINES(first, in)                                            \
-  {in "does another face block the light from the sample?",                    \
-   HSR_RAISES((first) + HSR_SHADOW_TESTS)},                                    \
-  {                                                                            \
-    in "if none does, show the sample lit", HSR_RAISES((first) + HSR_LIT)      \
-  }
+/* What these count; and the groups of lines: of a visible face, and of a sample of
+ * it. */
+extern const struct hsr_part hsr_shadow_part;
+enum {
+  HSR_LIGHT_FACINGS = HSR_FIRST_OF(HSR_PART_SHADOW),
+  HSR_SHADOW_TESTS,
+  HSR_LIT
+};
+enum { HSR_SHADOW_FACING_LINES, HSR_SHADOW_LINES };
 
 #ifdef __cplusplus
 }

@@ -403,3 +403,60 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
   if (tree)
     hsr_x_tree_store(scan);
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"Y sort", "edges put into Y buckets", HSR_SORT,
+                                 HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"X merge", "comparisons to merge entering edges into the list",
+         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
+    {"X sort", "comparisons of an edge with the one before it", HSR_COMPARE,
+         HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
+    {"X interchanges",
+                                "interchanges of two neighbours in the list",
+                                HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE},
+    {NULL}};
+
+static double predict_y_sort(const struct hsr_table1 *t) {
+  return t->E_r;
+}
+static double predict_x_merge(const struct hsr_table1 *t) {
+  return t->E_r * t->S_l / 2;
+}
+static double predict_x_sort(const struct hsr_table1 *t) {
+  return t->n * t->S_l + (t->S_l > 0 ? 10 * t->X_r / t->S_l : 0);
+}
+
+static const struct hsr_step steps[] = {
+    {"Y sort", HSR_Y_SORT, 1, "E_r", predict_y_sort},
+    {"X merge", HSR_X_MERGE, 1, "E_r S_l / 2", predict_x_merge},
+    {"X sort",
+     HSR_X_SORT,
+     1,
+     "n (S_l + 10 X_r / (n S_l))",
+     predict_x_sort,
+     {{HSR_X_INTERCHANGES, 10}}},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"edges", "Y", "bucket sort", "once a frame"},
+    {"edges", "X", "merge", "as they enter"},
+    {"edges", "X", "bubble sort", "once a scan line"},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"put each edge into the Y bucket of its first scan line",
+     HSR_RAISES(HSR_Y_SORT)},
+    {"for each scan line"},
+    {"  delete the edges that exit from the X sort list"},
+    {"  merge the edges of the Y bucket into the X sort list",
+     HSR_RAISES(HSR_X_MERGE)},
+    {"  bubble sort: compare each edge with the one before it",
+     HSR_RAISES(HSR_X_SORT)},
+    {"    interchange them if they are out of order",
+     HSR_RAISES(HSR_X_INTERCHANGES)},
+    {NULL}};
+
+const struct hsr_part hsr_scan_part = {
+    HSR_PART_SCAN_LINE, counters, steps, sorts, {lines}};

@@ -67,11 +67,17 @@ struct hsr_scan_cut {
 /* Ways of keeping the X sort list that the survey proposes; x_list.c. None is
  * standard. */
 struct hsr_scan_ways {
-  bool tree;     /* as a tree, into which edges are merged */
-  int presort;   /* its counter, if edges are presorted by X; or 0 */
-  int crossings; /* its counter, if neighbours are compared only from the row on
-                    on which they may have crossed; or 0 */
+  bool tree;    /* as a tree, into which edges are merged */
+  bool presort; /* edges are presorted by X */
+  bool
+      crossings; /* neighbours are compared only from the row on on which they may
+                     have crossed */
 };
+
+/* What these count besides. */
+extern const struct hsr_part hsr_x_list_part;
+enum { HSR_X_PRESORT = HSR_FIRST_OF(HSR_PART_X_LIST), HSR_X_CROSSINGS };
+
 struct hsr_x_node {
   uint32_t edge, left, right;
 };
@@ -197,80 +203,19 @@ static inline void hsr_scan_step(const struct hsr_scan *s, int counter,
            HSR_ON(s->window->x0, s->window->x1, j), outcome);
 }
 
-/* The counters that these keep, in their order; an algorithm's own begin at
- * HSR_N_SCAN_COUNTERS. Inside another algorithm they begin at `first`, and bear
- * the prefix `of`. */
+/* What these count. What follows their lines in an outline is done on each scan
+ * line. An interchange costs as much as ten comparisons. */
+extern const struct hsr_part hsr_scan_part;
 enum {
-  HSR_Y_SORT,
+  HSR_Y_SORT = HSR_FIRST_OF(HSR_PART_SCAN_LINE),
   HSR_X_MERGE,
   HSR_X_SORT,
-  HSR_X_INTERCHANGES,
-  HSR_N_SCAN_COUNTERS
+  HSR_X_INTERCHANGES
 };
-#define HSR_SCAN_COUNTERS_IN(of)                                               \
-  {of "Y sort", "edges put into Y buckets", HSR_SORT, HSR_OF_EDGE,             \
-   HSR_OF_NOTHING},                                                            \
-      {of "X merge", "comparisons to merge entering edges into the list",      \
-       HSR_COMPARE,  HSR_OF_EDGE,                                              \
-       HSR_OF_EDGE,  "to the right|to the left"},                              \
-      {of "X sort", "comparisons of an edge with the one before it",           \
-       HSR_COMPARE, HSR_OF_EDGE,                                               \
-       HSR_OF_EDGE, "to the right|to the left"},                               \
-  {                                                                            \
-    of "X interchanges", "interchanges of two neighbours in the list",         \
-        HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE                                     \
-  }
-#define HSR_SCAN_COUNTERS HSR_SCAN_COUNTERS_IN("")
-
-/* The same for the arrays of steps and sorts. An interchange costs as much as
- * ten comparisons. */
-#define HSR_SCAN_STEPS_IN(first, of)                                           \
-  {of "Y sort", (first) + HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},           \
-      {of "X merge", (first) + HSR_X_MERGE, 1, "E_r S_l / 2",                  \
-       hsr_predict_x_merge},                                                   \
-  {                                                                            \
-    of "X sort", (first) + HSR_X_SORT, 1, "n (S_l + 10 X_r / (n S_l))",        \
-        hsr_predict_x_sort, {                                                  \
-      { (first) + HSR_X_INTERCHANGES, 10 }                                     \
-    }                                                                          \
-  }
-#define HSR_SCAN_STEPS HSR_SCAN_STEPS_IN(0, "")
-#define HSR_SCAN_SORTS                                                         \
-  {"edges", "Y", "bucket sort", "once a frame"},                               \
-      {"edges", "X", "merge", "as they enter"}, {                              \
-    "edges", "X", "bubble sort", "once a scan line"                            \
-  }
-
-/* And for the outline: its first lines, `in` blanks deep. What follows is done
- * on each scan line. */
-#define HSR_SCAN_LINES_IN(first, in)                                           \
-  {in "put each edge into the Y bucket of its first scan line",                \
-   HSR_RAISES((first) + HSR_Y_SORT)},                                          \
-      {in "for each scan line"},                                               \
-      {in "  delete the edges that exit from the X sort list"},                \
-      {in "  merge the edges of the Y bucket into the X sort list",            \
-       HSR_RAISES((first) + HSR_X_MERGE)},                                     \
-      {in "  bubble sort: compare each edge with the one before it",           \
-       HSR_RAISES((first) + HSR_X_SORT)},                                      \
-  {                                                                            \
-    in "    interchange them if they are out of order",                        \
-        HSR_RAISES((first) + HSR_X_INTERCHANGES)                               \
-  }
-#define HSR_SCAN_LINES HSR_SCAN_LINES_IN(0, "")
 
 /* --- Predictions ---------------------------------------------------------- */
 
-static inline double hsr_predict_y_sort(const struct hsr_table1 *t) {
-  return t->E_r;
-}
-static inline double hsr_predict_x_merge(const struct hsr_table1 *t) {
-  return t->E_r * t->S_l / 2;
-}
-static inline double hsr_predict_x_sort(const struct hsr_table1 *t) {
-  return t->n * t->S_l + (t->S_l > 0 ? 10 * t->X_r / t->S_l : 0);
-}
-
-/* The other steps for which Table III has one formula, "Watkins, Bouknight". */
+/* Steps for which Table III has one formula, "Watkins, Bouknight". */
 static inline double hsr_predict_span_cull(const struct hsr_table1 *t) {
   return t->n * t->S_l;
 }

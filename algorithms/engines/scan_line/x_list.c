@@ -63,7 +63,7 @@ static void count_x_buckets(struct hsr_scan *s) {
     struct hsr_scan_edge *edge = &s->edge[e];
     hsr_scan_column(s, edge, edge->row);
     int x = x_bucket_of(s, e);
-    HSR_STEP(s->tally, s->ways.presort, hsr_scan_subject(edge), HSR_NOTHING,
+    HSR_STEP(s->tally, HSR_X_PRESORT, hsr_scan_subject(edge), HSR_NOTHING,
              hsr_window_make(w->x0 + x, edge->row, w->x0 + x, edge->row + 1),
              0);
     s->x_bucket[x + 1]++;
@@ -204,5 +204,20 @@ void hsr_scan_predict(struct hsr_scan *s, uint32_t left, uint32_t right,
     return;
   int until = crossing_row(s, a, b, j);
   s->known[left] = (struct hsr_scan_known){right, until};
-  hsr_scan_step(s, s->ways.crossings, a, b, until > j + 1, j);
+  hsr_scan_step(s, HSR_X_CROSSINGS, a, b, until > j + 1, j);
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"X presort", "edges put into X buckets",
+                                    HSR_SORT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"X crossings", "predictions of where an edge crosses its neighbor",
+         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"X merge", HSR_X_PRESORT, 1}, {"X sort", HSR_X_CROSSINGS, 10}, {NULL}};
+
+const struct hsr_part hsr_x_list_part = {
+    HSR_PART_X_LIST, counters, steps, NULL, {NULL}};

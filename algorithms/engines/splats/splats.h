@@ -37,37 +37,16 @@
 
 /* --- What the modules have in common -------------------------------------- */
 
+/* What they count; and the folds of those models that sum. */
+extern const struct hsr_part hsr_splats_part, hsr_folds_part;
 enum {
-  HSR_SPLAT_ROWS,
+  HSR_SPLAT_ROWS = HSR_FIRST_OF(HSR_PART_SPLATS),
   HSR_SPLAT_CELLS,
   HSR_SPLAT_SPLATS,
   HSR_SPLAT_UPDATES,
-  HSR_SPLAT_WRITES,
-  HSR_SPLAT_FOLDS /* of models that sum */
+  HSR_SPLAT_WRITES
 };
-
-#define HSR_SPLAT_COUNTERS                                                     \
-  [HSR_SPLAT_ROWS] = {"rows",         "boxes around rows of samples tested",   \
-                      HSR_COMPARE,    HSR_OF_NOTHING,                          \
-                      HSR_OF_NOTHING, "out of the window|full|in it"},         \
-  [HSR_SPLAT_CELLS] = {"samples", "kept samples visited", HSR_ACTIVATE,        \
-                       HSR_OF_CELL, HSR_OF_NOTHING},                           \
-  [HSR_SPLAT_SPLATS] = {"splats",      "rectangles around splats tested",      \
-                        HSR_COMPARE,   HSR_OF_CELL,                            \
-                        HSR_OF_WINDOW, "out of sight|full|drawn"},             \
-  [HSR_SPLAT_UPDATES] = {"updates", "pixels that a splat was put into",        \
-                         HSR_SAMPLE, HSR_OF_CELL, HSR_OF_WINDOW},              \
-  [HSR_SPLAT_WRITES] = {"writes", "pixels that are not empty", HSR_ACCEPT,     \
-                        HSR_OF_NOTHING, HSR_OF_WINDOW}
-#define HSR_SPLAT_FOLD_COUNTER                                                 \
-  [HSR_SPLAT_FOLDS] = {"folds", "sums of pixels put over the picture",         \
-                       HSR_SAMPLE, HSR_OF_NOTHING, HSR_OF_WINDOW}
-
-#define HSR_OF_SPLATS_WITH(more)                                               \
-  .taxonomy = HSR_VOLUME_SPACE, .coherence = "object",                         \
-  .subjects = 1 << HSR_GRID, .kind = HSR_COMPOSITED,                           \
-  .flags = HSR_INSTANCED | (more)
-#define HSR_OF_SPLATS HSR_OF_SPLATS_WITH(0)
+enum { HSR_SPLAT_FOLDS = HSR_FIRST_OF(HSR_PART_FOLDS) };
 
 /* --- The frame ------------------------------------------------------------ */
 

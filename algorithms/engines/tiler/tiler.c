@@ -849,3 +849,43 @@ void hsr_tiler_write_back(const struct hsr_tiler *t,
                           const struct hsr_job *job) {
   t->twin->write_back(t, job);
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"depth tests",
+                                      "depths compared with the recorded ones",
+                                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                                      "farther|nearer"},
+    {"writes",
+                        "samples written, overwrites counted each time",
+                        HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
+    {"overwrites",
+                                     "writes where there was a face already",
+                                     HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
+    {"fast triangles", "tiled in floats",
+                               HSR_ACTIVATE, HSR_OF_FACE},
+    {"general faces",
+                                  "tiled row by row in doubles", HSR_ACTIVATE,
+                                  HSR_OF_FACE},
+    {"unsure covers", "samples closer to an edge than floats can tell",
+         HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
+    {"unsure depths",
+                                       "depths closer than floats can tell",
+                                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                                       "farther|nearer"},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"tile a small triangle in floats", HSR_RAISES(HSR_FAST)},
+    {"or any other face row by row in doubles", HSR_RAISES(HSR_GENERAL)},
+    {"  for each sample that it covers: exactly, where floats cannot tell",
+     HSR_RAISES(HSR_UNSURE_COVER)},
+    {"    is it nearer than the recorded depth?", HSR_RAISES(HSR_DEPTH_TESTS)},
+    {"      exactly, where floats cannot tell", HSR_RAISES(HSR_UNSURE_DEPTH)},
+    {"      if so, record its depth and its id", HSR_RAISES(HSR_WRITES)},
+    {"        instead of those of another face", HSR_RAISES(HSR_OVERWRITES)},
+    {NULL}};
+
+const struct hsr_part hsr_tiler_part = {
+    HSR_PART_TILER, counters, NULL, NULL, {lines}};

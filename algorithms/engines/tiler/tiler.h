@@ -31,56 +31,18 @@
 extern "C" {
 #endif
 
-/* The counters of a module that tiles begin with these. The subjects are called
- * as in the picture; HSR_BACKGROUND is a sample without a face. */
+/* What it counts. The subjects are called as in the picture; HSR_BACKGROUND is a
+ * sample without a face. Its lines are for each face that is tiled. */
+extern const struct hsr_part hsr_tiler_part;
 enum {
-  HSR_DEPTH_TESTS,
+  HSR_DEPTH_TESTS = HSR_FIRST_OF(HSR_PART_TILER),
   HSR_WRITES,
   HSR_OVERWRITES,
   HSR_FAST,
   HSR_GENERAL,
   HSR_UNSURE_COVER,
-  HSR_UNSURE_DEPTH,
-  HSR_N_TILER_COUNTERS
+  HSR_UNSURE_DEPTH
 };
-#define HSR_TILER_COUNTERS                                                     \
-  [HSR_DEPTH_TESTS] =                                                          \
-      {"depth tests", "depths compared with the recorded ones",                \
-       HSR_COMPARE,   HSR_OF_FACE,                                             \
-       HSR_OF_FACE,   "farther|nearer"},                                       \
-  [HSR_WRITES] = {"writes", "samples written, overwrites counted each time",   \
-                  HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},                       \
-  [HSR_OVERWRITES] = {"overwrites", "writes where there was a face already",   \
-                      HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},                   \
-  [HSR_FAST] = {"fast triangles", "tiled in floats", HSR_ACTIVATE,             \
-                HSR_OF_FACE},                                                  \
-  [HSR_GENERAL] = {"general faces", "tiled row by row in doubles",             \
-                   HSR_ACTIVATE, HSR_OF_FACE},                                 \
-  [HSR_UNSURE_COVER] = {"unsure covers",                                       \
-                        "samples closer to an edge than floats can tell",      \
-                        HSR_SAMPLE,                                            \
-                        HSR_OF_FACE,                                           \
-                        HSR_OF_WINDOW,                                         \
-                        "not covered|covered"},                                \
-  [HSR_UNSURE_DEPTH] = {"unsure depths", "depths closer than floats can tell", \
-                        HSR_COMPARE,     HSR_OF_FACE,                          \
-                        HSR_OF_FACE,     "farther|nearer"}
-
-/* Their lines of the outline, `in` blanks deep, for each face that is tiled. */
-#define HSR_TILER_LINES(in)                                                    \
-  {in "tile a small triangle in floats", HSR_RAISES(HSR_FAST)},                \
-      {in "or any other face row by row in doubles", HSR_RAISES(HSR_GENERAL)}, \
-      {in "  for each sample that it covers: exactly, where floats cannot "    \
-          "tell",                                                              \
-       HSR_RAISES(HSR_UNSURE_COVER)},                                          \
-      {in "    is it nearer than the recorded depth?",                         \
-       HSR_RAISES(HSR_DEPTH_TESTS)},                                           \
-      {in "      exactly, where floats cannot tell",                           \
-       HSR_RAISES(HSR_UNSURE_DEPTH)},                                          \
-      {in "      if so, record its depth and its id", HSR_RAISES(HSR_WRITES)}, \
-  {                                                                            \
-    in "        instead of those of another face", HSR_RAISES(HSR_OVERWRITES)  \
-  }
 
 /* How far a recorded depth may be from the truth, of itself; and a depth q that
  * is more than HSR_CLEAR times another is nearer, both being that exact. */

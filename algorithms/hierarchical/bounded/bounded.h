@@ -29,7 +29,6 @@ extern "C" {
 enum {
   /* Of the tiling pass */
   HSR_EB_NODES,
-  HSR_EB_INEQUALITIES,
   HSR_EB_OUT,
   HSR_EB_CUBES_TESTED,
   HSR_EB_CUBES_CULLED,

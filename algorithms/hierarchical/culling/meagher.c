@@ -49,53 +49,6 @@ enum {
   SAMPLES
 };
 
-static const struct hsr_counter counters[] = {
-    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [OUT] = {"nodes out", "outside of the picture", HSR_REJECT, HSR_OF_CELL,
-             HSR_OF_WINDOW},
-    [SILHOUETTES] = {"silhouette tests",
-                     "quadtree cells compared with outlines of nodes",
-                     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
-                     "outside|covered|divided|visible"},
-    [HIDDEN] = {"nodes hidden", "covered: they and all below them are hidden",
-                HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
-    [CUBES] = {"cubes drawn", "leaves that are not hidden", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [SIDES] = {"sides tiled", "sides of these that face the eye", HSR_ACTIVATE,
-               HSR_OF_FACE, HSR_OF_NOTHING},
-    [CELLS] = {"cells", "quadtree cells visited to tile a side", HSR_COMPARE,
-               HSR_OF_FACE, HSR_OF_CELL, "outside|covered|crossed|inside"},
-    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided",
-                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},
-    [ASKED] = {"samples asked", "samples that are decided exactly", HSR_SAMPLE,
-               HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
-    [SAMPLES] = {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE,
-                 HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each node of the octree, from front to back", HSR_RAISES(NODES)},
-    {"  return if its cube is outside of the picture", HSR_RAISES(OUT)},
-    {"  look for a part of its silhouette in the quadtree that is not covered",
-     HSR_RAISES(SILHOUETTES)},
-    {"  return if there is none", HSR_RAISES(HIDDEN)},
-    {"  if it is a leaf: draw the cube", HSR_RAISES(CUBES)},
-    {"    for each of its sides that face the eye", HSR_RAISES(SIDES)},
-    {"      tile it into a quadtree cell that is not covered, from the root",
-     HSR_RAISES(CELLS)},
-    {"        inside of the side and vacant: write its samples",
-     HSR_RAISES(SAMPLES) | HSR_RAISES(ASKED)},
-    {"        else the same with its four quadrants", HSR_RAISES(SUBDIVISIONS)},
-    {"  else the same with its eight octants"},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"cubes", "XYZ", "octree", "once for all frames"},
-    {"cubes", "Z", "fixed order of octants", "once a frame"},
-    {"samples", "XY", "quadtree", "once a cube"},
-    {NULL}};
-
 /* --- The octree ----------------------------------------------------------- */
 
 enum { DEPTHS = 22 }; /* a grid has at most 2^20 cells along an axis */
@@ -512,6 +465,55 @@ static enum hsr_status render(const struct hsr_job *job,
     visit(&f, f.octree->n_layers - 1, 0);
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [OUT] = {"nodes out", "outside of the picture", HSR_REJECT, HSR_OF_CELL,
+             HSR_OF_WINDOW},
+    [SILHOUETTES] = {"silhouette tests",
+                     "quadtree cells compared with outlines of nodes",
+                     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
+                     "outside|covered|divided|visible"},
+    [HIDDEN] = {"nodes hidden", "covered: they and all below them are hidden",
+                HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
+    [CUBES] = {"cubes drawn", "leaves that are not hidden", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [SIDES] = {"sides tiled", "sides of these that face the eye", HSR_ACTIVATE,
+               HSR_OF_FACE, HSR_OF_NOTHING},
+    [CELLS] = {"cells", "quadtree cells visited to tile a side", HSR_COMPARE,
+               HSR_OF_FACE, HSR_OF_CELL, "outside|covered|crossed|inside"},
+    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided",
+                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},
+    [ASKED] = {"samples asked", "samples that are decided exactly", HSR_SAMPLE,
+               HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
+    [SAMPLES] = {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE,
+                 HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each node of the octree, from front to back", HSR_RAISES(NODES)},
+    {"  return if its cube is outside of the picture", HSR_RAISES(OUT)},
+    {"  look for a part of its silhouette in the quadtree that is not covered",
+     HSR_RAISES(SILHOUETTES)},
+    {"  return if there is none", HSR_RAISES(HIDDEN)},
+    {"  if it is a leaf: draw the cube", HSR_RAISES(CUBES)},
+    {"    for each of its sides that face the eye", HSR_RAISES(SIDES)},
+    {"      tile it into a quadtree cell that is not covered, from the root",
+     HSR_RAISES(CELLS)},
+    {"        inside of the side and vacant: write its samples",
+     HSR_RAISES(SAMPLES, ASKED)},
+    {"        else the same with its four quadrants", HSR_RAISES(SUBDIVISIONS)},
+    {"  else the same with its eight octants"},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"cubes", "XYZ", "octree", "once for all frames"},
+    {"cubes", "Z", "fixed order of octants", "once a frame"},
+    {"samples", "XY", "quadtree", "once a cube"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(meagher) = {
     .name = "meagher",

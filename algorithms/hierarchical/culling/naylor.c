@@ -22,49 +22,7 @@
 
 #include <float.h>
 
-enum { NODES = HSR_MAP_N_COUNTERS, OUT, CULLED };
-
-static const struct hsr_counter counters[] = {
-    HSR_BSP_COUNTERS,
-    HSR_MAP_COUNTERS,
-    [NODES] = {"nodes visited", "nodes of the scene tree come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [OUT] = {"nodes out", "whose subtrees are outside of the frustum",
-             HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},
-    [CULLED] = {"nodes culled", "whose subtrees the map hides", HSR_REJECT,
-                HSR_OF_CELL, HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each node of the scene tree, from front to back", HSR_RAISES(NODES)},
-    {"  leave its subtree if that is outside of the frustum", HSR_RAISES(OUT)},
-    {"  compare its bounding volume with the visibility map",
-     HSR_RAISES(HSR_MAP_BOXES)},
-    {"  leave its subtree if that is hidden", HSR_RAISES(CULLED)},
-    {"  for each piece in its plane", HSR_RAISES(HSR_BSP_PIECES)},
-    {"    insert it into the map: compare it with a line, or divide it",
-     HSR_RAISES(HSR_MAP_LINES)},
-    {"    at a region that shows a face: it is hidden there",
-     HSR_RAISES(HSR_MAP_HIDDEN)},
-    {"    at a vacant region: divide that by the sides of the piece",
-     HSR_RAISES(HSR_MAP_DIVISIONS)},
-    {"      what is inside of all shows the piece", HSR_RAISES(HSR_MAP_FILLED)},
-    {"show the map: for each rectangle of samples, go to one side of a line, "
-     "or halve it",
-     HSR_RAISES(HSR_MAP_REGIONS)},
-    {"  ask for the samples of pieces that no lines bound",
-     HSR_RAISES(HSR_MAP_ASKED)},
-    {"  write the face of the region", HSR_RAISES(HSR_BSP_SAMPLES)},
-    {"for each face without a place in the tree: compare it in depth at its "
-     "samples",
-     HSR_RAISES(HSR_BSP_THICKNESS)},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "Z", "BSP tree", "once for all frames"},
-    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
-    {"sides", "XY", "BSP tree of the picture", "once a piece"},
-    {NULL}};
+enum { NODES, OUT, CULLED };
 
 enum option { CULL };
 enum { NOTHING, ONE, SEVERAL };
@@ -72,7 +30,7 @@ static const struct hsr_word cullings[] = {
     {"nothing", "no subtree is compared with the map", 0},
     {"one", "a subtree is culled if one region of the map hides it", 0},
     {"several", "also if several regions together hide it", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_option options[] = {
     [CULL] = {"cull", "which subtrees are culled", cullings, 0, 2, ONE},
     {NULL}};
@@ -154,6 +112,50 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_bsp_part}, {&hsr_map_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [NODES] = {"nodes visited", "nodes of the scene tree come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [OUT] = {"nodes out", "whose subtrees are outside of the frustum",
+             HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},
+    [CULLED] = {"nodes culled", "whose subtrees the map hides", HSR_REJECT,
+                HSR_OF_CELL, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each node of the scene tree, from front to back", HSR_RAISES(NODES)},
+    {"  leave its subtree if that is outside of the frustum", HSR_RAISES(OUT)},
+    {"  compare its bounding volume with the visibility map",
+     HSR_RAISES(HSR_MAP_BOXES)},
+    {"  leave its subtree if that is hidden", HSR_RAISES(CULLED)},
+    {"  for each piece in its plane", HSR_RAISES(HSR_BSP_PIECES)},
+    {"    insert it into the map: compare it with a line, or divide it",
+     HSR_RAISES(HSR_MAP_LINES)},
+    {"    at a region that shows a face: it is hidden there",
+     HSR_RAISES(HSR_MAP_HIDDEN)},
+    {"    at a vacant region: divide that by the sides of the piece",
+     HSR_RAISES(HSR_MAP_DIVISIONS)},
+    {"      what is inside of all shows the piece", HSR_RAISES(HSR_MAP_FILLED)},
+    {"show the map: for each rectangle of samples, go to one side of a line, "
+     "or halve it",
+     HSR_RAISES(HSR_MAP_REGIONS)},
+    {"  ask for the samples of pieces that no lines bound",
+     HSR_RAISES(HSR_MAP_ASKED)},
+    {"  write the face of the region", HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"for each face without a place in the tree: compare it in depth at its "
+     "samples",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
+    {"sides", "XY", "BSP tree of the picture", "once a piece"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(naylor) = {
     .name = "naylor",
     .title = "Naylor's BSP tree of the scene and BSP tree of the picture",
@@ -168,6 +170,7 @@ const struct hsr_algorithm HSR_ALGORITHM(naylor) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .options = options,

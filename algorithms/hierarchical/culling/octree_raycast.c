@@ -43,41 +43,6 @@ static const double ROUND = 4 * DBL_EPSILON;
 
 enum { RAYS, CUBES, BEHIND, FACES, AGAIN, TESTS, DEPTHS, SHOWN };
 
-static const struct hsr_counter counters[] = {
-    [RAYS] = {"rays", "rays cast", HSR_ACTIVATE, HSR_OF_WINDOW, HSR_OF_NOTHING},
-    [CUBES] = {"cubes visited", "octree cubes compared with a ray", HSR_COMPARE,
-               HSR_OF_CELL, HSR_OF_WINDOW, "missed|met"},
-    [BEHIND] = {"cubes behind", "of the cubes met, those behind the ray's hit",
-                HSR_REJECT, HSR_OF_CELL, HSR_OF_FACE},
-    [FACES] = {"faces met", "in cubes that rays enter, or in no cube",
-               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
-    [AGAIN] = {"faces repeated", "met again by the same ray", HSR_REJECT,
-               HSR_OF_FACE, HSR_OF_WINDOW},
-    [TESTS] = {"ray tests", "rays tested against faces", HSR_SAMPLE,
-               HSR_OF_FACE, HSR_OF_WINDOW, "missed|hit"},
-    [DEPTHS] = {"depth tests", "hits of one ray compared in depth", HSR_COMPARE,
-                HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [SHOWN] = {"samples shown", "samples at which a face is visible",
-               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each sample, cast a ray", HSR_RAISES(RAYS)},
-    {"  visit the root; at a cube: does the ray meet it?", HSR_RAISES(CUBES)},
-    {"    look no farther if it is behind what was hit", HSR_RAISES(BEHIND)},
-    {"    for each face in the cube", HSR_RAISES(FACES)},
-    {"      skip it if this ray has met it already", HSR_RAISES(AGAIN)},
-    {"      does the ray hit it?", HSR_RAISES(TESTS)},
-    {"      is it nearer than the nearest hit so far?", HSR_RAISES(DEPTHS)},
-    {"    visit the eight octants from front to back"},
-    {"  show the nearest hit", HSR_RAISES(SHOWN)},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "XYZ", "octree", "once for all frames"},
-    {"cubes", "Z", "fixed order of octants", "once a ray"},
-    {NULL}};
-
 /* The faces of a world in an octree. */
 struct prepared {
   struct hsr_octree octree; /* item[] are faces */
@@ -393,6 +358,43 @@ static double expense(const struct hsr_world *world,
     n_loose += world->mesh.deviation[f] > 0;
   return (double)view->m * view->n * (1 + n_loose);
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [RAYS] = {"rays", "rays cast", HSR_ACTIVATE, HSR_OF_WINDOW, HSR_OF_NOTHING},
+    [CUBES] = {"cubes visited", "octree cubes compared with a ray", HSR_COMPARE,
+               HSR_OF_CELL, HSR_OF_WINDOW, "missed|met"},
+    [BEHIND] = {"cubes behind", "of the cubes met, those behind the ray's hit",
+                HSR_REJECT, HSR_OF_CELL, HSR_OF_FACE},
+    [FACES] = {"faces met", "in cubes that rays enter, or in no cube",
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    [AGAIN] = {"faces repeated", "met again by the same ray", HSR_REJECT,
+               HSR_OF_FACE, HSR_OF_WINDOW},
+    [TESTS] = {"ray tests", "rays tested against faces", HSR_SAMPLE,
+               HSR_OF_FACE, HSR_OF_WINDOW, "missed|hit"},
+    [DEPTHS] = {"depth tests", "hits of one ray compared in depth", HSR_COMPARE,
+                HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each sample, cast a ray", HSR_RAISES(RAYS)},
+    {"  visit the root; at a cube: does the ray meet it?", HSR_RAISES(CUBES)},
+    {"    look no farther if it is behind what was hit", HSR_RAISES(BEHIND)},
+    {"    for each face in the cube", HSR_RAISES(FACES)},
+    {"      skip it if this ray has met it already", HSR_RAISES(AGAIN)},
+    {"      does the ray hit it?", HSR_RAISES(TESTS)},
+    {"      is it nearer than the nearest hit so far?", HSR_RAISES(DEPTHS)},
+    {"    visit the eight octants from front to back"},
+    {"  show the nearest hit", HSR_RAISES(SHOWN)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "XYZ", "octree", "once for all frames"},
+    {"cubes", "Z", "fixed order of octants", "once a ray"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(octree_raycast) = {
     .name = "octree-raycast",

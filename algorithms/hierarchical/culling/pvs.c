@@ -47,61 +47,16 @@ enum {
   OVERWRITES
 };
 
-static const struct hsr_counter counters[] = {
-    [STARTS] = {"start cells", "cells in which rays start", HSR_ACTIVATE,
-                HSR_OF_CELL, HSR_OF_NOTHING},
-    [CELLS] = {"cells visited",
-               "cells looked at, again if they are seen in "
-               "more",
-               HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_WINDOW},
-    [PORTALS] = {"portals",
-                 "portals on the far side of a cell compared with "
-                 "its cull box",
-                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
-                 "outside|seen before|seen"},
-    [FACES] = {"faces met", "in cells that are seen, or not flat", HSR_ACTIVATE,
-               HSR_OF_FACE, HSR_OF_CELL},
-    [OUTSIDE] = {"faces outside",
-                 "of these, outside of the cull box or out of "
-                 "sight",
-                 HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW},
-    [DRAWN] = {"faces drawn", "the potentially visible set", HSR_ACTIVATE,
-               HSR_OF_FACE, HSR_OF_NOTHING},
-    [DEPTHS] = {"depth tests", "depths compared with the recorded face's",
-                HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [WRITES] = {"writes", "samples written, overwrites counted each time",
-                HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
-    [OVERWRITES] = {"overwrites", "writes where there was a face already",
-                    HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each cell in which the eye is", HSR_RAISES(STARTS)},
-    {"visit a cell with a cull box, of the whole picture first; or each cell "
-     "of the start cell's set",
-     HSR_RAISES(CELLS)},
-    {"  for each portal of the cell: does its rectangle meet the cull box?",
-     HSR_RAISES(PORTALS)},
-    {"    visit the cell beyond, with what is left of the box"},
-    {"for each cell that was visited, for each face in it", HSR_RAISES(FACES)},
-    {"  leave it if it is outside of the cell's cull box", HSR_RAISES(OUTSIDE)},
-    {"  draw it into the z-buffer", HSR_RAISES(DRAWN)},
-    {"    at each sample: is it nearer than the recorded face?",
-     HSR_RAISES(DEPTHS)},
-    {"      if so, record it", HSR_RAISES(WRITES)},
-    {"        instead of another", HSR_RAISES(OVERWRITES)},
-    {NULL}};
-
 enum { SETS };
 enum { OF_VIEWS, OF_CELLS };
 static const struct hsr_word sets[] = {
     {"views", "found for each view, as in 1995", 0},
     {"cells", "found for each cell beforehand, as in 1991", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_option options[] = {
     [SETS] = {"sets", "of what the potentially visible sets are", sets, 0, 1,
               OF_VIEWS},
-    {NULL, NULL, NULL, 0, 0, 0}};
+    {NULL}};
 
 struct prepared {
   struct hsr_portals portals;
@@ -359,6 +314,53 @@ static void release(void *object) {
   hsr_portals_free(&prepared->portals);
   free(prepared);
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [STARTS] = {"start cells", "cells in which rays start", HSR_ACTIVATE,
+                HSR_OF_CELL, HSR_OF_NOTHING},
+    [CELLS] = {"cells visited",
+               "cells looked at, again if they are seen in "
+               "more",
+               HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_WINDOW},
+    [PORTALS] = {"portals",
+                 "portals on the far side of a cell compared with "
+                 "its cull box",
+                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
+                 "outside|seen before|seen"},
+    [FACES] = {"faces met", "in cells that are seen, or not flat", HSR_ACTIVATE,
+               HSR_OF_FACE, HSR_OF_CELL},
+    [OUTSIDE] = {"faces outside",
+                 "of these, outside of the cull box or out of "
+                 "sight",
+                 HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW},
+    [DRAWN] = {"faces drawn", "the potentially visible set", HSR_ACTIVATE,
+               HSR_OF_FACE, HSR_OF_NOTHING},
+    [DEPTHS] = {"depth tests", "depths compared with the recorded face's",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [WRITES] = {"writes", "samples written, overwrites counted each time",
+                HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
+    [OVERWRITES] = {"overwrites", "writes where there was a face already",
+                    HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each cell in which the eye is", HSR_RAISES(STARTS)},
+    {"visit a cell with a cull box, of the whole picture first; or each cell "
+     "of the start cell's set",
+     HSR_RAISES(CELLS)},
+    {"  for each portal of the cell: does its rectangle meet the cull box?",
+     HSR_RAISES(PORTALS)},
+    {"    visit the cell beyond, with what is left of the box"},
+    {"for each cell that was visited, for each face in it", HSR_RAISES(FACES)},
+    {"  leave it if it is outside of the cell's cull box", HSR_RAISES(OUTSIDE)},
+    {"  draw it into the z-buffer", HSR_RAISES(DRAWN)},
+    {"    at each sample: is it nearer than the recorded face?",
+     HSR_RAISES(DEPTHS)},
+    {"      if so, record it", HSR_RAISES(WRITES)},
+    {"        instead of another", HSR_RAISES(OVERWRITES)},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(pvs) = {
     .name = "pvs",

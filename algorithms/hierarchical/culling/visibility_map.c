@@ -656,3 +656,37 @@ enum hsr_status hsr_map_begin(struct hsr_map *map,
   add_leaf(map, HSR_BACKGROUND, NULL);
   return map->side && !map->out_of_memory ? HSR_OK : HSR_E_NOMEM;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"lines compared",
+                                    "pieces compared with lines of the map",
+                                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_CELL,
+                                    "inside|outside|both|neither"},
+    {"parts hidden",
+                                     "parts of pieces behind faces of the "
+                                     "map",
+                                     HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
+    {"divisions",
+                                        "regions divided by a side of a piece",
+                                        HSR_SUBDIVIDE, HSR_OF_FACE,
+                                        HSR_OF_CELL},
+    {"regions filled",
+                                     "vacant regions given to a face",
+                                     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    {"boxes compared",
+                           "bounding volumes compared with nodes of the map",
+                           HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
+                           "inside|outside|both|hidden|vacant"},
+    {"regions shown",
+         "rectangles of samples compared with lines of the map", HSR_COMPARE,
+         HSR_OF_CELL, HSR_OF_WINDOW, "inside|outside|both|leaf"},
+    {"samples asked",
+                                    "samples of pieces that no lines bound",
+                                    HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                                    "not covered|covered"},
+    {NULL}};
+
+const struct hsr_part hsr_map_part = {
+    HSR_PART_MAP, counters, NULL, NULL, {NULL}};

@@ -40,45 +40,17 @@
 
 #include "algorithms/engines/bsp/bsp_frame.h"
 
-/* The counters of a map come after those of bsp_frame.h. */
+/* What the map counts, besides what bsp_frame.h does. */
+extern const struct hsr_part hsr_map_part;
 enum {
-  HSR_MAP_LINES = HSR_BSP_N_COUNTERS,
+  HSR_MAP_LINES = HSR_FIRST_OF(HSR_PART_MAP),
   HSR_MAP_HIDDEN,
   HSR_MAP_DIVISIONS,
   HSR_MAP_FILLED,
   HSR_MAP_BOXES,
   HSR_MAP_REGIONS,
-  HSR_MAP_ASKED,
-  HSR_MAP_N_COUNTERS
+  HSR_MAP_ASKED
 };
-#define HSR_MAP_COUNTERS                                                       \
-  [HSR_MAP_LINES] =                                                            \
-      {"lines compared", "pieces compared with lines of the map",              \
-       HSR_COMPARE,      HSR_OF_FACE,                                          \
-       HSR_OF_CELL,      "inside|outside|both|neither"},                       \
-  [HSR_MAP_HIDDEN] = {"parts hidden",                                          \
-                      "parts of pieces behind faces of the "                   \
-                      "map",                                                   \
-                      HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},                   \
-  [HSR_MAP_DIVISIONS] = {"divisions", "regions divided by a side of a piece",  \
-                         HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},             \
-  [HSR_MAP_FILLED] = {"regions filled", "vacant regions given to a face",      \
-                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},                 \
-  [HSR_MAP_BOXES] = {"boxes compared",                                         \
-                     "bounding volumes compared with nodes of the map",        \
-                     HSR_COMPARE,                                              \
-                     HSR_OF_CELL,                                              \
-                     HSR_OF_CELL,                                              \
-                     "inside|outside|both|hidden|vacant"},                     \
-  [HSR_MAP_REGIONS] = {"regions shown",                                        \
-                       "rectangles of samples compared with lines of the map", \
-                       HSR_COMPARE,                                            \
-                       HSR_OF_CELL,                                            \
-                       HSR_OF_WINDOW,                                          \
-                       "inside|outside|both|leaf"},                            \
-  [HSR_MAP_ASKED] = {"samples asked", "samples of pieces that no lines bound", \
-                     HSR_SAMPLE,      HSR_OF_FACE,                             \
-                     HSR_OF_WINDOW,   "not covered|covered"}
 
 struct hsr_map {
   struct hsr_bsp_frame *frame;

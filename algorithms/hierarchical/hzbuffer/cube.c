@@ -191,7 +191,7 @@ static bool is_in_frustum(struct hsr_hz_walk *w,
   if (*inside)
     return true;
   enum hsr_box_verdict verdict =
-      hsr_cube_classify(&w->frame, placing, cube, INEQUALITIES, subject);
+      hsr_cube_classify(&w->frame, placing, cube, subject);
   *inside = verdict == HSR_BOX_IN;
   if (verdict == HSR_BOX_OUT)
     HSR_STEP(w->tally, OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);

@@ -30,124 +30,15 @@
 
 #include <stdlib.h>
 
-static const struct hsr_counter counters[] = {
-    HSR_TILER_COUNTERS,
-    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [INEQUALITIES] = HSR_INEQUALITIES_COUNTER,
-    [OUT] = {"nodes out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
-             HSR_OF_WINDOW},
-    [CUBES_TESTED] = {"cubes tested", "whether they are hidden", HSR_COMPARE,
-                      HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
-    [CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
-                      HSR_OF_CELL, HSR_OF_NOTHING},
-    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
-                       HSR_OF_CELL, HSR_OF_NOTHING},
-    [QUERIES] = {"z-queries",
-                 "cubes of which it was asked if a sample is visible",
-                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
-    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
-                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
-                    HSR_PYRAMID_READ_OUTCOMES},
-    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted",
-                       HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
-                       "hidden|visible"},
-    [SIDE_SAMPLES] = {"side samples", "samples looked at for that", HSR_SAMPLE,
-                      HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
-    [FACES] = {"faces met", "in cubes that are not known to be hidden",
-               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
-    [REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
-                  HSR_OF_FACE, HSR_OF_NOTHING},
-    [FACES_TESTED] = {"faces tested", "by the pyramid", HSR_COMPARE,
-                      HSR_OF_FACE, HSR_OF_WINDOW, "hidden|visible"},
-    [FACES_CULLED] = {"faces culled", "found to be hidden", HSR_REJECT,
-                      HSR_OF_FACE, HSR_OF_WINDOW},
-    [FACES_TILED] = {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE,
-                     HSR_OF_WINDOW},
-    [FACE_READS] = {"face reads", "pyramid entries read to test faces",
-                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE,
-                    HSR_PYRAMID_READ_OUTCOMES},
-    [FACES_BEFORE] = {"faces before",
-                      "nearer than anything: tiled without comparisons",
-                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [COMPLETED] = {"completed", "samples known to be done", HSR_RETIRE,
-                   HSR_OF_CELL, HSR_OF_WINDOW},
-    [CUBES_AGAIN] = {"cubes again",
-                     "rendered first, since they were visible in the frame "
-                     "before",
-                     HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [MOVED] = {"moved down", "instances that move, from a cube to an octant",
-               HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
-    [SPLITS] = {"splits", "cubes of instances that move, divided",
-                HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [LOOKED] = {"movers looked at",
-                "in their cubes of the last frame, which may hold them still",
-                HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "left|kept"},
-    [DIVIDED] = {"cubes divided", "when they were first found to be visible",
-                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [FACES_DOWN] = {"faces down", "handed down to an octant then", HSR_SORT,
-                    HSR_OF_FACE, HSR_OF_CELL},
-    [STILL_DOWN] = {"instances down",
-                    "that do not move, handed down to an octant then", HSR_SORT,
-                    HSR_OF_VOLUME, HSR_OF_CELL},
-    [MOVERS_MET] = {"movers met", "instances that move, in no hidden cube",
-                    HSR_ACTIVATE, HSR_OF_VOLUME, HSR_OF_NOTHING},
-    [BOUNDED] = {"ways bounded",
-                 "the way of an instance for the frames of a cluster",
-                 HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "unknown|known"},
-    [IN_TIME] = {"splits in time", "of a cluster's frames in halves",
-                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"render the cubes that were visible in the last frame",
-     HSR_RAISES(CUBES_AGAIN)},
-    {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
-    {"or keep it: does its cube still hold an instance?", HSR_RAISES(LOOKED)},
-    {"  move an instance down to an octant", HSR_RAISES(MOVED)},
-    {"or clusters of it, in boxes for several frames: bound its ways",
-     HSR_RAISES(BOUNDED)},
-    {"  divide a visible one in time, instead of in space",
-     HSR_RAISES(IN_TIME)},
-    {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
-    {"  return if the cube is outside of the frustum",
-     HSR_RAISES(INEQUALITIES) | HSR_RAISES(OUT)},
-    {"  return unless cube_visible", HSR_RAISES(CUBES_TESTED) |
-                                         HSR_RAISES(CUBES_CULLED) |
-                                         HSR_RAISES(CUBES_VISIBLE)},
-    {"    for each front face of the cube: is it behind a pyramid value?",
-     HSR_RAISES(CUBE_READS)},
-    {"    or ask by a z-query, if it holds enough faces", HSR_RAISES(QUERIES)},
-    {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
-    {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
-    {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
-    {"  lazily: divide the cube, if it is not divided yet",
-     HSR_RAISES(DIVIDED)},
-    {"    hand a primitive down to an octant",
-     HSR_RAISES(FACES_DOWN) | HSR_RAISES(STILL_DOWN)},
-    {"  for each instance that moves, in the node", HSR_RAISES(MOVERS_MET)},
-    {"  for each polygon attached to the node", HSR_RAISES(FACES)},
-    {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
-    {"    skip it if it is hidden",
-     HSR_RAISES(FACES_TESTED) | HSR_RAISES(FACES_CULLED)},
-    {"      is it behind a pyramid value?", HSR_RAISES(FACE_READS)},
-    {"    tile it", HSR_RAISES(FACES_TILED)},
-    {"      without comparisons if it is before all that is there",
-     HSR_RAISES(FACES_BEFORE)},
-    HSR_TILER_LINES("      "),
-    {"    update the z-pyramid"},
-    {"  process_node for each octant"},
-    {NULL}};
-
 static const struct hsr_word off_on[] = {
-    {"off", "without it", 0}, {"on", "with it", 0}, {NULL, NULL, 0}};
+    {"off", "without it", 0}, {"on", "with it", 0}, {NULL}};
 static const struct hsr_word octrees[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
     {"lazy",
      "with one whose cubes are divided when they are first found to be visible",
      HSR_FRAME_STATE},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word pyramids[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
@@ -155,35 +46,35 @@ static const struct hsr_word pyramids[] = {
      "without it: by z-queries of a machine, which tell if a sample of a "
      "cube's sides is visible; as on the Titan and Denali of the thesis",
      0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word placements[] = {
     {"pushed",
      "a small face that crosses a median plane goes into the octants "
      "that it meets",
      0},
     {"enclosing", "it stays in the smallest cube that encloses it", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word volumes[] = {
     {"cubes", "the octree's", 0},
     {"tight", "the boxes, within them, of what they hold", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word cube_tests[] = {
     {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
     {"sides", "where that leaves it open, scan-converted, as in 1993", 0},
     {"whole", "the cube, instead of its sides, by its bounding rectangle", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word polygon_tests[] = {
     {"fast", "bounding rectangles, by recursion", 0},
     {"basic", "bounding rectangles, by one entry", 0},
     {"definitive", "recursion into what the face covers", 0},
     {"none", "no test", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word coherences[] = {
     {"off", "every frame for itself", 0},
     {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
      HSR_FRAME_STATE},
     {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word movings[] = {
     {"octree", "an octree of them in every frame, beside the other", 0},
     {"lazy", "the same, divided only where it is visible", 0},
@@ -202,13 +93,13 @@ static const struct hsr_word movings[] = {
      "clusters, in boxes that hold them for an interval, behind all that does "
      "not move; what is not hidden is divided in space or in time",
      HSR_FRAME_STATE},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word works[] = {
     {"all", "everything", 0},
     {"pyramid", "pyramid tests", 0},
     {"boxes", "scan-converted sides of cubes", 0},
     {"polygons", "tiling", 0},
-    {NULL, NULL, 0}};
+    {NULL}};
 
 static const struct hsr_option options[] = {
     [OCTREE] = {"octree", "cull by cubes", octrees, 0, 2, ON},
@@ -242,7 +133,7 @@ static const struct hsr_option options[] = {
                  "pyramid=queries: microseconds until a z-query is answered",
                  NULL, 0, 1000000, 0},
     [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
-    {NULL, NULL, NULL, 0, 0, 0}};
+    {NULL}};
 
 /* --- A frame -------------------------------------------------------------- */
 
@@ -380,6 +271,116 @@ static void release(void *object) {
   free(prepared);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_tiler_part}, {&hsr_inequalities_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [OUT] = {"nodes out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
+             HSR_OF_WINDOW},
+    [CUBES_TESTED] = {"cubes tested", "whether they are hidden", HSR_COMPARE,
+                      HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
+    [CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
+                      HSR_OF_CELL, HSR_OF_NOTHING},
+    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
+                       HSR_OF_CELL, HSR_OF_NOTHING},
+    [QUERIES] = {"z-queries",
+                 "cubes of which it was asked if a sample is visible",
+                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
+    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
+                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
+                    HSR_PYRAMID_READ_OUTCOMES},
+    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted",
+                       HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
+                       "hidden|visible"},
+    [SIDE_SAMPLES] = {"side samples", "samples looked at for that", HSR_SAMPLE,
+                      HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
+    [FACES] = {"faces met", "in cubes that are not known to be hidden",
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    [REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
+                  HSR_OF_FACE, HSR_OF_NOTHING},
+    [FACES_TESTED] = {"faces tested", "by the pyramid", HSR_COMPARE,
+                      HSR_OF_FACE, HSR_OF_WINDOW, "hidden|visible"},
+    [FACES_CULLED] = {"faces culled", "found to be hidden", HSR_REJECT,
+                      HSR_OF_FACE, HSR_OF_WINDOW},
+    [FACES_TILED] = {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE,
+                     HSR_OF_WINDOW},
+    [FACE_READS] = {"face reads", "pyramid entries read to test faces",
+                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE,
+                    HSR_PYRAMID_READ_OUTCOMES},
+    [FACES_BEFORE] = {"faces before",
+                      "nearer than anything: tiled without comparisons",
+                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [COMPLETED] = {"completed", "samples known to be done", HSR_RETIRE,
+                   HSR_OF_CELL, HSR_OF_WINDOW},
+    [CUBES_AGAIN] = {"cubes again",
+                     "rendered first, since they were visible in the frame "
+                     "before",
+                     HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [MOVED] = {"moved down", "instances that move, from a cube to an octant",
+               HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
+    [SPLITS] = {"splits", "cubes of instances that move, divided",
+                HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [LOOKED] = {"movers looked at",
+                "in their cubes of the last frame, which may hold them still",
+                HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "left|kept"},
+    [DIVIDED] = {"cubes divided", "when they were first found to be visible",
+                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [FACES_DOWN] = {"faces down", "handed down to an octant then", HSR_SORT,
+                    HSR_OF_FACE, HSR_OF_CELL},
+    [STILL_DOWN] = {"instances down",
+                    "that do not move, handed down to an octant then", HSR_SORT,
+                    HSR_OF_VOLUME, HSR_OF_CELL},
+    [MOVERS_MET] = {"movers met", "instances that move, in no hidden cube",
+                    HSR_ACTIVATE, HSR_OF_VOLUME, HSR_OF_NOTHING},
+    [BOUNDED] = {"ways bounded",
+                 "the way of an instance for the frames of a cluster",
+                 HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "unknown|known"},
+    [IN_TIME] = {"splits in time", "of a cluster's frames in halves",
+                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"render the cubes that were visible in the last frame",
+     HSR_RAISES(CUBES_AGAIN)},
+    {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
+    {"or keep it: does its cube still hold an instance?", HSR_RAISES(LOOKED)},
+    {"  move an instance down to an octant", HSR_RAISES(MOVED)},
+    {"or clusters of it, in boxes for several frames: bound its ways",
+     HSR_RAISES(BOUNDED)},
+    {"  divide a visible one in time, instead of in space",
+     HSR_RAISES(IN_TIME)},
+    {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
+    {"  return if the cube is outside of the frustum",
+     HSR_RAISES(HSR_INEQUALITIES, OUT)},
+    {"  return unless cube_visible",
+     HSR_RAISES(CUBES_TESTED, CUBES_CULLED, CUBES_VISIBLE)},
+    {"    for each front face of the cube: is it behind a pyramid value?",
+     HSR_RAISES(CUBE_READS)},
+    {"    or ask by a z-query, if it holds enough faces", HSR_RAISES(QUERIES)},
+    {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
+    {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
+    {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
+    {"  lazily: divide the cube, if it is not divided yet",
+     HSR_RAISES(DIVIDED)},
+    {"    hand a primitive down to an octant",
+     HSR_RAISES(FACES_DOWN, STILL_DOWN)},
+    {"  for each instance that moves, in the node", HSR_RAISES(MOVERS_MET)},
+    {"  for each polygon attached to the node", HSR_RAISES(FACES)},
+    {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
+    {"    skip it if it is hidden", HSR_RAISES(FACES_TESTED, FACES_CULLED)},
+    {"      is it behind a pyramid value?", HSR_RAISES(FACE_READS)},
+    {"    tile it", HSR_RAISES(FACES_TILED)},
+    {"      without comparisons if it is before all that is there",
+     HSR_RAISES(FACES_BEFORE)},
+    {"      ", .part = &hsr_tiler_part},
+    {"    update the z-pyramid"},
+    {"  process_node for each octant"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .name = "hzbuffer",
     .title = "Hierarchical z-buffer visibility",
@@ -393,6 +394,7 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .options = options,

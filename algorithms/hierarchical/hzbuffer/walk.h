@@ -19,8 +19,7 @@ extern "C" {
 
 /* Counters. */
 enum {
-  NODES = HSR_N_TILER_COUNTERS,
-  INEQUALITIES,
+  NODES,
   OUT,
   CUBES_TESTED,
   CUBES_CULLED,

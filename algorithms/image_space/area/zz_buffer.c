@@ -36,60 +36,6 @@ enum {
   SHOWN
 };
 
-static const struct hsr_counter counters[] = {
-    [FACES] = {"faces", "faces put into the pyramid", HSR_ACTIVATE, HSR_OF_FACE,
-               HSR_OF_NOTHING},
-    [HIDDEN] = {"depth search", "faces compared with a window's surrounder",
-                HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "visible|hidden"},
-    [RELATIONS] = {"Warnock special", "faces compared with a window",
-                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
-                   "disjoint|intersecter|surrounder"},
-    [SUBDIVISIONS] = {"subdivisions", "windows divided for a face",
-                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [LISTED] = {"listed", "faces put into the list of a window", HSR_SORT,
-                HSR_OF_FACE, HSR_OF_WINDOW},
-    [SURROUNDERS] = {"surrounders",
-                     "faces that hide all behind them in a "
-                     "window",
-                     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [CELLS] = {"cells", "cells rendered", HSR_ACTIVATE, HSR_OF_WINDOW,
-               HSR_OF_NOTHING},
-    [DROPPED] = {"dropped",
-                 "faces in the lists above a cell that are hidden "
-                 "in it",
-                 HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW},
-    [KEPT] = {"list length", "faces in the lists of all cells", HSR_ACTIVATE,
-              HSR_OF_FACE, HSR_OF_WINDOW},
-    [TESTS] = {"ray tests", "rays tested against faces that are no surrounders",
-               HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW, "missed|hit"},
-    [DEPTHS] = {"depth tests", "hits of one ray compared in depth", HSR_COMPARE,
-                HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [SHOWN] = {"samples shown", "samples at which a face is visible",
-               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"tiling pass: for each face, from the window of the picture down",
-     HSR_RAISES(FACES)},
-    {"  leave it if a surrounder of the window hides it", HSR_RAISES(HIDDEN)},
-    {"  disjoint, an intersecter, a surrounder?", HSR_RAISES(RELATIONS)},
-    {"  a surrounder may be what hides all others", HSR_RAISES(SURROUNDERS)},
-    {"  list a surrounder, or an intersecter of a cell", HSR_RAISES(LISTED)},
-    {"  else divide the window into four", HSR_RAISES(SUBDIVISIONS)},
-    {"rendering pass: for each cell", HSR_RAISES(CELLS)},
-    {"  for each face listed for it", HSR_RAISES(KEPT)},
-    {"    drop it if the nearest surrounder hides it", HSR_RAISES(DROPPED)},
-    {"  for each ray: does it hit a face of the list?", HSR_RAISES(TESTS)},
-    {"    is it nearer than the nearest hit so far?", HSR_RAISES(DEPTHS)},
-    {"    show the nearest hit", HSR_RAISES(SHOWN)},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "(XY)", "radix 4 Quicksort: subdivision down to cells",
-     "once a frame"},
-    {"hits", "Z", "exhaustive search", "once a ray"},
-    {NULL}};
-
 enum option { CELL };
 static const struct hsr_option options[] = {
     [CELL] = {"cell", "samples a side of a cell", NULL, 1, 256, 8}, {NULL}};
@@ -323,6 +269,62 @@ static enum hsr_status render(const struct hsr_job *job,
       render_cell(&z, x, y);
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [FACES] = {"faces", "faces put into the pyramid", HSR_ACTIVATE, HSR_OF_FACE,
+               HSR_OF_NOTHING},
+    [HIDDEN] = {"depth search", "faces compared with a window's surrounder",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "visible|hidden"},
+    [RELATIONS] = {"Warnock special", "faces compared with a window",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
+                   "disjoint|intersecter|surrounder"},
+    [SUBDIVISIONS] = {"subdivisions", "windows divided for a face",
+                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [LISTED] = {"listed", "faces put into the list of a window", HSR_SORT,
+                HSR_OF_FACE, HSR_OF_WINDOW},
+    [SURROUNDERS] = {"surrounders",
+                     "faces that hide all behind them in a "
+                     "window",
+                     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [CELLS] = {"cells", "cells rendered", HSR_ACTIVATE, HSR_OF_WINDOW,
+               HSR_OF_NOTHING},
+    [DROPPED] = {"dropped",
+                 "faces in the lists above a cell that are hidden "
+                 "in it",
+                 HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW},
+    [KEPT] = {"list length", "faces in the lists of all cells", HSR_ACTIVATE,
+              HSR_OF_FACE, HSR_OF_WINDOW},
+    [TESTS] = {"ray tests", "rays tested against faces that are no surrounders",
+               HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW, "missed|hit"},
+    [DEPTHS] = {"depth tests", "hits of one ray compared in depth", HSR_COMPARE,
+                HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"tiling pass: for each face, from the window of the picture down",
+     HSR_RAISES(FACES)},
+    {"  leave it if a surrounder of the window hides it", HSR_RAISES(HIDDEN)},
+    {"  disjoint, an intersecter, a surrounder?", HSR_RAISES(RELATIONS)},
+    {"  a surrounder may be what hides all others", HSR_RAISES(SURROUNDERS)},
+    {"  list a surrounder, or an intersecter of a cell", HSR_RAISES(LISTED)},
+    {"  else divide the window into four", HSR_RAISES(SUBDIVISIONS)},
+    {"rendering pass: for each cell", HSR_RAISES(CELLS)},
+    {"  for each face listed for it", HSR_RAISES(KEPT)},
+    {"    drop it if the nearest surrounder hides it", HSR_RAISES(DROPPED)},
+    {"  for each ray: does it hit a face of the list?", HSR_RAISES(TESTS)},
+    {"    is it nearer than the nearest hit so far?", HSR_RAISES(DEPTHS)},
+    {"    show the nearest hit", HSR_RAISES(SHOWN)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "(XY)", "radix 4 Quicksort: subdivision down to cells",
+     "once a frame"},
+    {"hits", "Z", "exhaustive search", "once a ray"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(zz_buffer) = {
     .name = "zz-buffer",

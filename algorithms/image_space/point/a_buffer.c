@@ -42,48 +42,6 @@ enum {
   PACKED
 };
 
-static const struct hsr_counter counters[] = {
-    [FRAGMENTS] = {"fragments", "pixels that a face touches", HSR_ACTIVATE,
-                   HSR_OF_FACE, HSR_OF_WINDOW},
-    [MASKS] = {"masks", "fragments that need a mask", HSR_ACTIVATE, HSR_OF_FACE,
-               HSR_OF_WINDOW},
-    [COVERED] = {"covering",
-                 "fragments that cover a whole pixel, compared "
-                 "with the one that is there",
-                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [HIDDEN] = {"hidden", "fragments behind one that covers the pixel",
-                HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
-    [SIMPLE] = {"simple pixels", "pixels of one face, or none", HSR_SAMPLE,
-                HSR_OF_WINDOW, HSR_OF_NOTHING},
-    [COMPLEX] = {"complex pixels", "pixels with masks", HSR_SAMPLE,
-                 HSR_OF_WINDOW, HSR_OF_NOTHING},
-    [COMPARED] = {"fragment comparisons",
-                  "pairs of fragments that overlap, put into depth order",
-                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [MERGES] = {"merges", "fragments of one object and colour, merged",
-                HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
-    [PACKED] = {"packed", "colours added to pixels", HSR_ACCEPT, HSR_OF_FACE,
-                HSR_OF_NOTHING},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each row of pixels", 0},
-    {"  for each face that may touch it", 0},
-    {"    for each pixel that it touches", HSR_RAISES(FRAGMENTS)},
-    {"      if it covers the pixel: nearer than what covers it so far?",
-     HSR_RAISES(COVERED)},
-    {"      else make a mask", HSR_RAISES(MASKS)},
-    {"  for each pixel", 0},
-    {"    if it has no masks, one face has all of it", HSR_RAISES(SIMPLE)},
-    {"    else pack its fragments, from front to back", HSR_RAISES(COMPLEX)},
-    {"      leave out those behind a fragment that covers the pixel",
-     HSR_RAISES(HIDDEN)},
-    {"      which of two that overlap is nearer?", HSR_RAISES(COMPARED)},
-    {"      take from each mask what is before it; merge those of one object",
-     HSR_RAISES(MERGES)},
-    {"    add colours by the bits that are left", HSR_RAISES(PACKED)},
-    {NULL}};
-
 /* A fragment with a mask. */
 struct fragment {
   uint32_t face;
@@ -374,17 +332,61 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [FRAGMENTS] = {"fragments", "pixels that a face touches", HSR_ACTIVATE,
+                   HSR_OF_FACE, HSR_OF_WINDOW},
+    [MASKS] = {"masks", "fragments that need a mask", HSR_ACTIVATE, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    [COVERED] = {"covering",
+                 "fragments that cover a whole pixel, compared "
+                 "with the one that is there",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [HIDDEN] = {"hidden", "fragments behind one that covers the pixel",
+                HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
+    [SIMPLE] = {"simple pixels", "pixels of one face, or none", HSR_SAMPLE,
+                HSR_OF_WINDOW, HSR_OF_NOTHING},
+    [COMPLEX] = {"complex pixels", "pixels with masks", HSR_SAMPLE,
+                 HSR_OF_WINDOW, HSR_OF_NOTHING},
+    [COMPARED] = {"fragment comparisons",
+                  "pairs of fragments that overlap, put into depth order",
+                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [MERGES] = {"merges", "fragments of one object and colour, merged",
+                HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
+    [PACKED] = {"packed", "colours added to pixels", HSR_ACCEPT, HSR_OF_FACE,
+                HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each row of pixels"},
+    {"  for each face that may touch it"},
+    {"    for each pixel that it touches", HSR_RAISES(FRAGMENTS)},
+    {"      if it covers the pixel: nearer than what covers it so far?",
+     HSR_RAISES(COVERED)},
+    {"      else make a mask", HSR_RAISES(MASKS)},
+    {"  for each pixel"},
+    {"    if it has no masks, one face has all of it", HSR_RAISES(SIMPLE)},
+    {"    else pack its fragments, from front to back", HSR_RAISES(COMPLEX)},
+    {"      leave out those behind a fragment that covers the pixel",
+     HSR_RAISES(HIDDEN)},
+    {"      which of two that overlap is nearer?", HSR_RAISES(COMPARED)},
+    {"      take from each mask what is before it; merge those of one object",
+     HSR_RAISES(MERGES)},
+    {"    add colours by the bits that are left", HSR_RAISES(PACKED)},
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"faces", "Y", "bucket sort", "once a frame"},
     {"samples", "X", "mask", "once a row of samples of a face"},
     {"fragments", "Z", "comparison", "once a pair that overlaps in a pixel"},
-    {0}};
+    {NULL}};
 
 static const struct hsr_step steps[] = {
     {"fragments", FRAGMENTS, 1, NULL, NULL, {{0}}},
     {"compare", COMPARED, 1, NULL, NULL, {{0}}},
     {"pack", PACKED, 1, NULL, NULL, {{0}}},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(a_buffer) = {
     .name = "a-buffer",

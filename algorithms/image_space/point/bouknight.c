@@ -44,57 +44,7 @@
 
 #include <string.h>
 
-enum {
-  SPAN_CULL = HSR_N_SCAN_COUNTERS,
-  DEPTH_SEARCH,
-  DIVISIONS,
-  COMBINED,
-  SPANS,
-  SHADOWS
-};
-
-static const struct hsr_counter counters[] = {
-    HSR_SCAN_COUNTERS,
-    [SPAN_CULL] = {"span cull", "visible bits turned on or off", HSR_ACTIVATE,
-                   HSR_OF_FACE, HSR_OF_EDGE, "turned off|turned on"},
-    [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth",
-                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate",
-                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
-    [COMBINED] = {"combined", "transparent faces put over what is behind",
-                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
-               HSR_OF_WINDOW},
-    HSR_PAIR_COUNTERS,
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_SCAN_LINES,
-    {"  for each sample span: from one edge of the list to the next"},
-    {"    turn the visible bit of the edge's face on or off",
-     HSR_RAISES(SPAN_CULL)},
-    {"    search the faces whose bit is on for the nearest at both limits",
-     HSR_RAISES(DEPTH_SEARCH)},
-    {"    if these are two faces, divide the span where they penetrate",
-     HSR_RAISES(DIVISIONS)},
-    {"    put the transparent ones over the nearest opaque one",
-     HSR_RAISES(COMBINED)},
-    {"    show the nearest face in the span", HSR_RAISES(SPANS)},
-    HSR_PAIR_LINES(SHADOWS, "    "),
-    {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_SCAN_STEPS,
-    {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
-    {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
-     hsr_predict_depth_search},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_SCAN_SORTS,
-    {"faces", "X", "cull by visible bits", "once an edge crossing"},
-    {"faces", "Z", "exhaustive search", "at both limits of a sample span"},
-    {NULL}};
+enum { SPAN_CULL, DEPTH_SEARCH, DIVISIONS, COMBINED, SPANS };
 
 /* No place: the visible bit is off. */
 static const uint32_t NONE = UINT32_MAX;
@@ -305,8 +255,7 @@ static enum hsr_status render(const struct hsr_job *job,
   struct hsr_shadow_pairs pairs;
   if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
       (job->colours && hsr_glass_begin(&glass, job)) ||
-      (job->lit &&
-       hsr_shadow_pairs_begin(&pairs, job, &scan.edges.screen, SHADOWS)))
+      (job->lit && hsr_shadow_pairs_begin(&pairs, job, &scan.edges.screen)))
     return hsr_fail_nomem(err);
   scan.glass = job->colours ? &glass : NULL;
   scan.pairs = job->lit ? &pairs : NULL;
@@ -320,6 +269,51 @@ static enum hsr_status render(const struct hsr_job *job,
   }
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_scan_part}, {&hsr_shadow_part}, {&hsr_shadow_pairs_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [SPAN_CULL] = {"span cull", "visible bits turned on or off", HSR_ACTIVATE,
+                   HSR_OF_FACE, HSR_OF_EDGE, "turned off|turned on"},
+    [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate",
+                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    [COMBINED] = {"combined", "transparent faces put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_scan_part},
+    {"  for each sample span: from one edge of the list to the next"},
+    {"    turn the visible bit of the edge's face on or off",
+     HSR_RAISES(SPAN_CULL)},
+    {"    search the faces whose bit is on for the nearest at both limits",
+     HSR_RAISES(DEPTH_SEARCH)},
+    {"    if these are two faces, divide the span where they penetrate",
+     HSR_RAISES(DIVISIONS)},
+    {"    put the transparent ones over the nearest opaque one",
+     HSR_RAISES(COMBINED)},
+    {"    show the nearest face in the span", HSR_RAISES(SPANS)},
+    {"    ", .part = &hsr_shadow_pairs_part},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
+    {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {.part = &hsr_scan_part},
+    {"faces", "X", "cull by visible bits", "once an edge crossing"},
+    {"faces", "Z", "exhaustive search", "at both limits of a sample span"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .name = "bouknight",
@@ -337,6 +331,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .kind = HSR_IDS,
     .also = {HSR_TRANSPARENT, HSR_SHADOWED},
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -62,85 +62,6 @@ enum {
   THICKNESS_DIVISIONS
 };
 
-static const struct hsr_counter counters[] = {
-    [Y_SORT] = {"Y sort", "faces put into Y buckets", HSR_SORT, HSR_OF_FACE},
-    [X_SORT] = {"X sort", "faces whose intercepts are put into X buckets",
-                HSR_SORT, HSR_OF_FACE},
-    [X_PRIORITY_SEARCH] = {"X priority search", "X buckets scanned", HSR_SAMPLE,
-                           HSR_OF_WINDOW, HSR_OF_NOTHING,
-                           "empty|holds intercepts"},
-    [DEPTH_SEARCH] = {"depth search",
-                      "faces of the X occupied table looked at for the "
-                      "nearest",
-                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
-               HSR_OF_WINDOW},
-    [SPANS_REUSED] = {"spans reused",
-                      "of these, shown as on the last line, unsearched",
-                      HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
-    [LINES_REUSED] = {"lines reused", "lines with faces, but no depth search",
-                      HSR_SPAN, HSR_OF_WINDOW},
-    [THICKNESS_CHECKS] = {"thickness checks",
-                          "spans searched at their last sample too, as a face "
-                          "of theirs is not flat",
-                          HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                          "another face|the same face"},
-    [THICKNESS_DIVISIONS] = {"thickness divisions",
-                             "of these, spans that had to be divided",
-                             HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"put each face into the Y bucket of its uppermost vertex",
-     HSR_RAISES(Y_SORT)},
-    {"for each scan line"},
-    {"  update the Y occupied table by the line's bucket"},
-    {"  put the intercepts of its faces into X buckets", HSR_RAISES(X_SORT)},
-    {"  for each X bucket, from the left", HSR_RAISES(X_PRIORITY_SEARCH)},
-    {"    enter faces that begin there into the X occupied table, delete those "
-     "that end"},
-    {"    if all intercepts so far are in the order of the last line"},
-    {"      show what was visible there", HSR_RAISES(SPANS_REUSED)},
-    {"    else search the X occupied table for the nearest face",
-     HSR_RAISES(DEPTH_SEARCH)},
-    {"      not flat: is it the nearest at the span's end, too?",
-     HSR_RAISES(THICKNESS_CHECKS)},
-    {"      if not, divide the span", HSR_RAISES(THICKNESS_DIVISIONS)},
-    {"    show the visible face up to the next change", HSR_RAISES(SPANS)},
-    {"  if nothing was searched, the line was reused",
-     HSR_RAISES(LINES_REUSED)},
-    {NULL}};
-
-static double predict_y_sort(const struct hsr_table1 *t) {
-  return 2 * t->F_r;
-}
-static double predict_x_sort(const struct hsr_table1 *t) {
-  return t->n * t->S_l;
-}
-static double predict_x_priority_search(const struct hsr_table1 *t) {
-  return t->n * t->m;
-}
-static double predict_depth_search(const struct hsr_table1 *t) {
-  return 20 * t->n * (2 * t->S_l) * t->D_c / 2;
-}
-
-static const struct hsr_step steps[] = {
-    {"Y sort", Y_SORT, 1, "2 F_r", predict_y_sort},
-    {"X sort", X_SORT, 1, "n S_l", predict_x_sort},
-    {"X priority search", X_PRIORITY_SEARCH, 1, "n m",
-     predict_x_priority_search},
-    {"depth search", DEPTH_SEARCH, 20, "20 n (2 S_l) D_c f, f = 1/2",
-     predict_depth_search},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "Y", "bucket sort", "once a frame"},
-    {"intercepts", "X", "bucket sort", "once a scan line"},
-    {"faces", "X", "priority search", "once a raster element"},
-    {"faces", "Z", "exhaustive search",
-     "at every edge crossing, unless as on the last line"},
-    {NULL}};
-
 /* No more in a bucket; not in the table. */
 static const uint32_t NONE = UINT32_MAX;
 
@@ -551,6 +472,90 @@ static enum hsr_status render(const struct hsr_job *job,
   }
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [Y_SORT] = {"Y sort", "faces put into Y buckets", HSR_SORT, HSR_OF_FACE},
+    [X_SORT] = {"X sort", "faces whose intercepts are put into X buckets",
+                HSR_SORT, HSR_OF_FACE},
+    [X_PRIORITY_SEARCH] = {"X priority search", "X buckets scanned", HSR_SAMPLE,
+                           HSR_OF_WINDOW, HSR_OF_NOTHING,
+                           "empty|holds intercepts"},
+    [DEPTH_SEARCH] = {"depth search",
+                      "faces of the X occupied table looked at for the "
+                      "nearest",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    [SPANS_REUSED] = {"spans reused",
+                      "of these, shown as on the last line, unsearched",
+                      HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    [LINES_REUSED] = {"lines reused", "lines with faces, but no depth search",
+                      HSR_SPAN, HSR_OF_WINDOW},
+    [THICKNESS_CHECKS] = {"thickness checks",
+                          "spans searched at their last sample too, as a face "
+                          "of theirs is not flat",
+                          HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                          "another face|the same face"},
+    [THICKNESS_DIVISIONS] = {"thickness divisions",
+                             "of these, spans that had to be divided",
+                             HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"put each face into the Y bucket of its uppermost vertex",
+     HSR_RAISES(Y_SORT)},
+    {"for each scan line"},
+    {"  update the Y occupied table by the line's bucket"},
+    {"  put the intercepts of its faces into X buckets", HSR_RAISES(X_SORT)},
+    {"  for each X bucket, from the left", HSR_RAISES(X_PRIORITY_SEARCH)},
+    {"    enter faces that begin there into the X occupied table, delete those "
+     "that end"},
+    {"    if all intercepts so far are in the order of the last line"},
+    {"      show what was visible there", HSR_RAISES(SPANS_REUSED)},
+    {"    else search the X occupied table for the nearest face",
+     HSR_RAISES(DEPTH_SEARCH)},
+    {"      not flat: is it the nearest at the span's end, too?",
+     HSR_RAISES(THICKNESS_CHECKS)},
+    {"      if not, divide the span", HSR_RAISES(THICKNESS_DIVISIONS)},
+    {"    show the visible face up to the next change", HSR_RAISES(SPANS)},
+    {"  if nothing was searched, the line was reused",
+     HSR_RAISES(LINES_REUSED)},
+    {NULL}};
+
+static double predict_y_sort(const struct hsr_table1 *t) {
+  return 2 * t->F_r;
+}
+
+static double predict_x_sort(const struct hsr_table1 *t) {
+  return t->n * t->S_l;
+}
+
+static double predict_x_priority_search(const struct hsr_table1 *t) {
+  return t->n * t->m;
+}
+
+static double predict_depth_search(const struct hsr_table1 *t) {
+  return 20 * t->n * (2 * t->S_l) * t->D_c / 2;
+}
+
+static const struct hsr_step steps[] = {
+    {"Y sort", Y_SORT, 1, "2 F_r", predict_y_sort},
+    {"X sort", X_SORT, 1, "n S_l", predict_x_sort},
+    {"X priority search", X_PRIORITY_SEARCH, 1, "n m",
+     predict_x_priority_search},
+    {"depth search", DEPTH_SEARCH, 20, "20 n (2 S_l) D_c f, f = 1/2",
+     predict_depth_search},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Y", "bucket sort", "once a frame"},
+    {"intercepts", "X", "bucket sort", "once a scan line"},
+    {"faces", "X", "priority search", "once a raster element"},
+    {"faces", "Z", "exhaustive search",
+     "at every edge crossing, unless as on the last line"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(romney) = {
     .name = "romney",

@@ -16,12 +16,11 @@ static void project_blockers(struct hsr_shadow_pairs *p) {
 
 enum hsr_status hsr_shadow_pairs_begin(struct hsr_shadow_pairs *pairs,
                                        const struct hsr_job *job,
-                                       const struct hsr_screen *screen,
-                                       int first) {
+                                       const struct hsr_screen *screen) {
   struct hsr_arena *arena = job->scratch;
   uint32_t n_faces = job->world->n_faces;
-  *pairs = (struct hsr_shadow_pairs){.first = first};
-  if (hsr_shadow_begin(&pairs->shadow, job, screen, first))
+  *pairs = (struct hsr_shadow_pairs){0};
+  if (hsr_shadow_begin(&pairs->shadow, job, screen))
     return HSR_E_NOMEM;
   size_t n = (size_t)pairs->shadow.n_blockers *
              (size_t)hsr_light_sides(&pairs->shadow.lighting);
@@ -74,8 +73,8 @@ static enum hsr_status find_casters(struct hsr_shadow_pairs *p, uint32_t f) {
         hsr_light_sees(&shadow->lighting, f, s, reach, &receiver.box[s]);
   for (uint32_t k = 0; k < shadow->n_blockers; k++) {
     bool pair = is_pair(p, &receiver, k, f);
-    HSR_STEP(tally, p->first + HSR_PAIR_TESTS, HSR_FACE(shadow->blocker[k]),
-             HSR_FACE(f), HSR_NOWHERE, pair);
+    HSR_STEP(tally, HSR_PAIR_TESTS, HSR_FACE(shadow->blocker[k]), HSR_FACE(f),
+             HSR_NOWHERE, pair);
     if (pair)
       p->found[n++] = k;
   }
@@ -121,7 +120,7 @@ static uint32_t find_active(struct hsr_shadow_pairs *p, uint32_t f, int x0,
   for (uint32_t k = 0; k < casters->n; k++) {
     size_t b = casters->blocker[k], at = b * (size_t)sides + (size_t)s;
     bool active = s < 0 || (p->seen[at] && overlap(&segment, &p->box[at]));
-    HSR_STEP(tally, p->first + HSR_SEGMENT_TESTS, HSR_FACE(shadow->blocker[b]),
+    HSR_STEP(tally, HSR_SEGMENT_TESTS, HSR_FACE(shadow->blocker[b]),
              HSR_FACE(f), HSR_ON(x0, x1, j), active);
     if (active)
       p->found[n++] = shadow->blocker[b];
@@ -161,3 +160,28 @@ enum hsr_status hsr_shadow_pairs_show(struct hsr_shadow_pairs *pairs,
   }
   return HSR_OK;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"shadow pairs",
+         "faces compared with a visible one, as the light sees both",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "no pair|a pair"},
+    {"segment tests",
+         "faces of pairs compared with a visible segment, as the light sees "
+         "both",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "apart|overlapping"},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"", .part = &hsr_shadow_part, .group = HSR_SHADOW_FACING_LINES},
+    {"  when it is first seen: which faces overlap it about the light?",
+     HSR_RAISES(HSR_PAIR_TESTS)},
+    {"  which of these overlap the visible segment?",
+     HSR_RAISES(HSR_SEGMENT_TESTS)},
+    {"  for each sample of the segment, and each of these faces"},
+    {"    ", .part = &hsr_shadow_part, .group = HSR_SHADOW_LINES},
+    {NULL}};
+
+const struct hsr_part hsr_shadow_pairs_part = {
+    HSR_PART_SHADOW_PAIRS, counters, NULL, NULL, {lines}};

@@ -37,7 +37,6 @@ struct hsr_casters {
 
 struct hsr_shadow_pairs {
   struct hsr_shadow shadow;
-  int first;                   /* the number of its first counter */
   struct hsr_light_box *box;   /* a blocker and side, by their numbers */
   bool *seen;                  /* the same: the light sees it on that side */
   struct hsr_casters *casters; /* a face */
@@ -47,39 +46,19 @@ struct hsr_shadow_pairs {
 /* For a job of HSR_SHADOWED; as hsr_shadow_begin. */
 enum hsr_status hsr_shadow_pairs_begin(struct hsr_shadow_pairs *pairs,
                                        const struct hsr_job *job,
-                                       const struct hsr_screen *screen,
-                                       int first);
+                                       const struct hsr_screen *screen);
 
 /* The segment [x0, x1) of row j, where f is visible, in light and shadow.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_shadow_pairs_show(struct hsr_shadow_pairs *pairs,
                                       uint32_t f, int x0, int x1, int j);
 
-/* The counters that it keeps, in their order, and their lines of an outline,
- * `in` blanks deep. */
-enum { HSR_PAIR_TESTS = HSR_N_SHADOW_COUNTERS, HSR_SEGMENT_TESTS };
-#define HSR_PAIR_COUNTERS                                                      \
-  HSR_SHADOW_COUNTERS,                                                         \
-      {"shadow pairs",                                                         \
-       "faces compared with a visible one, as the light sees both",            \
-       HSR_COMPARE,                                                            \
-       HSR_OF_FACE,                                                            \
-       HSR_OF_FACE,                                                            \
-       "no pair|a pair"},                                                      \
-  {                                                                            \
-    "segment tests",                                                           \
-        "faces of pairs compared with a visible segment, as the light sees "   \
-        "both",                                                                \
-        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "apart|overlapping"             \
-  }
-#define HSR_PAIR_LINES(first, in)                                              \
-  HSR_SHADOW_FACING_LINE(first, in),                                           \
-      {in "  when it is first seen: which faces overlap it about the light?",  \
-       HSR_RAISES((first) + HSR_PAIR_TESTS)},                                  \
-      {in "  which of these overlap the visible segment?",                     \
-       HSR_RAISES((first) + HSR_SEGMENT_TESTS)},                               \
-      {in "  for each sample of the segment, and each of these faces"},        \
-      HSR_SHADOW_LINES(first, in "    ")
+/* What it counts, besides what shadow.h does. Its lines hold those. */
+extern const struct hsr_part hsr_shadow_pairs_part;
+enum {
+  HSR_PAIR_TESTS = HSR_FIRST_OF(HSR_PART_SHADOW_PAIRS),
+  HSR_SEGMENT_TESTS
+};
 
 #ifdef __cplusplus
 }

@@ -28,74 +28,7 @@
 
 #include <stdlib.h>
 
-enum {
-  X_PRESORT = HSR_N_WATKINS_COUNTERS,
-  X_CROSSINGS,
-  Z_SORT,
-  Z_COMPARE,
-  JOINTS
-};
-
-static const struct hsr_counter counters[] = {
-    HSR_WATKINS_COUNTERS(""),
-    [X_PRESORT] = {"X presort", "edges put into X buckets", HSR_SORT,
-                   HSR_OF_EDGE, HSR_OF_NOTHING},
-    [X_CROSSINGS] = {"X crossings",
-                     "predictions of where an edge crosses its neighbor",
-                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
-    [Z_SORT] = {"Z sort", "faces put into Z buckets", HSR_SORT, HSR_OF_FACE,
-                HSR_OF_NOTHING},
-    [Z_COMPARE] = {"Z buckets", "comparisons of two segments' Z buckets",
-                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                   "undecided|farther|nearer"},
-    [JOINTS] = {"joints", "segments looked at for a contour edge at their left",
-                HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
-                "a contour edge|joined to the one before"},
-    {NULL}};
-
-static const struct hsr_step steps[] = {
-    {"Y sort", HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},
-    {"X merge",
-     HSR_X_MERGE,
-     1,
-     "E_r S_l / 2",
-     hsr_predict_x_merge,
-     {{X_PRESORT, 1}}},
-    {"X sort",
-     HSR_X_SORT,
-     1,
-     "n (S_l + 10 X_r / (n S_l))",
-     hsr_predict_x_sort,
-     {{HSR_X_INTERCHANGES, 10}, {X_CROSSINGS, 10}}},
-    {"span cull",
-     HSR_SPAN_CULL,
-     1,
-     "n S_l",
-     hsr_predict_span_cull,
-     {{JOINTS, 1}}},
-    {"depth search",
-     HSR_DEPTH_SEARCH,
-     30,
-     "30 n D_c min(m, 2 S_v)",
-     hsr_predict_depth_search,
-     {{Z_SORT, 1}, {Z_COMPARE, 1}}},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS, {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"with a presort: put each edge into the X bucket of its first column",
-     HSR_RAISES(X_PRESORT)},
-    {"with Z buckets: put each face into those of its depths",
-     HSR_RAISES(Z_SORT)},
-    HSR_WATKINS_LINES(0, ""),
-    {"    with Z buckets: search only if those of two segments do not tell",
-     HSR_RAISES(Z_COMPARE)},
-    {"  where the sort waits: predict where new neighbors in the list cross",
-     HSR_RAISES(X_CROSSINGS)},
-    {"  where only contour edges end spans: join segments that share an edge",
-     HSR_RAISES(JOINTS)},
-    {NULL}};
+enum { Z_SORT, Z_COMPARE, JOINTS };
 
 enum { X_LIST, PRESORT, SORT, Z, ENDS }; /* options */
 enum { LIST, TREE };
@@ -499,10 +432,9 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_screen screen;
   struct hsr_watkins watkins;
-  struct hsr_scan_ways ways = {
-      .tree = job->option[X_LIST] == TREE,
-      .presort = job->option[PRESORT] == BY_X ? X_PRESORT : 0,
-      .crossings = job->option[SORT] == CROSSING ? X_CROSSINGS : 0};
+  struct hsr_scan_ways ways = {.tree = job->option[X_LIST] == TREE,
+                               .presort = job->option[PRESORT] == BY_X,
+                               .crossings = job->option[SORT] == CROSSING};
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
       hsr_watkins_reserve(&watkins, job, &screen, hsr_scan_whole_room(&screen),
@@ -540,6 +472,113 @@ static void release(void *prepared) {
   free(prepared);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_scan_part},
+                                      {&hsr_x_list_part},
+                                      {&hsr_spans_part},
+                                      {&hsr_depth_search_part},
+                                      {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [Z_SORT] = {"Z sort", "faces put into Z buckets", HSR_SORT, HSR_OF_FACE,
+                HSR_OF_NOTHING},
+    [Z_COMPARE] = {"Z buckets", "comparisons of two segments' Z buckets",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                   "undecided|farther|nearer"},
+    [JOINTS] = {"joints", "segments looked at for a contour edge at their left",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
+                "a contour edge|joined to the one before"},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"span cull", JOINTS, 1},
+    {"depth search", Z_SORT, 1, NULL, NULL, {{Z_COMPARE, 1}}},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {{.part = &hsr_scan_part},
+                                        {.part = &hsr_spans_part},
+                                        {.part = &hsr_depth_search_part},
+                                        {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"with a presort: put each edge into the X bucket of its first column",
+     HSR_RAISES(HSR_X_PRESORT)},
+    {"with Z buckets: put each face into those of its depths",
+     HSR_RAISES(Z_SORT)},
+    {"", .part = &hsr_scan_part},
+    {"", .part = &hsr_spans_part},
+    {"", .part = &hsr_depth_search_part},
+    {"", .part = &hsr_spans_part, .group = HSR_LINES_AFTER_SEARCH},
+    {"    with Z buckets: search only if those of two segments do not tell",
+     HSR_RAISES(Z_COMPARE)},
+    {"  where the sort waits: predict where new neighbors in the list cross",
+     HSR_RAISES(HSR_X_CROSSINGS)},
+    {"  where only contour edges end spans: join segments that share an edge",
+     HSR_RAISES(JOINTS)},
+    {NULL}};
+
+static const struct hsr_counter span_counters[] = {
+    {"span cull", "segments tested against a sample span", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
+    {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_step span_steps[] = {
+    {"span cull", HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull}, {NULL}};
+
+static const struct hsr_sort span_sorts[] = {
+    {"segments", "X", "cull", "once a sample span"}, {NULL}};
+
+static const struct hsr_line lines_before[] = {
+    {"  pair the edges of each face: they bound its segment"},
+    {"  for each sample span, from the left: it begins where the last one "
+     "ended"},
+    {"    cull: which segments are inside the span?",
+     HSR_RAISES(HSR_SPAN_CULL)},
+    {NULL}};
+
+static const struct hsr_line lines_after[] = {
+    {"    move the span's right end to the left, to where another segment "
+     "comes "
+     "into view"},
+    {"    show the visible segment in the span", HSR_RAISES(HSR_SPANS)},
+    {NULL}};
+
+const struct hsr_part hsr_spans_part = {HSR_PART_SPANS,
+                                        span_counters,
+                                        span_steps,
+                                        span_sorts,
+                                        {lines_before, lines_after}};
+
+static const struct hsr_counter search_counters[] = {
+    {"depth search", "comparisons of two segments in depth", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "undecided|farther|nearer"},
+    {"depth divisions", "segments divided at their midpoint", HSR_SUBDIVIDE,
+     HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_step search_steps[] = {
+    {"depth search", HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search},
+    {NULL}};
+
+static const struct hsr_sort search_sorts[] = {
+    {"segments", "Z", "logarithmic search", "once a sample span"}, {NULL}};
+
+static const struct hsr_line search_lines[] = {
+    {"    search the segments inside for the nearest one: compare two",
+     HSR_RAISES(HSR_DEPTH_SEARCH)},
+    {"      if their ends do not tell, divide one at its midpoint",
+     HSR_RAISES(HSR_DEPTH_DIVISIONS)},
+    {NULL}};
+
+const struct hsr_part hsr_depth_search_part = {HSR_PART_DEPTH_SEARCH,
+                                               search_counters,
+                                               search_steps,
+                                               search_sorts,
+                                               {search_lines}};
+
 const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .name = "watkins",
     .title = "Watkins' scan-line algorithm",
@@ -554,6 +593,7 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -102,81 +102,16 @@ const struct hsr_watkins_segment *
 hsr_watkins_part(const struct hsr_watkins *watkins,
                  const struct hsr_watkins_segment *run, int x);
 
-/* Counters, steps and sorts as those of scan_line.h: of everything but the last
- * step, and of all. */
+/* What these count: the spans; and the last step, where it is the search in depth.
+ * The groups of lines of the spans: before the last step, whose lines are four
+ * blanks deep, and after it. */
+extern const struct hsr_part hsr_spans_part, hsr_depth_search_part;
+enum { HSR_SPAN_CULL = HSR_FIRST_OF(HSR_PART_SPANS), HSR_SPANS };
 enum {
-  HSR_SPAN_CULL = HSR_N_SCAN_COUNTERS,
-  HSR_SPANS,
-  HSR_N_SPAN_COUNTERS,
-  HSR_DEPTH_SEARCH = HSR_N_SPAN_COUNTERS,
-  HSR_DEPTH_DIVISIONS,
-  HSR_N_WATKINS_COUNTERS
+  HSR_DEPTH_SEARCH = HSR_FIRST_OF(HSR_PART_DEPTH_SEARCH),
+  HSR_DEPTH_DIVISIONS
 };
-#define HSR_SPAN_COUNTERS(of)                                                  \
-  HSR_SCAN_COUNTERS_IN(of),                                                    \
-      {of "span cull", "segments tested against a sample span",                \
-       HSR_COMPARE,    HSR_OF_FACE,                                            \
-       HSR_OF_WINDOW,  "outside|inside"},                                      \
-  {                                                                            \
-    of "spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW   \
-  }
-#define HSR_WATKINS_COUNTERS(of)                                               \
-  HSR_SPAN_COUNTERS(of),                                                       \
-      {of "depth search",                                                      \
-       "comparisons of two segments in depth",                                 \
-       HSR_COMPARE,                                                            \
-       HSR_OF_FACE,                                                            \
-       HSR_OF_FACE,                                                            \
-       "undecided|"                                                            \
-       "farther|"                                                              \
-       "nearer"},                                                              \
-  {                                                                            \
-    of "depth divisions", "segments divided at their midpoint", HSR_SUBDIVIDE, \
-        HSR_OF_FACE, HSR_OF_FACE                                               \
-  }
-
-#define HSR_SPAN_STEPS(first, of)                                              \
-  HSR_SCAN_STEPS_IN(first, of), {                                              \
-    of "span cull", (first) + HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull \
-  }
-#define HSR_WATKINS_STEPS(first, of)                                           \
-  HSR_SPAN_STEPS(first, of), {                                                 \
-    of "depth search", (first) + HSR_DEPTH_SEARCH, 30,                         \
-        "30 n D_c min(m, 2 S_v)", hsr_predict_depth_search                     \
-  }
-
-/* Of the outline, `in` blanks deep. The lines of the last step follow `in`;
- * they are four blanks deeper. */
-#define HSR_SPAN_LINES(first, in, ...)                                         \
-  HSR_SCAN_LINES_IN(first, in),                                                \
-      {in "  pair the edges of each face: they bound its segment"},            \
-      {in "  for each sample span, from the left: it begins where the last "   \
-          "one ended"},                                                        \
-      {in "    cull: which segments are inside the span?",                     \
-       HSR_RAISES((first) + HSR_SPAN_CULL)},                                   \
-      __VA_ARGS__,                                                             \
-      {in "    move the span's right end to the left, to where another "       \
-          "segment comes into view"},                                          \
-  {                                                                            \
-    in "    show the visible segment in the span",                             \
-        HSR_RAISES((first) + HSR_SPANS)                                        \
-  }
-#define HSR_WATKINS_LINES(first, in)                                           \
-  HSR_SPAN_LINES(                                                              \
-      first, in,                                                               \
-      {in "    search the segments inside for the nearest one: compare two",   \
-       HSR_RAISES((first) + HSR_DEPTH_SEARCH)},                                \
-      {in "      if their ends do not tell, divide one at its midpoint",       \
-       HSR_RAISES((first) + HSR_DEPTH_DIVISIONS)})
-
-#define HSR_SPAN_SORTS                                                         \
-  HSR_SCAN_SORTS, {                                                            \
-    "segments", "X", "cull", "once a sample span"                              \
-  }
-#define HSR_WATKINS_SORTS                                                      \
-  HSR_SPAN_SORTS, {                                                            \
-    "segments", "Z", "logarithmic search", "once a sample span"                \
-  }
+enum { HSR_LINES_BEFORE_SEARCH, HSR_LINES_AFTER_SEARCH };
 
 #ifdef __cplusplus
 }

@@ -82,7 +82,7 @@
 #include <string.h>
 
 enum {
-  MINIMAX = HSR_N_SCAN_COUNTERS,
+  MINIMAX,
   Z_SORT,
   DIVISIONS,
   IMPLIED,
@@ -93,87 +93,10 @@ enum {
   SPANS
 };
 
-static const struct hsr_counter counters[] = {
-    HSR_SCAN_COUNTERS,
-    [MINIMAX] = {"Z minimax",
-                 "extents in depth compared, of faces that begin to overlap",
-                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                 "overlap|nearer|farther"},
-    [Z_SORT] = {"Z sort", "vertices compared with another face's plane",
-                HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,
-                "on the plane|in front|behind"},
-    [DIVISIONS] = {"divisions", "faces divided by another's plane", HSR_SPLIT,
-                   HSR_OF_FACE, HSR_OF_FACE},
-    [IMPLIED] = {"implied edges",
-                 "depths compared to find where the parts of a face meet on a "
-                 "line",
-                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [SEGMENTS] = {"segments", "segments entered into the involved list",
-                  HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [KEPT] = {"places kept",
-              "of these, without a test, where they stood on the line before",
-              HSR_SORT, HSR_OF_FACE, HSR_OF_FACE},
-    [PRIORITY] = {"priority tests", "priority numbers compared", HSR_COMPARE,
-                  HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [COMBINED] = {"combined", "transparent segments put over what is behind",
-                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
-               HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_SCAN_LINES,
-    {"  pair the edges of each face into segments; find implied edges of those "
-     "divided",
-     HSR_RAISES(IMPLIED)},
-    {"  for each end of a segment, from the left"},
-    {"    a left end: enter the segment into the list of those involved",
-     HSR_RAISES(SEGMENTS)},
-    {"      the same ones as on the line before: it keeps its place",
-     HSR_RAISES(KEPT)},
-    {"      else for each of them: overlapped before? compare priority numbers",
-     HSR_RAISES(PRIORITY)},
-    {"        if not: do the extents in depth overlap?", HSR_RAISES(MINIMAX)},
-    {"          if so: vertices of one against the plane of the other",
-     HSR_RAISES(Z_SORT)},
-    {"            if none tells: divide the face that ends sooner",
-     HSR_RAISES(DIVISIONS)},
-    {"    a right end: delete the segment from the list"},
-    {"    put the transparent ones of those involved over the first opaque one",
-     HSR_RAISES(COMBINED)},
-    {"    show the first of those involved where another begins to be it",
-     HSR_RAISES(SPANS)},
-    {"  number the segments in the order of the Z list"},
-    {NULL}};
-
 /* f of the header. */
 static double overlap_chance(const struct hsr_table1 *t) {
   return 2 * t->H_f / t->n;
 }
-static double predict_minimax(const struct hsr_table1 *t) {
-  return pow(t->F_r * overlap_chance(t), 2) / 2;
-}
-static double predict_z_sort(const struct hsr_table1 *t) {
-  return 8 * overlap_chance(t) * predict_minimax(t);
-}
-
-static const struct hsr_step steps[] = {
-    HSR_SCAN_STEPS,
-    {"Z minimax", MINIMAX, 1, "F_r^2 f^2 / 2, f = 2 H_f/n (ours)",
-     predict_minimax},
-    {"Z sort", Z_SORT, 1, "4 F_r^2 f^3, f = 2 H_f/n (ours)", predict_z_sort},
-    {"implied edges", IMPLIED, 1, NULL, NULL},
-    {"priority tests", PRIORITY, 1, NULL, NULL},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"edges", "Y", "bucket sort", "once a frame"},
-    {"faces", "Z", "Newell's tests 1, 4, 5", "as two begin to overlap"},
-    {"segments", "Z", "insertion by priority number", "once a scan line"},
-    {"edges", "X", "merge", "as they enter"},
-    {"edges", "X", "bubble sort", "once a scan line"},
-    {NULL}};
-
 /* Not on the line before; not divided. */
 static const uint32_t NONE = UINT32_MAX;
 
@@ -860,6 +783,86 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_scan_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [MINIMAX] = {"Z minimax",
+                 "extents in depth compared, of faces that begin to overlap",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                 "overlap|nearer|farther"},
+    [Z_SORT] = {"Z sort", "vertices compared with another face's plane",
+                HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,
+                "on the plane|in front|behind"},
+    [DIVISIONS] = {"divisions", "faces divided by another's plane", HSR_SPLIT,
+                   HSR_OF_FACE, HSR_OF_FACE},
+    [IMPLIED] = {"implied edges",
+                 "depths compared to find where the parts of a face meet on a "
+                 "line",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SEGMENTS] = {"segments", "segments entered into the involved list",
+                  HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [KEPT] = {"places kept",
+              "of these, without a test, where they stood on the line before",
+              HSR_SORT, HSR_OF_FACE, HSR_OF_FACE},
+    [PRIORITY] = {"priority tests", "priority numbers compared", HSR_COMPARE,
+                  HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [COMBINED] = {"combined", "transparent segments put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_scan_part},
+    {"  pair the edges of each face into segments; find implied edges of those "
+     "divided",
+     HSR_RAISES(IMPLIED)},
+    {"  for each end of a segment, from the left"},
+    {"    a left end: enter the segment into the list of those involved",
+     HSR_RAISES(SEGMENTS)},
+    {"      the same ones as on the line before: it keeps its place",
+     HSR_RAISES(KEPT)},
+    {"      else for each of them: overlapped before? compare priority numbers",
+     HSR_RAISES(PRIORITY)},
+    {"        if not: do the extents in depth overlap?", HSR_RAISES(MINIMAX)},
+    {"          if so: vertices of one against the plane of the other",
+     HSR_RAISES(Z_SORT)},
+    {"            if none tells: divide the face that ends sooner",
+     HSR_RAISES(DIVISIONS)},
+    {"    a right end: delete the segment from the list"},
+    {"    put the transparent ones of those involved over the first opaque one",
+     HSR_RAISES(COMBINED)},
+    {"    show the first of those involved where another begins to be it",
+     HSR_RAISES(SPANS)},
+    {"  number the segments in the order of the Z list"},
+    {NULL}};
+
+static double predict_minimax(const struct hsr_table1 *t) {
+  return pow(t->F_r * overlap_chance(t), 2) / 2;
+}
+
+static double predict_z_sort(const struct hsr_table1 *t) {
+  return 8 * overlap_chance(t) * predict_minimax(t);
+}
+
+static const struct hsr_step steps[] = {
+    {"Z minimax", MINIMAX, 1, "F_r^2 f^2 / 2, f = 2 H_f/n (ours)",
+     predict_minimax},
+    {"Z sort", Z_SORT, 1, "4 F_r^2 f^3, f = 2 H_f/n (ours)", predict_z_sort},
+    {"implied edges", IMPLIED, 1, NULL, NULL},
+    {"priority tests", PRIORITY, 1, NULL, NULL},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"edges", "Y", "bucket sort", "once a frame"},
+    {"faces", "Z", "Newell's tests 1, 4, 5", "as two begin to overlap"},
+    {"segments", "Z", "insertion by priority number", "once a scan line"},
+    {"edges", "X", "merge", "as they enter"},
+    {"edges", "X", "bubble sort", "once a scan line"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .name = "yzx",
     .title = "The untried sorting order, Y Z X",
@@ -875,6 +878,7 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .kind = HSR_IDS,
     .also = {HSR_TRANSPARENT},
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

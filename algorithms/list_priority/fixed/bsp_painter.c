@@ -19,58 +19,8 @@
  * Cost        samples of all faces: written, or looked at */
 #include "algorithms/engines/bsp/bsp_frame.h"
 
-enum { OVERWRITES = HSR_BSP_N_COUNTERS };
-enum { TAKEN = HSR_BSP_N_COUNTERS };
-
-static const struct hsr_counter painter_counters[] = {
-    HSR_BSP_COUNTERS,
-    [OVERWRITES] = {"overwrites", "of these, over another face", HSR_RETIRE,
-                    HSR_OF_FACE, HSR_OF_FACE},
-    {NULL, NULL}};
-
-static const struct hsr_counter front_counters[] = {
-    HSR_BSP_COUNTERS,
-    [TAKEN] = {"samples taken", "samples looked at that were not vacant",
-               HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
-    {NULL, NULL}};
-
-static const struct hsr_line painter_outline[] = {
-    {"walk the tree from back to front"},
-    {"  at a node: go to the side of its plane without the eye"},
-    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
-    {"    for each sample of a piece"},
-    {"      paint it", HSR_RAISES(HSR_BSP_SAMPLES)},
-    {"      this hides the face painted there", HSR_RAISES(OVERWRITES)},
-    {"  then go to the eye's side"},
-    {"for each face without a place in the tree"},
-    {"  for each sample: paint it if it is nearer",
-     HSR_RAISES(HSR_BSP_THICKNESS)},
-    {NULL}};
-
-static const struct hsr_line front_outline[] = {
-    {"walk the tree from front to back"},
-    {"  at a node: go to the eye's side of its plane"},
-    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
-    {"    for each sample of a piece"},
-    {"      is it taken? a nearer face hides it", HSR_RAISES(TAKEN)},
-    {"      it is vacant: fill it", HSR_RAISES(HSR_BSP_SAMPLES)},
-    {"  then go to the side without the eye"},
-    {"for each face without a place in the tree"},
-    {"  for each sample: fill it if it is nearer",
-     HSR_RAISES(HSR_BSP_THICKNESS)},
-    {NULL}};
-
-static const struct hsr_sort painter_sorts[] = {
-    {"faces", "Z", "BSP tree", "once for all frames"},
-    {"pieces", "Z", "walk of the tree, from back to front", "once a frame"},
-    {"samples", "XY", "frame buffer", "once a piece"},
-    {NULL, NULL, NULL, NULL}};
-
-static const struct hsr_sort front_sorts[] = {
-    {"faces", "Z", "BSP tree", "once for all frames"},
-    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
-    {"samples", "XY", "frame buffer", "once a piece"},
-    {NULL, NULL, NULL, NULL}};
+enum { OVERWRITES };
+enum { TAKEN };
 
 /* --- Samples -------------------------------------------------------------- */
 
@@ -195,13 +145,69 @@ static enum hsr_status render_front(const struct hsr_job *job,
   return HSR_OK;
 }
 
-#define OF_ONE_TREE                                                            \
-  .taxonomy = HSR_LIST_PRIORITY_FIXED, .sort_order = "Z(XY)",                  \
-  .coherence = "frame", .restrictions = HSR_CF, .subjects = 1 << HSR_FACES,    \
-  .kind = HSR_IDS, .prepare = hsr_bsp_prepare, .release = hsr_bsp_release
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use painter_uses[] = {{&hsr_bsp_part}, {NULL}};
+
+static const struct hsr_counter painter_counters[] = {
+    [OVERWRITES] = {"overwrites", "of these, over another face", HSR_RETIRE,
+                    HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_use front_uses[] = {{&hsr_bsp_part}, {NULL}};
+
+static const struct hsr_counter front_counters[] = {
+    [TAKEN] = {"samples taken", "samples looked at that were not vacant",
+               HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_line painter_outline[] = {
+    {"walk the tree from back to front"},
+    {"  at a node: go to the side of its plane without the eye"},
+    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
+    {"    for each sample of a piece"},
+    {"      paint it", HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"      this hides the face painted there", HSR_RAISES(OVERWRITES)},
+    {"  then go to the eye's side"},
+    {"for each face without a place in the tree"},
+    {"  for each sample: paint it if it is nearer",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_line front_outline[] = {
+    {"walk the tree from front to back"},
+    {"  at a node: go to the eye's side of its plane"},
+    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
+    {"    for each sample of a piece"},
+    {"      is it taken? a nearer face hides it", HSR_RAISES(TAKEN)},
+    {"      it is vacant: fill it", HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"  then go to the side without the eye"},
+    {"for each face without a place in the tree"},
+    {"  for each sample: fill it if it is nearer",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_sort painter_sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from back to front", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a piece"},
+    {NULL}};
+
+static const struct hsr_sort front_sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a piece"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
-    OF_ONE_TREE,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "frame",
+    .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
+    .prepare = hsr_bsp_prepare,
+    .release = hsr_bsp_release,
     .name = "bsp-painter",
     .title = "A BSP tree, painted from back to front",
     .authors = "H. Fuchs, Z. Kedem, B. Naylor",
@@ -210,12 +216,20 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
               "Structures, SIGGRAPH 1980",
     .also = {HSR_TRANSPARENT},
     .sorts = painter_sorts,
+    .parts = painter_uses,
     .counters = painter_counters,
     .outline = painter_outline,
     .render = render_painter};
 
 const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
-    OF_ONE_TREE,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "frame",
+    .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
+    .prepare = hsr_bsp_prepare,
+    .release = hsr_bsp_release,
     .name = "bsp-front",
     .title = "A BSP tree, from front to back where samples are vacant",
     .authors = "J. Foley, A. van Dam, S. Feiner, J. Hughes",
@@ -223,6 +237,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
     .source = "Foley et al., Computer Graphics: Principles and Practice, 2nd "
               "edition, 1990, 15.5.2",
     .sorts = front_sorts,
+    .parts = front_uses,
     .counters = front_counters,
     .outline = front_outline,
     .render = render_front};

@@ -48,7 +48,6 @@
 
 enum {
   INTRA_CLUSTER,
-  INTER_CLUSTER,
   BACK_FACES,
   Y_CULL,
   PRIORITY,
@@ -57,95 +56,6 @@ enum {
   COMBINED,
   SHOWN
 };
-
-static const struct hsr_counter counters[] = {
-    [INTRA_CLUSTER] = {"intra-cluster priority",
-                       "pairs of faces compared to make the clusters; not of "
-                       "this frame, but once, before the first",
-                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, .computed = true},
-    [INTER_CLUSTER] = HSR_INTER_CLUSTER_COUNTER,
-    [BACK_FACES] = {"back-face cull",
-                    "faces, as seen from either side, that are tested for "
-                    "being back faces",
-                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front"},
-    [Y_CULL] = {"Y cull",
-                "edges of listed faces, each face counting its own, on every "
-                "scan line",
-                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_WINDOW,
-                "does not meet it|meets it"},
-    [PRIORITY] = {"priority search",
-                  "pairs of counters looked at, on every raster element all of "
-                  "the scan line's",
-                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
-                  "not there|there|there, with the highest priority"},
-    [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts",
-               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [THICKNESS] = {"thickness checks",
-                   "comparisons in depth with faces that are not flat and have "
-                   "no place in the list",
-                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [COMBINED] = {"combined", "transparent faces put over what is behind",
-                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [SHOWN] = {"samples shown", "samples at which a face is visible",
-               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    {NULL, NULL}};
-
-static const struct hsr_line outline[] = {
-    {"once: for each cluster, compare each face with each other for a face "
-     "priority",
-     HSR_RAISES(INTRA_CLUSTER)},
-    {"for each cluster, the nearest first, by the tree of separating planes",
-     HSR_RAISES(INTER_CLUSTER)},
-    {"  for each of its faces, the highest priority first"},
-    {"    list it, unless it is a back face", HSR_RAISES(BACK_FACES)},
-    {"for each scan line"},
-    {"  for each edge of each listed face: does the scan line meet it?",
-     HSR_RAISES(Y_CULL)},
-    {"  where max L < min R, load a pair of down-counters", HSR_RAISES(PAIRS)},
-    {"  for each raster element"},
-    {"    decrement all counters; which is the first pair with L < 0 < R?",
-     HSR_RAISES(PRIORITY)},
-    {"    compare it in depth with thick faces that are there",
-     HSR_RAISES(THICKNESS)},
-    {"    put the transparent ones over the first opaque one",
-     HSR_RAISES(COMBINED)},
-    {"    show its face", HSR_RAISES(SHOWN)},
-    {NULL}};
-
-static double predict_intra_cluster(const struct hsr_table1 *t) {
-  return 100 * t->F_c * t->F_c * t->C_t;
-}
-static double predict_inter_cluster(const struct hsr_table1 *t) {
-  return 10 * t->C_t;
-}
-static double predict_back_faces(const struct hsr_table1 *t) {
-  return t->F_r;
-}
-static double predict_y_cull(const struct hsr_table1 *t) {
-  return t->n * t->E_s;
-}
-static double predict_priority(const struct hsr_table1 *t) {
-  return t->n * t->m * t->S_l;
-}
-
-static const struct hsr_step steps[] = {
-    {"intra-cluster priority", INTRA_CLUSTER, 100,
-     "100 F_c^2 C_t, not per frame", predict_intra_cluster},
-    {"inter-cluster priority", INTER_CLUSTER, 10, "10 C_t",
-     predict_inter_cluster},
-    {"back-face cull", BACK_FACES, 1, "F_r", predict_back_faces},
-    {"Y cull", Y_CULL, 1, "n E_s", predict_y_cull},
-    {"X sort and priority search", PRIORITY, 1, "n m S_l", predict_priority},
-    {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces of a cluster", "Z", "priority graph", "once for all frames"},
-    {"clusters", "Z", "tree of separating planes", "once a frame"},
-    {"faces", "facing", "cull", "once a frame"},
-    {"edges", "Y", "cull", "once a scan line"},
-    {"segments", "X", "counters", "once a raster element"},
-    {"segments", "Z", "priority search", "once a raster element"},
-    {NULL, NULL, NULL, NULL}};
 
 /* A face of the list. Its edges are edge[first_edge] up to the next one's. */
 struct listed {
@@ -243,8 +153,7 @@ static enum hsr_status make_list(struct schumacker *s) {
   struct listed *thick = HSR_NEW(arena, struct listed, n_faces);
   s->list = HSR_NEW(arena, struct listed, (size_t)n_faces + 1);
   if (!thick || !s->list ||
-      hsr_cluster_order_init(&order, &s->screen, arena, s->tally,
-                             INTER_CLUSTER))
+      hsr_cluster_order_init(&order, &s->screen, arena, s->tally))
     return HSR_E_NOMEM;
   for (uint32_t c; hsr_next_cluster(&order, true, &c);)
     for (uint32_t k = clusters->start[c]; k < clusters->start[c + 1]; k++)
@@ -676,6 +585,96 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cluster_order_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [INTRA_CLUSTER] = {"intra-cluster priority",
+                       "pairs of faces compared to make the clusters; not of "
+                       "this frame, but once, before the first",
+                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, .computed = true},
+    [BACK_FACES] = {"back-face cull",
+                    "faces, as seen from either side, that are tested for "
+                    "being back faces",
+                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front"},
+    [Y_CULL] = {"Y cull",
+                "edges of listed faces, each face counting its own, on every "
+                "scan line",
+                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_WINDOW,
+                "does not meet it|meets it"},
+    [PRIORITY] = {"priority search",
+                  "pairs of counters looked at, on every raster element all of "
+                  "the scan line's",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                  "not there|there|there, with the highest priority"},
+    [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts",
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [THICKNESS] = {"thickness checks",
+                   "comparisons in depth with faces that are not flat and have "
+                   "no place in the list",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [COMBINED] = {"combined", "transparent faces put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"once: for each cluster, compare each face with each other for a face "
+     "priority",
+     HSR_RAISES(INTRA_CLUSTER)},
+    {"for each cluster, the nearest first, by the tree of separating planes",
+     HSR_RAISES(HSR_INTER_CLUSTER)},
+    {"  for each of its faces, the highest priority first"},
+    {"    list it, unless it is a back face", HSR_RAISES(BACK_FACES)},
+    {"for each scan line"},
+    {"  for each edge of each listed face: does the scan line meet it?",
+     HSR_RAISES(Y_CULL)},
+    {"  where max L < min R, load a pair of down-counters", HSR_RAISES(PAIRS)},
+    {"  for each raster element"},
+    {"    decrement all counters; which is the first pair with L < 0 < R?",
+     HSR_RAISES(PRIORITY)},
+    {"    compare it in depth with thick faces that are there",
+     HSR_RAISES(THICKNESS)},
+    {"    put the transparent ones over the first opaque one",
+     HSR_RAISES(COMBINED)},
+    {"    show its face", HSR_RAISES(SHOWN)},
+    {NULL}};
+
+static double predict_intra_cluster(const struct hsr_table1 *t) {
+  return 100 * t->F_c * t->F_c * t->C_t;
+}
+
+static double predict_back_faces(const struct hsr_table1 *t) {
+  return t->F_r;
+}
+
+static double predict_y_cull(const struct hsr_table1 *t) {
+  return t->n * t->E_s;
+}
+
+static double predict_priority(const struct hsr_table1 *t) {
+  return t->n * t->m * t->S_l;
+}
+
+static const struct hsr_step steps[] = {
+    {"intra-cluster priority", INTRA_CLUSTER, 100,
+     "100 F_c^2 C_t, not per frame", predict_intra_cluster},
+    {"back-face cull", BACK_FACES, 1, "F_r", predict_back_faces},
+    {"Y cull", Y_CULL, 1, "n E_s", predict_y_cull},
+    {"X sort and priority search", PRIORITY, 1, "n m S_l", predict_priority},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces of a cluster", "Z", "priority graph", "once for all frames"},
+    {.part = &hsr_cluster_order_part},
+    {"faces", "facing", "cull", "once a frame"},
+    {"edges", "Y", "cull", "once a scan line"},
+    {"segments", "X", "counters", "once a raster element"},
+    {"segments", "Z", "priority search", "once a raster element"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .name = "schumacker",
     .title = "Schumacker, Brand, Gilliland and Sharp's priority list",
@@ -691,6 +690,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .kind = HSR_IDS,
     .also = {HSR_TRANSPARENT},
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -21,37 +21,6 @@
 #include "algorithms/list_priority/fixed/cluster_faces.h"
 #include "algorithms/list_priority/per_frame/newell.h"
 
-/* Newell's counters are from NEWELL on. */
-enum { INTER_CLUSTER, NEWELL };
-
-static const struct hsr_counter counters[] = {[INTER_CLUSTER] =
-                                                  HSR_INTER_CLUSTER_COUNTER,
-                                              HSR_PAINTING_COUNTERS(""),
-                                              {NULL, NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each cluster, from the farthest, by the separating planes",
-     HSR_RAISES(INTER_CLUSTER)},
-    HSR_PAINTING_OUTLINE(NEWELL, "  "),
-    {NULL}};
-
-static double predict_inter_cluster(const struct hsr_table1 *t) {
-  return 10 * t->C_t;
-}
-
-static const struct hsr_step steps[] = {{"inter-cluster priority",
-                                         INTER_CLUSTER, 10, "10 C_t",
-                                         predict_inter_cluster},
-                                        HSR_PAINTING_STEPS(NEWELL, ""),
-                                        {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"clusters", "Z", "tree of separating planes", "once a frame"},
-    {"faces", "Z", "radix sort of the farthest vertex", "once a cluster"},
-    {"faces", "XYZ", "Newell special", "once a cluster"},
-    {"samples", "XY", "frame buffer", "once a segment"},
-    {NULL, NULL, NULL, NULL}};
-
 struct schumacker_newell {
   struct hsr_screen screen;
   struct hsr_cluster_order order;
@@ -64,8 +33,7 @@ static enum hsr_status reserve(struct schumacker_newell *s,
   struct hsr_arena *arena = job->scratch;
   if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally) ||
       hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
-      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
-                             INTER_CLUSTER))
+      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally))
     return HSR_E_NOMEM;
   return hsr_newell_reserve(&s->newell, job, &s->screen, NULL,
                             s->screen.n_relevant);
@@ -77,22 +45,37 @@ static enum hsr_status render(const struct hsr_job *job,
   if (reserve(s, job))
     return hsr_fail_nomem(err);
   s->newell.frame_buffer = true;
-  job->tally->first = NEWELL;
   hsr_newell_open(&s->newell, &job->view->window);
-  job->tally->first = 0;
   for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
     hsr_cluster_faces_take(&s->cluster, cluster);
-    job->tally->first = NEWELL;
     hsr_newell_paint(&s->newell, s->cluster.faces, s->cluster.n_faces);
-    job->tally->first = 0;
   }
   hsr_cluster_faces_take_thick(&s->cluster);
-  job->tally->first = NEWELL;
   for (uint32_t k = 0; k < s->cluster.n_loose; k++)
     hsr_newell_paint_unordered(&s->newell, s->cluster.loose[k]);
-  job->tally->first = 0;
   return s->newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+/* Newell's counters are from NEWELL on. */
+static const struct hsr_use uses[] = {
+    {&hsr_cluster_order_part}, {&hsr_list_part}, {&hsr_painting_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each cluster, from the farthest, by the separating planes",
+     HSR_RAISES(HSR_INTER_CLUSTER)},
+    {"  ", .part = &hsr_list_part},
+    {"  ", .part = &hsr_painting_part},
+    {"  ", .part = &hsr_painting_part, .group = HSR_FRAME_BUFFER_LINES},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {.part = &hsr_cluster_order_part},
+    {"faces", "Z", "radix sort of the farthest vertex", "once a cluster"},
+    {"faces", "XYZ", "Newell special", "once a cluster"},
+    {"samples", "XY", "frame buffer", "once a segment"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .name = "schumacker-newell",
@@ -108,7 +91,6 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
-    .counters = counters,
-    .steps = steps,
+    .parts = uses,
     .outline = outline,
     .render = render};

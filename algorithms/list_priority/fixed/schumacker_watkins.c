@@ -22,48 +22,7 @@
 #include "algorithms/list_priority/fixed/cluster_faces.h"
 #include "algorithms/image_space/point/watkins.h"
 
-/* Watkins' counters are from WATKINS on. */
-enum { INTER_CLUSTER, THICKNESS, LOOSE, WATKINS };
-
-static const struct hsr_counter counters[] = {
-    [INTER_CLUSTER] = HSR_INTER_CLUSTER_COUNTER,
-    [THICKNESS] = {"thickness checks",
-                   "comparisons in depth with faces that are not flat and in "
-                   "no cluster",
-                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    [LOOSE] = {"loose samples", "samples painted of faces in no cluster",
-               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    HSR_WATKINS_COUNTERS(""),
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each cluster, from the farthest, by the separating planes",
-     HSR_RAISES(INTER_CLUSTER)},
-    HSR_WATKINS_LINES(WATKINS, "  "),
-    {"for each face that is in no cluster, at each of its samples"},
-    {"  is it nearer than what is there?", HSR_RAISES(THICKNESS)},
-    {"    paint it", HSR_RAISES(LOOSE)},
-    {NULL}};
-
-static double predict_inter_cluster(const struct hsr_table1 *t) {
-  return 10 * t->C_t;
-}
-
-static const struct hsr_step steps[] = {{"inter-cluster priority",
-                                         INTER_CLUSTER, 10, "10 C_t",
-                                         predict_inter_cluster},
-                                        HSR_WATKINS_STEPS(WATKINS, ""),
-                                        {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"clusters", "Z", "tree of separating planes", "once a frame"},
-    {"edges", "Y", "bucket sort", "once a cluster"},
-    {"edges", "X", "merge", "as they enter"},
-    {"edges", "X", "bubble sort", "once a scan line of a cluster"},
-    {"segments", "X", "cull", "once a sample span"},
-    {"segments", "Z", "logarithmic search", "once a sample span"},
-    {"samples", "XY", "frame buffer", "once a sample span"},
-    {NULL}};
+enum { THICKNESS, LOOSE };
 
 struct schumacker_watkins {
   const struct hsr_job *job;
@@ -94,9 +53,7 @@ static void paint_cluster(struct schumacker_watkins *s) {
   if (!s->cluster.n_faces)
     return;
   struct hsr_window box = box_of_cluster(s);
-  s->job->tally->first = WATKINS;
   hsr_watkins_solve(&s->watkins, &box, s->cluster.faces, s->cluster.n_faces);
-  s->job->tally->first = 0;
 }
 
 /* --- Faces in no cluster -------------------------------------------------- */
@@ -140,8 +97,7 @@ static enum hsr_status reserve(struct schumacker_watkins *s) {
   struct hsr_arena *arena = job->scratch;
   if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally) ||
       hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
-      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
-                             INTER_CLUSTER))
+      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally))
     return HSR_E_NOMEM;
   size_t most_corners = 0;
   for (uint32_t f = 0; f < job->world->n_faces; f++) {
@@ -162,9 +118,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (reserve(s))
     return hsr_fail_nomem(err);
   s->watkins.layer = true;
-  job->tally->first = WATKINS;
   hsr_watkins_clear(&s->watkins, &job->view->window);
-  job->tally->first = 0;
   for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
     hsr_cluster_faces_take(&s->cluster, cluster);
     paint_cluster(s);
@@ -174,6 +128,45 @@ static enum hsr_status render(const struct hsr_job *job,
     paint_loose(s, s->cluster.loose[k]);
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cluster_order_part},
+                                      {&hsr_scan_part},
+                                      {&hsr_spans_part},
+                                      {&hsr_depth_search_part},
+                                      {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [THICKNESS] = {"thickness checks",
+                   "comparisons in depth with faces that are not flat and in "
+                   "no cluster",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [LOOSE] = {"loose samples", "samples painted of faces in no cluster",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each cluster, from the farthest, by the separating planes",
+     HSR_RAISES(HSR_INTER_CLUSTER)},
+    {"  ", .part = &hsr_scan_part},
+    {"  ", .part = &hsr_spans_part},
+    {"  ", .part = &hsr_depth_search_part},
+    {"  ", .part = &hsr_spans_part, .group = HSR_LINES_AFTER_SEARCH},
+    {"for each face that is in no cluster, at each of its samples"},
+    {"  is it nearer than what is there?", HSR_RAISES(THICKNESS)},
+    {"    paint it", HSR_RAISES(LOOSE)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {.part = &hsr_cluster_order_part},
+    {"edges", "Y", "bucket sort", "once a cluster"},
+    {"edges", "X", "merge", "as they enter"},
+    {"edges", "X", "bubble sort", "once a scan line of a cluster"},
+    {"segments", "X", "cull", "once a sample span"},
+    {"segments", "Z", "logarithmic search", "once a sample span"},
+    {"samples", "XY", "frame buffer", "once a sample span"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(schumacker_watkins) = {
     .name = "schumacker-watkins",
@@ -190,7 +183,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_watkins) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
-    .steps = steps,
     .outline = outline,
     .render = render};

@@ -28,47 +28,7 @@
 #include <string.h>
 
 /* Of the survey's ways to find what P may obscure. */
-enum { INDEX_SORT = HSR_N_NEWELL_COUNTERS, GROUPS, AGAIN };
-
-static const struct hsr_counter counters[] = {
-    HSR_NEWELL_COUNTERS(""),
-    [INDEX_SORT] = {"index sort",
-                    "pieces put into a group or a cell; those passed on the "
-                    "way to their places",
-                    HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE, "put|passed"},
-    [GROUPS] = {"group tests", "groups of faces compared with P", HSR_COMPARE,
-                HSR_OF_PIECE, HSR_OF_VOLUME,
-                "end of the groups|apart in Z|apart in X|apart in Y|near"},
-    [AGAIN] = {"met again", "pieces that P met in another cell before",
-               HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
-    {NULL, NULL}};
-
-static const struct hsr_counter counters_previous[] = {HSR_NEWELL_COUNTERS(""),
-                                                       {NULL, NULL}};
-
-static const struct hsr_counter counters_frame_buffer[] = {
-    HSR_PAINTING_COUNTERS(""), {NULL, NULL}};
-
-static const struct hsr_line outline[] = {
-    {"with groups, or laterally sorted: sort the pieces into groups, or cells",
-     HSR_RAISES(INDEX_SORT)},
-    {"  find {Q} in the groups that are not apart from P, or in P's cells",
-     HSR_RAISES(GROUPS) | HSR_RAISES(AGAIN)},
-    HSR_NEWELL_OUTLINE(0, ""),
-    {NULL}};
-
-static const struct hsr_line outline_previous[] = {HSR_NEWELL_OUTLINE(0, ""),
-                                                   {NULL}};
-
-static const struct hsr_line outline_frame_buffer[] = {
-    HSR_PAINTING_OUTLINE(0, ""), {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_NEWELL_STEPS_WITH(0, "", {INDEX_SORT, 1}, {GROUPS, 1}, {AGAIN, 1}),
-    {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_step steps_previous[] = {HSR_NEWELL_STEPS(0, ""),
-                                                 {NULL, 0, 0, NULL, NULL}};
+enum { INDEX_SORT, GROUPS, AGAIN };
 
 enum { SPECIAL }; /* option */
 enum { ALONG_THE_LIST, BY_GROUPS, LATERAL };
@@ -81,23 +41,6 @@ static const struct hsr_option options[] = {
     [SPECIAL] = {"special", "how the special sort finds {Q}", specials, 0,
                  LATERAL, ALONG_THE_LIST},
     {NULL}};
-
-static const struct hsr_step steps_frame_buffer[] = {HSR_PAINTING_STEPS(0, ""),
-                                                     {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_LIST_SORTS, HSR_BEAD_SORTS, {NULL, NULL, NULL, NULL}};
-
-static const struct hsr_sort sorts_frame_buffer[] = {
-    HSR_LIST_SORTS,
-    {"samples", "XY", "frame buffer", "once a segment"},
-    {NULL, NULL, NULL, NULL}};
-
-static const struct hsr_sort sorts_previous[] = {
-    {"faces", "Z", "insertion sort of the last frame's order", "once a frame"},
-    {"faces", "XYZ", "Newell special", "once a frame"},
-    HSR_BEAD_SORTS,
-    {NULL, NULL, NULL, NULL}};
 
 /* No bead. */
 static const uint32_t NONE = UINT32_MAX;
@@ -492,15 +435,139 @@ static enum hsr_status render_previous(const struct hsr_job *job,
   return run(job, false, job->prepared, NULL, err);
 }
 
-#define NEWELL                                                                 \
-  .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",                       \
-  .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "  \
-            "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",      \
-  .taxonomy = HSR_LIST_PRIORITY_PER_FRAME, .restrictions = 0,                  \
-  .subjects = 1 << HSR_FACES, .kind = HSR_IDS
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_list_part}, {&hsr_painting_part}, {&hsr_beads_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [INDEX_SORT] = {"index sort",
+                    "pieces put into a group or a cell; those passed on the "
+                    "way to their places",
+                    HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE, "put|passed"},
+    [GROUPS] = {"group tests", "groups of faces compared with P", HSR_COMPARE,
+                HSR_OF_PIECE, HSR_OF_VOLUME,
+                "end of the groups|apart in Z|apart in X|apart in Y|near"},
+    [AGAIN] = {"met again", "pieces that P met in another cell before",
+               HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
+    {NULL}};
+
+static const struct hsr_use uses_previous[] = {
+    {&hsr_list_part}, {&hsr_painting_part}, {&hsr_beads_part}, {NULL}};
+
+static const struct hsr_use uses_frame_buffer[] = {
+    {&hsr_list_part}, {&hsr_painting_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"with groups, or laterally sorted: sort the pieces into groups, or cells",
+     HSR_RAISES(INDEX_SORT)},
+    {"  find {Q} in the groups that are not apart from P, or in P's cells",
+     HSR_RAISES(GROUPS, AGAIN)},
+    {"", .part = &hsr_list_part},
+    {"", .part = &hsr_painting_part},
+    {"", .part = &hsr_beads_part},
+    {NULL}};
+
+static const struct hsr_line outline_previous[] = {
+    {"", .part = &hsr_list_part},
+    {"", .part = &hsr_painting_part},
+    {"", .part = &hsr_beads_part},
+    {NULL}};
+
+static const struct hsr_line outline_frame_buffer[] = {
+    {"", .part = &hsr_list_part},
+    {"", .part = &hsr_painting_part},
+    {"", .part = &hsr_painting_part, .group = HSR_FRAME_BUFFER_LINES},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"Newell special", INDEX_SORT, 1, NULL, NULL, {{GROUPS, 1}, {AGAIN, 1}}},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {.part = &hsr_list_part}, {.part = &hsr_beads_part}, {NULL}};
+
+static const struct hsr_sort sorts_frame_buffer[] = {
+    {.part = &hsr_list_part},
+    {"samples", "XY", "frame buffer", "once a segment"},
+    {NULL}};
+
+static const struct hsr_sort sorts_previous[] = {
+    {"faces", "Z", "insertion sort of the last frame's order", "once a frame"},
+    {"faces", "XYZ", "Newell special", "once a frame"},
+    {.part = &hsr_beads_part},
+    {NULL}};
+
+static const struct hsr_counter painting_counters[] = {
+    {"segments", "segments generated", HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    {"thickness checks",
+     "comparisons in depth where faces that are not flat touch", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {"spans written", "runs of samples of one face written to the picture",
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static double predict_segments(const struct hsr_table1 *t) {
+  return 10 * t->F_r * t->H_f;
+}
+
+static const struct hsr_step painting_steps[] = {
+    {"segment generator, Y sort", HSR_NEWELL_SEGMENTS, 10, "10 F_r H_f",
+     predict_segments},
+    {NULL}};
+
+static const struct hsr_line segment_lines[] = {
+    {"  generate the segments of P", HSR_RAISES(HSR_NEWELL_SEGMENTS)},
+    {"    of thick faces: is P nearer than what is there?",
+     HSR_RAISES(HSR_NEWELL_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_line frame_buffer_lines[] = {
+    {"    paint the segment on the frame buffer",
+     HSR_RAISES(HSR_NEWELL_WRITTEN)},
+    {NULL}};
+
+const struct hsr_part hsr_painting_part = {HSR_PART_PAINTING,
+                                           painting_counters,
+                                           painting_steps,
+                                           NULL,
+                                           {segment_lines, frame_buffer_lines}};
+
+static const struct hsr_counter bead_counters[] = {
+    {"X merge", "beads passed to find the place of a segment, or covered by it",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|covered"},
+    {NULL}};
+
+static double predict_bead_merge(const struct hsr_table1 *t) {
+  return t->F_r * t->H_f * t->S_v / 4;
+}
+
+static const struct hsr_step bead_steps[] = {
+    {"X merge", HSR_BEAD_MERGE, 1, "F_r H_f S_v / 4", predict_bead_merge},
+    {NULL}};
+
+static const struct hsr_sort bead_sorts[] = {
+    {"segments", "Y", "bucket sort", "once a frame"},
+    {"beads", "X", "merge", "once a segment"},
+    {NULL}};
+
+static const struct hsr_line bead_lines[] = {
+    {"    merge it among the beads of its scan line: it overwrites them",
+     HSR_RAISES(HSR_BEAD_MERGE)},
+    {"show the beads of every scan line", HSR_RAISES(HSR_NEWELL_WRITTEN)},
+    {NULL}};
+
+const struct hsr_part hsr_beads_part = {
+    HSR_PART_BEADS, bead_counters, bead_steps, bead_sorts, {bead_lines}};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell) = {
-    NEWELL,
+    .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",
+    .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "
+              "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
+    .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
     .name = "newell",
     .title = "Newell, Newell and Sancha's priority list, with beads",
     .year = 1972,
@@ -508,6 +575,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .coherence = "depth",
     .also = {HSR_TRANSPARENT},
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,
@@ -515,7 +583,13 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .render = render};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
-    NEWELL,
+    .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",
+    .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "
+              "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
+    .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
     .name = "newell-frame-buffer",
     .title = "Newell, Newell and Sancha's priority list on a frame buffer",
     .year = 1974,
@@ -523,13 +597,18 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
     .coherence = "depth",
     .also = {HSR_TRANSPARENT},
     .sorts = sorts_frame_buffer,
-    .counters = counters_frame_buffer,
-    .steps = steps_frame_buffer,
+    .parts = uses_frame_buffer,
     .outline = outline_frame_buffer,
     .render = render_frame_buffer};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
-    NEWELL,
+    .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",
+    .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "
+              "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
+    .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
     .name = "newell-previous",
     .title = "Newell, Newell and Sancha's, from the previous frame's order",
     .year = 1974,
@@ -538,8 +617,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .also = {HSR_TRANSPARENT},
     .flags = HSR_FRAME_STATE | HSR_FOLLOWS,
     .sorts = sorts_previous,
-    .counters = counters_previous,
-    .steps = steps_previous,
+    .parts = uses_previous,
     .outline = outline_previous,
     .prepare = prepare_previous,
     .render = render_previous,

@@ -53,84 +53,18 @@ void hsr_newell_paint(struct hsr_newell *newell, const uint32_t *faces,
 void hsr_newell_paint_unordered(struct hsr_newell *newell, uint32_t f);
 void hsr_newell_show(struct hsr_newell *newell);
 
-/* Counters and steps as those of priority_list.h: those of painting, and those
- * of beads. */
+/* What these count: painting, and the beads. The groups of painting's lines: the
+ * segments of a piece P; and the frame buffer, which has no beads. Those of the
+ * beads: a segment; and the end, where the beads are written. */
+extern const struct hsr_part hsr_painting_part, hsr_beads_part;
 enum {
-  HSR_NEWELL_SEGMENTS = HSR_N_LIST_COUNTERS,
+  HSR_NEWELL_SEGMENTS = HSR_FIRST_OF(HSR_PART_PAINTING),
   HSR_NEWELL_THICKNESS,
-  HSR_NEWELL_WRITTEN,
-  HSR_BEAD_MERGE,
-  HSR_N_NEWELL_COUNTERS
+  HSR_NEWELL_WRITTEN
 };
-#define HSR_PAINTING_COUNTERS(of)                                              \
-  HSR_LIST_COUNTERS(of),                                                       \
-      {of "segments", "segments generated", HSR_SPAN, HSR_OF_FACE,             \
-       HSR_OF_WINDOW},                                                         \
-      {of "thickness checks",                                                  \
-       "comparisons in depth where faces that are not flat touch",             \
-       HSR_COMPARE,                                                            \
-       HSR_OF_FACE,                                                            \
-       HSR_OF_FACE,                                                            \
-       "farther|nearer"},                                                      \
-  {                                                                            \
-    of "spans written", "runs of samples of one face written to the picture",  \
-        HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW                                 \
-  }
-#define HSR_NEWELL_COUNTERS(of)                                                \
-  HSR_PAINTING_COUNTERS(of), {                                                 \
-    of "X merge",                                                              \
-        "beads passed to find the place of a segment, or covered "             \
-        "by it",                                                               \
-        HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|covered"              \
-  }
-
-/* Outlines as in priority_list.h. With beads, the segments are written last. */
-#define HSR_SEGMENTS_OUTLINE(first, in)                                        \
-  HSR_LIST_OUTLINE(first, in),                                                 \
-      {in "  generate the segments of P",                                      \
-       HSR_RAISES((first) + HSR_NEWELL_SEGMENTS)},                             \
-  {                                                                            \
-    in "    of thick faces: is P nearer than what is there?",                  \
-        HSR_RAISES((first) + HSR_NEWELL_THICKNESS)                             \
-  }
-#define HSR_PAINTING_OUTLINE(first, in)                                        \
-  HSR_SEGMENTS_OUTLINE(first, in), {                                           \
-    in "    paint the segment on the frame buffer",                            \
-        HSR_RAISES((first) + HSR_NEWELL_WRITTEN)                               \
-  }
-#define HSR_NEWELL_OUTLINE(first, in)                                          \
-  HSR_SEGMENTS_OUTLINE(first, in),                                             \
-      {in "    merge it among the beads of its scan line: it overwrites them", \
-       HSR_RAISES((first) + HSR_BEAD_MERGE)},                                  \
-  {                                                                            \
-    in "show the beads of every scan line",                                    \
-        HSR_RAISES((first) + HSR_NEWELL_WRITTEN)                               \
-  }
-
-#define HSR_PAINTING_STEPS(first, of) HSR_PAINTING_STEPS_WITH(first, of, {0, 0})
-#define HSR_PAINTING_STEPS_WITH(first, of, ...)                                \
-  HSR_LIST_STEPS_WITH(first, of, __VA_ARGS__), {                               \
-    of "segment generator, Y sort", first + HSR_NEWELL_SEGMENTS, 10,           \
-        "10 F_r H_f", hsr_predict_segments                                     \
-  }
-#define HSR_NEWELL_STEPS(first, of) HSR_NEWELL_STEPS_WITH(first, of, {0, 0})
-/* The same; the special sort takes these terms more. */
-#define HSR_NEWELL_STEPS_WITH(first, of, ...)                                  \
-  HSR_PAINTING_STEPS_WITH(first, of, __VA_ARGS__), {                           \
-    of "X merge", first + HSR_BEAD_MERGE, 1, "F_r H_f S_v / 4",                \
-        hsr_predict_bead_merge                                                 \
-  }
-#define HSR_BEAD_SORTS                                                         \
-  {"segments", "Y", "bucket sort", "once a frame"}, {                          \
-    "beads", "X", "merge", "once a segment"                                    \
-  }
-
-static inline double hsr_predict_segments(const struct hsr_table1 *t) {
-  return 10 * t->F_r * t->H_f;
-}
-static inline double hsr_predict_bead_merge(const struct hsr_table1 *t) {
-  return t->F_r * t->H_f * t->S_v / 4;
-}
+enum { HSR_SEGMENT_LINES, HSR_FRAME_BUFFER_LINES };
+enum { HSR_BEAD_MERGE = HSR_FIRST_OF(HSR_PART_BEADS) };
+enum { HSR_BEAD_LINES };
 
 #ifdef __cplusplus
 }

@@ -24,47 +24,7 @@
 
 /* The counters of the priority list come first, those of the scan from SCAN on,
  * to which two are added. */
-enum {
-  SCAN = HSR_N_LIST_COUNTERS,
-  PRIORITY_SEARCH = HSR_N_SPAN_COUNTERS,
-  THICKNESS
-};
-
-static const struct hsr_counter counters[] = {
-    HSR_LIST_COUNTERS(""),
-    HSR_SPAN_COUNTERS(""),
-    [SCAN + PRIORITY_SEARCH] = {"priority search",
-                                "comparisons of two segments' priority numbers",
-                                HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-                                "less|greater"},
-    [SCAN + THICKNESS] =
-        {"thickness checks",
-         "comparisons in depth where faces that are not flat touch",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    {NULL, NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_LIST_OUTLINE(0, ""),
-    {"  give P the next priority number"},
-    HSR_SPAN_LINES(SCAN, "",
-                   {"    search the segments inside for the greatest priority "
-                    "number",
-                    HSR_RAISES(SCAN + PRIORITY_SEARCH)},
-                   {"      of thick faces: compare their depths",
-                    HSR_RAISES(SCAN + THICKNESS)}),
-    {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_LIST_STEPS(0, ""),
-    HSR_SPAN_STEPS(SCAN, ""),
-    {"priority search", SCAN + PRIORITY_SEARCH, 1, NULL, NULL},
-    {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_LIST_SORTS,
-    HSR_SPAN_SORTS,
-    {"segments", "Z", "search by priority number", "once a sample span"},
-    {NULL, NULL, NULL, NULL}};
+enum { PRIORITY_SEARCH, THICKNESS };
 
 struct newell_watkins {
   struct hsr_priority_list list;
@@ -135,7 +95,6 @@ static enum hsr_status render(const struct hsr_job *job,
       hsr_watkins_reserve(&s.watkins, job, &screen, room, s.pieces.n))
     return hsr_fail_nomem(err);
 
-  job->tally->first = SCAN;
   s.watkins.is_nearer = is_prior;
   s.watkins.context = &s;
   hsr_scan_open(&s.watkins.edges, &job->view->window);
@@ -143,9 +102,44 @@ static enum hsr_status render(const struct hsr_job *job,
   for (uint32_t p = 0; p < s.pieces.n; p++)
     hsr_scan_add(&s.watkins.edges, &piece[p], p);
   hsr_watkins_scan(&s.watkins);
-  job->tally->first = 0;
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_list_part}, {&hsr_scan_part}, {&hsr_spans_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [PRIORITY_SEARCH] = {"priority search",
+                         "comparisons of two segments' priority numbers",
+                         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+                         "less|greater"},
+    [THICKNESS] = {"thickness checks",
+                   "comparisons in depth where faces that are not flat touch",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_list_part},
+    {"  give P the next priority number"},
+    {"", .part = &hsr_scan_part},
+    {"", .part = &hsr_spans_part},
+    {"    search the segments inside for the greatest priority number",
+     HSR_RAISES(PRIORITY_SEARCH)},
+    {"      of thick faces: compare their depths", HSR_RAISES(THICKNESS)},
+    {"", .part = &hsr_spans_part, .group = HSR_LINES_AFTER_SEARCH},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"priority search", PRIORITY_SEARCH, 1, NULL, NULL}, {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {.part = &hsr_list_part},
+    {.part = &hsr_scan_part},
+    {.part = &hsr_spans_part},
+    {"segments", "Z", "search by priority number", "once a sample span"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .name = "newell-watkins",
@@ -162,6 +156,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

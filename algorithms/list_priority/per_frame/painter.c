@@ -17,27 +17,6 @@
 
 enum { Z_SORT, SAMPLES };
 
-static const struct hsr_counter counters[] = {
-    [Z_SORT] = {"Z sort", "comparisons of two farthest vertices", HSR_COMPARE,
-                HSR_OF_FACE, HSR_OF_FACE, "goes later|goes first"},
-    [SAMPLES] = {"samples", "samples painted", HSR_ACCEPT, HSR_OF_FACE,
-                 HSR_OF_WINDOW},
-    {NULL, NULL}};
-
-static const struct hsr_line outline[] = {
-    {"Z sort: put the faces in order of their farthest vertices",
-     HSR_RAISES(Z_SORT)},
-    {"for each face, the farthest first"},
-    {"  for each scan line that it meets"},
-    {"    for each sample between its edges"},
-    {"      paint it, over what is there", HSR_RAISES(SAMPLES)},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "Z", "merge sort of the farthest vertex", "once a frame"},
-    {"samples", "XY", "frame buffer", "once a face"},
-    {NULL, NULL, NULL, NULL}};
-
 struct painter {
   const struct hsr_job *job;
   struct hsr_screen screen;
@@ -135,6 +114,29 @@ static enum hsr_status render(const struct hsr_job *job,
     paint(s, s->order[r]);
   return HSR_OK;
 }
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [Z_SORT] = {"Z sort", "comparisons of two farthest vertices", HSR_COMPARE,
+                HSR_OF_FACE, HSR_OF_FACE, "goes later|goes first"},
+    [SAMPLES] = {"samples", "samples painted", HSR_ACCEPT, HSR_OF_FACE,
+                 HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"Z sort: put the faces in order of their farthest vertices",
+     HSR_RAISES(Z_SORT)},
+    {"for each face, the farthest first"},
+    {"  for each scan line that it meets"},
+    {"    for each sample between its edges"},
+    {"      paint it, over what is there", HSR_RAISES(SAMPLES)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Z", "merge sort of the farthest vertex", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a face"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(painter) = {
     .name = "painter",

@@ -600,3 +600,98 @@ const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
   }
   return NULL;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"Z sort",
+         "pieces put into buckets of depth; comparisons, where the last "
+         "frame's "
+         "order is the start",
+         HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,
+         "put into a bucket by the low digit|in order|out of order|put into a "
+         "bucket by the high digit"},
+    {"Newell special",
+         "pieces that may come before P in depth, put to the six tests",
+         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+         "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
+         "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
+         "overlap|left to the samples|P may obscure Q"},
+    {"minimax tests",
+         "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
+         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+         "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "
+         "overlap in Y"},
+    {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
+         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+         "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "
+         "6: left to the samples"},
+    {"overlap tests",
+                               "test 6: pairs tested for overlap on the screen",
+                               HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+                               "test 6: overlap|test 6: apart"},
+    {"interchanges",
+                                   "pieces moved to the far end of the list",
+                                   HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE},
+    {"divisions",
+                                "pieces divided by the plane of another",
+                                HSR_SPLIT, HSR_OF_PIECE, HSR_OF_FACE},
+    {"insertions", "pieces passed to put a divided one back into the list",
+         HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE},
+    {"circle search",
+                              "planes of other pieces tried to divide a piece",
+                              HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+                              "does not pass through|passes through"},
+    {NULL}};
+
+static double predict_z_sort(const struct hsr_table1 *t) {
+  return 2 * t->F_r;
+}
+static double predict_special(const struct hsr_table1 *t) {
+  double f = 2 * t->H_f / t->n;
+  return t->F_r * t->F_r * (f + f * f + 100 * f * f * f);
+}
+
+static const struct hsr_step steps[] = {
+    {"Z sort", HSR_LIST_Z_SORT, 1, "2 F_r", predict_z_sort},
+    {"Newell special",
+     HSR_LIST_SPECIAL,
+     1,
+     "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n",
+     predict_special,
+     {{HSR_LIST_MINIMAX, 1},
+      {HSR_LIST_PLANES, 100},
+      {HSR_LIST_DIVISIONS, 100},
+      {HSR_LIST_INSERTIONS, 1}}},
+    {"circle search", HSR_LIST_CIRCLES, 100, NULL, NULL},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Z", "radix sort of the farthest vertex", "once a frame"},
+    {"faces", "XYZ", "Newell special", "once a frame"},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"Z sort: put the pieces in order of their farthest vertices",
+     HSR_RAISES(HSR_LIST_Z_SORT)},
+    {"for each piece P, the farthest first"},
+    {"  for each Q after P, up to one wholly before P: six tests (1: in Z)",
+     HSR_RAISES(HSR_LIST_SPECIAL)},
+    {"    do they overlap in X (test 2), and in Y (test 3)?",
+     HSR_RAISES(HSR_LIST_MINIMAX)},
+    {"    is P beyond Q's plane (test 4), or Q before P's plane (test 5)?",
+     HSR_RAISES(HSR_LIST_PLANES)},
+    {"    do they overlap on the screen (test 6)?",
+     HSR_RAISES(HSR_LIST_OVERLAPS)},
+    {"  if P may obscure Q, which bears no marker"},
+    {"    move Q to the far end, before P, with a marker: it is the new P",
+     HSR_RAISES(HSR_LIST_INTERCHANGES)},
+    {"  if Q bears one: find a plane that passes through the other",
+     HSR_RAISES(HSR_LIST_CIRCLES)},
+    {"    divide that piece by it", HSR_RAISES(HSR_LIST_DIVISIONS)},
+    {"    put the halves where they belong in the list",
+     HSR_RAISES(HSR_LIST_INSERTIONS)},
+    {NULL}};
+
+const struct hsr_part hsr_list_part = {
+    HSR_PART_PRIORITY_LIST, counters, steps, sorts, {lines}};

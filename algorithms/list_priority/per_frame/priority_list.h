@@ -133,11 +133,10 @@ void hsr_list_sort(struct hsr_priority_list *list,
  * NULL: that was all, or memory ran out. */
 const struct hsr_piece *hsr_list_next(struct hsr_priority_list *list);
 
-/* The counters that it keeps, in their order; an algorithm's own begin at
- * HSR_N_LIST_COUNTERS. Inside another algorithm they begin at `first`, and bear
- * the prefix `of`. */
+/* What the list counts. */
+extern const struct hsr_part hsr_list_part;
 enum {
-  HSR_LIST_Z_SORT,
+  HSR_LIST_Z_SORT = HSR_FIRST_OF(HSR_PART_PRIORITY_LIST),
   HSR_LIST_SPECIAL,
   HSR_LIST_MINIMAX,
   HSR_LIST_PLANES,
@@ -145,8 +144,7 @@ enum {
   HSR_LIST_INTERCHANGES,
   HSR_LIST_DIVISIONS,
   HSR_LIST_INSERTIONS,
-  HSR_LIST_CIRCLES,
-  HSR_N_LIST_COUNTERS
+  HSR_LIST_CIRCLES
 };
 
 /* The outcomes of the special sort: which of the six tests decided that P does
@@ -162,112 +160,6 @@ enum hsr_special {
   HSR_TO_SAMPLES,   /* of thick faces: the samples decide */
   HSR_P_MAY_OBSCURE /* no test decided */
 };
-
-#define HSR_LIST_COUNTERS(of)                                                  \
-  {of "Z sort",                                                                \
-   "pieces put into buckets of depth; comparisons, where the last frame's "    \
-   "order is the start",                                                       \
-   HSR_SORT,                                                                   \
-   HSR_OF_PIECE,                                                               \
-   HSR_OF_PIECE,                                                               \
-   "put into a bucket by the low digit|in order|out of order|put into a "      \
-   "bucket by the high digit"},                                                \
-      {of "Newell special",                                                    \
-       "pieces that may come before P in depth, put to the six tests",         \
-       HSR_COMPARE,                                                            \
-       HSR_OF_PIECE,                                                           \
-       HSR_OF_PIECE,                                                           \
-       "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"  \
-       "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "     \
-       "overlap|left to the samples|P may obscure Q"},                         \
-      {of "minimax tests",                                                     \
-       "tests 2 and 3: pairs whose boxes were compared in X, or in Y",         \
-       HSR_COMPARE,                                                            \
-       HSR_OF_PIECE,                                                           \
-       HSR_OF_PIECE,                                                           \
-       "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "   \
-       "overlap in Y"},                                                        \
-      {of "plane tests",                                                       \
-       "tests 4 to 6: pairs that the minimax tests left",                      \
-       HSR_COMPARE,                                                            \
-       HSR_OF_PIECE,                                                           \
-       HSR_OF_PIECE,                                                           \
-       "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "  \
-       "6: left to the samples"},                                              \
-      {of "overlap tests", "test 6: pairs tested for overlap on the screen",   \
-       HSR_COMPARE,        HSR_OF_PIECE,                                       \
-       HSR_OF_PIECE,       "test 6: overlap|test 6: apart"},                   \
-      {of "interchanges", "pieces moved to the far end of the list", HSR_SORT, \
-       HSR_OF_PIECE, HSR_OF_PIECE},                                            \
-      {of "divisions", "pieces divided by the plane of another", HSR_SPLIT,    \
-       HSR_OF_PIECE, HSR_OF_FACE},                                             \
-      {of "insertions",                                                        \
-       "pieces passed to put a divided one back into the list", HSR_SORT,      \
-       HSR_OF_PIECE, HSR_OF_PIECE},                                            \
-  {                                                                            \
-    of "circle search", "planes of other pieces tried to divide a piece",      \
-        HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,                               \
-        "does not pass through|passes through"                                 \
-  }
-
-/* The lines of an outline, each behind the blanks `in`. */
-#define HSR_LIST_OUTLINE(first, in)                                            \
-  {in "Z sort: put the pieces in order of their farthest vertices",            \
-   HSR_RAISES((first) + HSR_LIST_Z_SORT)},                                     \
-      {in "for each piece P, the farthest first"},                             \
-      {in                                                                      \
-       "  for each Q after P, up to one wholly before P: six tests (1: in Z)", \
-       HSR_RAISES((first) + HSR_LIST_SPECIAL)},                                \
-      {in "    do they overlap in X (test 2), and in Y (test 3)?",             \
-       HSR_RAISES((first) + HSR_LIST_MINIMAX)},                                \
-      {in                                                                      \
-       "    is P beyond Q's plane (test 4), or Q before P's plane (test 5)?",  \
-       HSR_RAISES((first) + HSR_LIST_PLANES)},                                 \
-      {in "    do they overlap on the screen (test 6)?",                       \
-       HSR_RAISES((first) + HSR_LIST_OVERLAPS)},                               \
-      {in "  if P may obscure Q, which bears no marker"},                      \
-      {in                                                                      \
-       "    move Q to the far end, before P, with a marker: it is the new P",  \
-       HSR_RAISES((first) + HSR_LIST_INTERCHANGES)},                           \
-      {in "  if Q bears one: find a plane that passes through the other",      \
-       HSR_RAISES((first) + HSR_LIST_CIRCLES)},                                \
-      {in "    divide that piece by it",                                       \
-       HSR_RAISES((first) + HSR_LIST_DIVISIONS)},                              \
-  {                                                                            \
-    in "    put the halves where they belong in the list",                     \
-        HSR_RAISES((first) + HSR_LIST_INSERTIONS)                              \
-  }
-
-/* The same for the arrays of steps and sorts. */
-#define HSR_LIST_STEPS(first, of) HSR_LIST_STEPS_WITH(first, of, {0, 0})
-/* The same; the special sort takes these terms more. */
-#define HSR_LIST_STEPS_WITH(first, of, ...)                                    \
-  {of "Z sort", first + HSR_LIST_Z_SORT, 1, "2 F_r", hsr_predict_list_z_sort}, \
-      {of "Newell special",                                                    \
-       first + HSR_LIST_SPECIAL,                                               \
-       1,                                                                      \
-       "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n",                             \
-       hsr_predict_list_special,                                               \
-       {{first + HSR_LIST_MINIMAX, 1},                                         \
-        {first + HSR_LIST_PLANES, 100},                                        \
-        {first + HSR_LIST_DIVISIONS, 100},                                     \
-        {first + HSR_LIST_INSERTIONS, 1},                                      \
-        __VA_ARGS__}},                                                         \
-  {                                                                            \
-    of "circle search", first + HSR_LIST_CIRCLES, 100, NULL, NULL              \
-  }
-#define HSR_LIST_SORTS                                                         \
-  {"faces", "Z", "radix sort of the farthest vertex", "once a frame"}, {       \
-    "faces", "XYZ", "Newell special", "once a frame"                           \
-  }
-
-static inline double hsr_predict_list_z_sort(const struct hsr_table1 *t) {
-  return 2 * t->F_r;
-}
-static inline double hsr_predict_list_special(const struct hsr_table1 *t) {
-  double f = 2 * t->H_f / t->n;
-  return t->F_r * t->F_r * (f + f * f + 100 * f * f * f);
-}
 
 #ifdef __cplusplus
 }

@@ -21,11 +21,9 @@
  *             square of the edges */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
-enum { BOX_SORT = HSR_N_NETWORK_COUNTERS }; /* counter */
-enum { BOXES };                             /* option */
-static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
+enum { BOXES }; /* option */
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how contour edges are sorted", sortings, 0,
+    [BOXES] = {"boxes", "how contour edges are sorted", hsr_box_sortings, 0,
                HSR_BY_CORNER, HSR_NOT_SORTED},
     {NULL}};
 
@@ -79,7 +77,7 @@ static enum hsr_status run(const struct hsr_job *job, bool visible_only,
                            struct hsr_error *err) {
   bool sorted = job->option[BOXES] == HSR_BY_CORNER;
   struct hsr_intersector intersector = {.cross = cross,
-                                        .box_sort = sorted ? BOX_SORT : 0,
+                                        .box_sort = sorted ? HSR_BOX_SORT : 0,
                                         .visible_only = visible_only};
   return hsr_network_render(job, &intersector, err);
 }
@@ -94,20 +92,22 @@ static enum hsr_status render_visible(const struct hsr_job *job,
   return run(job, true, err);
 }
 
-static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS(true),
-    [BOX_SORT] = HSR_BOX_SORT_COUNTER("contour edges"),
-    {0}};
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_network_part},
+                                      {&hsr_hiding_number_part},
+                                      {&hsr_box_sort_part},
+                                      {NULL}};
+
 static const struct hsr_line outline[] = {
-    HSR_BOX_SORT_LINE("contour edges", HSR_RAISES(BOX_SORT)),
-    HSR_NETWORK_OUTLINE_BEFORE,
+    {"", .part = &hsr_box_sort_part},
+    {"", .part = &hsr_network_part},
     {"    for each contour edge: does it pierce the triangle of the eye and "
      "the edge?",
      HSR_RAISES(HSR_INTERSECT)},
-    HSR_NETWORK_OUTLINE_AFTER,
-    {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
-                                        {0}};
+    {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, contour", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -115,29 +115,49 @@ static const struct hsr_sort sorts[] = {
      "once an edge"},
     {"faces", "before an edge's end", "cull", "twice an edge"},
     {"crossings", "along the edge", "sort", "once an edge"},
-    {0}};
-
-#define APPEL                                                                  \
-  .authors = "A. Appel", .year = 1967,                                         \
-  .source = "Proc. ACM National Conference, 1967, 387-393; Sutherland et "     \
-            "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "          \
-            "Algorithms\"",                                                    \
-  .taxonomy = HSR_OBJECT_SPACE_EDGES,                                          \
-  .coherence = "edge: visibility is promoted along edges that share a vertex", \
-  .restrictions = HSR_TP, .subjects = 1 << HSR_FACES, .kind = HSR_SEGMENTS,    \
-  .sorts = sorts, .counters = counters, .steps = steps, .outline = outline,    \
-  .options = options, .prepare = hsr_network_prepare,                          \
-  .release = hsr_network_release, .expense = hsr_network_expense
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .name = "appel",
     .title = "Appel's quantitative invisibility",
-    APPEL,
+    .authors = "A. Appel",
+    .year = 1967,
+    .source = "Proc. ACM National Conference, 1967, 387-393; Sutherland et "
+              "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "
+              "Algorithms\"",
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
+    .coherence = "edge: visibility is promoted along edges that share a vertex",
+    .restrictions = HSR_TP,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_SEGMENTS,
+    .sorts = sorts,
+    .parts = uses,
+    .outline = outline,
+    .options = options,
+    .prepare = hsr_network_prepare,
+    .release = hsr_network_release,
+    .expense = hsr_network_expense,
     .render = render};
 
 const struct hsr_algorithm HSR_ALGORITHM(appel_visible) = {
     .name = "appel-visible",
     .title = "Appel's, sorting only edges that may be visible",
-    APPEL,
+    .authors = "A. Appel",
+    .year = 1967,
+    .source = "Proc. ACM National Conference, 1967, 387-393; Sutherland et "
+              "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "
+              "Algorithms\"",
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
+    .coherence = "edge: visibility is promoted along edges that share a vertex",
+    .restrictions = HSR_TP,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_SEGMENTS,
+    .sorts = sorts,
+    .parts = uses,
+    .outline = outline,
+    .options = options,
+    .prepare = hsr_network_prepare,
+    .release = hsr_network_release,
+    .expense = hsr_network_expense,
     .flags = HSR_VISIBLE_ONLY,
     .render = render_visible};

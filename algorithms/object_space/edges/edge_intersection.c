@@ -565,3 +565,120 @@ enum hsr_status hsr_network_render(const struct hsr_job *job,
   hsr_sight_free(&network.sight);
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"edge cull",
+                           "sides of faces looked at for relevant and contour "
+                           "edges",
+                           HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
+                           "does not exist|exists"},
+    {"initial visibility",
+                                  "faces put to a vertex in the searches",
+                                  HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,
+                                  "does not hide|hides"},
+    {"edge intersection",
+                                    "pairs of edges that were compared",
+                                    HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
+                                    HSR_CROSSING_OUTCOMES},
+    {"correction", "faces with a corner at an edge's end put to the edge",
+         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not hide|hides"},
+    {"sort along edge",
+                                     "comparisons of places along an edge",
+                                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
+                                     "not before|before"},
+    {"searches",
+                                   "searches of all faces: clusters",
+                                   HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_VERTEX},
+    {"crossings",
+                                    "nearer contour edges that an edge crosses",
+                                    HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_EDGE},
+    {"pierced faces",
+                                  "faces put to an edge that touches them",
+                                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
+                                  "does not pierce|pierces"},
+    {"sorts to save",
+                                "edges that cannot be visible anywhere",
+                                HSR_REJECT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"faces apart", "faces in whose plane an edge lies, and loose ones",
+         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|added"},
+    {"promoted",
+                                   "vertices to which visibility is promoted",
+                                   HSR_ACTIVATE, HSR_OF_VERTEX, HSR_OF_EDGE},
+
+    {"intervals drawn",
+                                "intervals of edges added to the drawing",
+                                HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {NULL}};
+
+static double predict_edge_cull(const struct hsr_table1 *t) {
+  return t->E_t;
+}
+static double predict_initial(const struct hsr_table1 *t) {
+  return 100 * t->C_t * t->F_r;
+}
+static double predict_intersection(const struct hsr_table1 *t) {
+  return 30 * t->E_s * t->E_c;
+}
+static double predict_correction(const struct hsr_table1 *t) {
+  return 30 * 2 * t->E_s * 3;
+}
+static double predict_sort_along(const struct hsr_table1 *t) {
+  return t->E_s;
+}
+
+static const struct hsr_step steps[] = {
+    {"back and contour cull", HSR_EDGE_CULL, 1, "E_t", predict_edge_cull},
+    {"initial visibility", HSR_INITIAL, 100, "100 C_t F_r", predict_initial},
+    {"edge intersection", HSR_INTERSECT, 30, "30 E_s E_c",
+     predict_intersection},
+    {"invisibility correction", HSR_CORRECT, 30, "30 (2 E_s 3)",
+     predict_correction},
+    {"sort along edge", HSR_SORT_ALONG, 1, "E_s", predict_sort_along},
+    {NULL}};
+
+static const struct hsr_line lines_before[] = {
+    {"for each side of a face: cull back edges, mark contour edges",
+     HSR_RAISES(HSR_EDGE_CULL)},
+    {"for each cluster of edges that can be reached from one another"},
+    {"  take a vertex of one of its edges", HSR_RAISES(HSR_SEARCHES)},
+    {"  initial visibility: for each face, does it hide the vertex?",
+     HSR_RAISES(HSR_INITIAL)},
+    {"  for each relevant edge that ends at a vertex whose visibility is "
+     "known"},
+    {NULL}};
+
+static const struct hsr_line lines_after[] = {
+    {"      note the crossing", HSR_RAISES(HSR_CROSSINGS)},
+    {"    for each face that it touches: does it pierce the face?",
+     HSR_RAISES(HSR_PIERCED)},
+    {"    invisibility correction: for each face with a corner at its end, "
+     "does it hide the edge?",
+     HSR_RAISES(HSR_CORRECT)},
+    {"    promote visibility to the vertex at its other end",
+     HSR_RAISES(HSR_PROMOTED)},
+    {"      with what hides it there", HSR_RAISES(HSR_HIDING)},
+    {"    put faces to it whose plane holds it, and loose ones",
+     HSR_RAISES(HSR_APART)},
+    {"    can it be visible anywhere?", HSR_RAISES(HSR_SAVED)},
+    {"    sort the crossings along the edge", HSR_RAISES(HSR_SORT_ALONG)},
+    {"    draw an interval up to each change of invisibility",
+     HSR_RAISES(HSR_DRAWN)},
+    {NULL}};
+
+const struct hsr_part hsr_network_part = {
+    HSR_PART_NETWORK, counters, steps, NULL, {lines_before, lines_after}};
+
+static const struct hsr_counter hiding_numbers[] = {
+    {"hiding", "faces that hide those vertices, in all", HSR_ACTIVATE,
+     HSR_OF_VERTEX, HSR_OF_FACE, .computed = true},
+    {NULL}};
+static const struct hsr_counter hiding_sets[] = {
+    {"hiding", "faces that hide those vertices, in all", HSR_ACTIVATE,
+     HSR_OF_VERTEX, HSR_OF_FACE},
+    {NULL}};
+const struct hsr_part hsr_hiding_number_part = {
+    HSR_PART_HIDING, hiding_numbers, NULL, NULL, {NULL}};
+const struct hsr_part hsr_hiding_set_part = {
+    HSR_PART_HIDING, hiding_sets, NULL, NULL, {NULL}};

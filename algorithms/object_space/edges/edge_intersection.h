@@ -290,12 +290,15 @@ hsr_event_subject(const struct hsr_network *network,
   }
 }
 
-/* The counters that these keep, in their order; an algorithm's own begin at
- * HSR_N_NETWORK_COUNTERS. Where visibility is promoted as a number, `hiding` is
- * the sum of those numbers, and computed; where it is promoted as a set, it has
- * the steps that keep its members. */
+/* What these count. Where visibility is promoted as a number, `hiding` is the sum
+ * of those numbers, and computed; where it is promoted as a set, it has the steps
+ * that keep its members: a module uses one of the two parts. The groups of lines
+ * stand before and after those that find an edge's crossings, which are at the
+ * third level and raise HSR_INTERSECT. */
+extern const struct hsr_part hsr_network_part, hsr_hiding_number_part,
+    hsr_hiding_set_part;
 enum {
-  HSR_EDGE_CULL,
+  HSR_EDGE_CULL = HSR_FIRST_OF(HSR_PART_NETWORK),
   HSR_INITIAL,
   HSR_INTERSECT,
   HSR_CORRECT,
@@ -306,119 +309,10 @@ enum {
   HSR_SAVED,
   HSR_APART,
   HSR_PROMOTED,
-  HSR_HIDING,
-  HSR_DRAWN,
-  HSR_N_NETWORK_COUNTERS
+  HSR_DRAWN
 };
-#define HSR_NETWORK_COUNTERS(hiding_is_a_number)                               \
-  [HSR_EDGE_CULL] = {"edge cull",                                              \
-                     "sides of faces looked at for relevant and contour "      \
-                     "edges",                                                  \
-                     HSR_COMPARE,                                              \
-                     HSR_OF_EDGE,                                              \
-                     HSR_OF_FACE,                                              \
-                     "does not exist|exists"},                                 \
-  [HSR_INITIAL] = {"initial visibility",                                       \
-                   "faces put to a vertex in the searches",                    \
-                   HSR_COMPARE,                                                \
-                   HSR_OF_VERTEX,                                              \
-                   HSR_OF_FACE,                                                \
-                   "does not hide|hides"},                                     \
-  [HSR_INTERSECT] = {"edge intersection", "pairs of edges that were compared", \
-                     HSR_COMPARE,         HSR_OF_EDGE,                         \
-                     HSR_OF_EDGE,         HSR_CROSSING_OUTCOMES},              \
-  [HSR_CORRECT] = {"correction",                                               \
-                   "faces with a corner at an edge's end put to the edge",     \
-                   HSR_COMPARE,                                                \
-                   HSR_OF_EDGE,                                                \
-                   HSR_OF_FACE,                                                \
-                   "does not hide|hides"},                                     \
-  [HSR_SORT_ALONG] =                                                           \
-      {"sort along edge", "comparisons of places along an edge",               \
-       HSR_COMPARE,       HSR_OF_EDGE,                                         \
-       HSR_OF_EDGE,       "not before|before"},                                \
-  [HSR_SEARCHES] = {"searches", "searches of all faces: clusters",             \
-                    HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_VERTEX},                 \
-  [HSR_CROSSINGS] = {"crossings", "nearer contour edges that an edge crosses", \
-                     HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_EDGE},                  \
-  [HSR_PIERCED] = {"pierced faces", "faces put to an edge that touches them",  \
-                   HSR_COMPARE,     HSR_OF_EDGE,                               \
-                   HSR_OF_FACE,     "does not pierce|pierces"},                \
-  [HSR_SAVED] = {"sorts to save", "edges that cannot be visible anywhere",     \
-                 HSR_REJECT, HSR_OF_EDGE, HSR_OF_NOTHING},                     \
-  [HSR_APART] = {"faces apart",                                                \
-                 "faces in whose plane an edge lies, and loose ones",          \
-                 HSR_COMPARE,                                                  \
-                 HSR_OF_EDGE,                                                  \
-                 HSR_OF_FACE,                                                  \
-                 "taken away|added"},                                          \
-  [HSR_PROMOTED] = {"promoted", "vertices to which visibility is promoted",    \
-                    HSR_ACTIVATE, HSR_OF_VERTEX, HSR_OF_EDGE},                 \
-  [HSR_HIDING] = {"hiding",     "faces that hide those vertices, in all",      \
-                  HSR_ACTIVATE, HSR_OF_VERTEX,                                 \
-                  HSR_OF_FACE,  .computed = hiding_is_a_number},               \
-  [HSR_DRAWN] = {"intervals drawn", "intervals of edges added to the drawing", \
-                 HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING}
-
-/* The lines of an outline before those that find an edge's crossings, which are
- * at the third level and take HSR_INTERSECT; and the lines after them. */
-#define HSR_NETWORK_OUTLINE_BEFORE                                             \
-  {"for each side of a face: cull back edges, mark contour edges",             \
-   HSR_RAISES(HSR_EDGE_CULL)},                                                 \
-      {"for each cluster of edges that can be reached from one another"},      \
-      {"  take a vertex of one of its edges", HSR_RAISES(HSR_SEARCHES)},       \
-      {"  initial visibility: for each face, does it hide the vertex?",        \
-       HSR_RAISES(HSR_INITIAL)},                                               \
-  {                                                                            \
-    "  for each relevant edge that ends at a vertex whose visibility is known" \
-  }
-#define HSR_NETWORK_OUTLINE_AFTER                                              \
-  {"      note the crossing", HSR_RAISES(HSR_CROSSINGS)},                      \
-      {"    for each face that it touches: does it pierce the face?",          \
-       HSR_RAISES(HSR_PIERCED)},                                               \
-      {"    invisibility correction: for each face with a corner at its end, " \
-       "does it hide the edge?",                                               \
-       HSR_RAISES(HSR_CORRECT)},                                               \
-      {"    promote visibility to the vertex at its other end",                \
-       HSR_RAISES(HSR_PROMOTED)},                                              \
-      {"      with what hides it there", HSR_RAISES(HSR_HIDING)},              \
-      {"    put faces to it whose plane holds it, and loose ones",             \
-       HSR_RAISES(HSR_APART)},                                                 \
-      {"    can it be visible anywhere?", HSR_RAISES(HSR_SAVED)},              \
-      {"    sort the crossings along the edge", HSR_RAISES(HSR_SORT_ALONG)}, { \
-    "    draw an interval up to each change of invisibility",                  \
-        HSR_RAISES(HSR_DRAWN)                                                  \
-  }
-
-#define HSR_NETWORK_STEPS HSR_NETWORK_STEPS_WITH({0, 0})
-/* The same; the edge intersection takes these terms more. */
-#define HSR_NETWORK_STEPS_WITH(...)                                            \
-  {"back and contour cull", HSR_EDGE_CULL, 1, "E_t", hsr_predict_edge_cull},   \
-      {"initial visibility", HSR_INITIAL, 100, "100 C_t F_r",                  \
-       hsr_predict_initial},                                                   \
-      {"edge intersection",      HSR_INTERSECT, 30, "30 E_s E_c",              \
-       hsr_predict_intersection, {__VA_ARGS__}},                               \
-      {"invisibility correction", HSR_CORRECT, 30, "30 (2 E_s 3)",             \
-       hsr_predict_correction},                                                \
-  {                                                                            \
-    "sort along edge", HSR_SORT_ALONG, 1, "E_s", hsr_predict_sort_along        \
-  }
-
-static inline double hsr_predict_edge_cull(const struct hsr_table1 *t) {
-  return t->E_t;
-}
-static inline double hsr_predict_initial(const struct hsr_table1 *t) {
-  return 100 * t->C_t * t->F_r;
-}
-static inline double hsr_predict_intersection(const struct hsr_table1 *t) {
-  return 30 * t->E_s * t->E_c;
-}
-static inline double hsr_predict_correction(const struct hsr_table1 *t) {
-  return 30 * 2 * t->E_s * 3;
-}
-static inline double hsr_predict_sort_along(const struct hsr_table1 *t) {
-  return t->E_s;
-}
+enum { HSR_HIDING = HSR_FIRST_OF(HSR_PART_HIDING) };
+enum { HSR_LINES_BEFORE_CROSSINGS, HSR_LINES_AFTER_CROSSINGS };
 
 #ifdef __cplusplus
 }

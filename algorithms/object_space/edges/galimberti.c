@@ -34,12 +34,11 @@
 
 #include <string.h>
 
-enum { OF_CONTOUR = HSR_N_NETWORK_COUNTERS, CHANGED, BOX_SORT };
+enum { OF_CONTOUR, CHANGED };
 enum { BOXES }; /* option */
-static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how edges are sorted", sortings, 0, HSR_BY_CORNER,
-               HSR_NOT_SORTED},
+    [BOXES] = {"boxes", "how edges are sorted", hsr_box_sortings, 0,
+               HSR_BY_CORNER, HSR_NOT_SORTED},
     {NULL}};
 
 /* How a face stands to the current edge. */
@@ -334,7 +333,7 @@ static enum hsr_status draw(const struct hsr_job *job,
   collect_edges(&s, network);
   bool sorted = job->option[BOXES] == HSR_BY_CORNER;
   if (sorted ? hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces,
-                                      BOX_SORT)
+                                      HSR_BOX_SORT)
              : hsr_near_boxes_make(&s.all, network->box, s.with_faces,
                                    s.n_with_faces, arena))
     return HSR_E_NOMEM;
@@ -354,27 +353,30 @@ static enum hsr_status render(const struct hsr_job *job,
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_network_part}, {&hsr_hiding_set_part}, {&hsr_box_sort_part}, {NULL}};
+
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS(false),
     [OF_CONTOUR] = {"contour pairs",
                     "pairs there would be with contour edges only", HSR_COMPARE,
                     HSR_OF_EDGE, HSR_OF_EDGE, .computed = true},
     [CHANGED] = {"nature changes", "events at which faces are entered and left",
                  HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING,
                  "forwards|backwards"},
-    [BOX_SORT] = HSR_BOX_SORT_COUNTER("edges"),
-    {0}};
+    {NULL}};
+
 static const struct hsr_line outline[] = {
-    HSR_BOX_SORT_LINE("edges", HSR_RAISES(BOX_SORT)),
-    HSR_NETWORK_OUTLINE_BEFORE,
+    {"", .part = &hsr_box_sort_part},
+    {"", .part = &hsr_network_part},
     {"    for each edge: does it cross the image of this one, and is it "
      "nearer?",
-     HSR_RAISES(HSR_INTERSECT) | HSR_RAISES(OF_CONTOUR)},
-    HSR_NETWORK_OUTLINE_AFTER,
+     HSR_RAISES(HSR_INTERSECT, OF_CONTOUR)},
+    {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
     {"    change the nature at each crossing", HSR_RAISES(CHANGED)},
-    {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
-                                        {0}};
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -382,7 +384,7 @@ static const struct hsr_sort sorts[] = {
      "once an edge"},
     {"faces", "before an edge's end", "cull", "once an edge"},
     {"crossings", "along the edge", "sort", "once an edge"},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .name = "galimberti",
@@ -398,8 +400,8 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
-    .steps = steps,
     .outline = outline,
     .options = options,
     .prepare = hsr_network_prepare,

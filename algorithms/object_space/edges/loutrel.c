@@ -26,11 +26,10 @@
  *             tests, not in what they find. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
-enum { MINIMAX = HSR_N_NETWORK_COUNTERS, PLANE, DEPTH, BOX_SORT };
+enum { MINIMAX, PLANE, DEPTH };
 enum { BOXES }; /* option */
-static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how boundary edges are sorted", sortings, 0,
+    [BOXES] = {"boxes", "how boundary edges are sorted", hsr_box_sortings, 0,
                HSR_BY_CORNER, HSR_NOT_SORTED},
     {NULL}};
 
@@ -84,12 +83,18 @@ static enum hsr_status render(const struct hsr_job *job,
   return hsr_network_render(
       job,
       &(struct hsr_intersector){.cross = cross,
-                                .box_sort = sorted ? BOX_SORT : 0},
+                                .box_sort = sorted ? HSR_BOX_SORT : 0},
       err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_network_part},
+                                      {&hsr_hiding_number_part},
+                                      {&hsr_box_sort_part},
+                                      {NULL}};
+
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS(true),
     [MINIMAX] = {"boxes overlap", "pairs that the minimax test leaves",
                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE},
     [PLANE] = {"plane intersections",
@@ -98,20 +103,19 @@ static const struct hsr_counter counters[] = {
     [DEPTH] = {"nearer boundary edges",
                "of those, where the boundary edge is nearer", HSR_ACTIVATE,
                HSR_OF_EDGE, HSR_OF_EDGE},
-    [BOX_SORT] = HSR_BOX_SORT_COUNTER("boundary edges"),
-    {0}};
+    {NULL}};
+
 static const struct hsr_line outline[] = {
-    HSR_BOX_SORT_LINE("boundary edges", HSR_RAISES(BOX_SORT)),
-    HSR_NETWORK_OUTLINE_BEFORE,
+    {"", .part = &hsr_box_sort_part},
+    {"", .part = &hsr_network_part},
     {"    for each boundary edge", HSR_RAISES(HSR_INTERSECT)},
     {"      minimax test: do the boxes of the images overlap?",
      HSR_RAISES(MINIMAX)},
     {"      do the images intersect in the picture plane?", HSR_RAISES(PLANE)},
     {"      is the boundary edge the nearer one there?", HSR_RAISES(DEPTH)},
-    HSR_NETWORK_OUTLINE_AFTER,
-    {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
-                                        {0}};
+    {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, boundary", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -121,7 +125,7 @@ static const struct hsr_sort sorts[] = {
     {"boundary edges", "Z", "comparison", "once an intersection"},
     {"faces", "before an edge's end", "cull", "twice an edge"},
     {"crossings", "along the edge", "sort", "once an edge"},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .name = "loutrel",
@@ -137,8 +141,8 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
-    .steps = steps,
     .outline = outline,
     .options = options,
     .prepare = hsr_network_prepare,

@@ -44,7 +44,7 @@
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 enum {
-  BUCKET_SORT = HSR_N_NETWORK_COUNTERS,
+  BUCKET_SORT,
   X_MERGE,
   BUBBLE_SORT,
   INTERCHANGES,
@@ -445,8 +445,12 @@ static enum hsr_status render(const struct hsr_job *job,
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_network_part}, {&hsr_hiding_number_part}, {NULL}};
+
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS(true),
     [BUCKET_SORT] = {"bucket sort",
                      "edges put into buckets, to enter and to leave", HSR_SORT,
                      HSR_OF_EDGE, HSR_OF_NOTHING, "to enter|to leave"},
@@ -472,7 +476,8 @@ static const struct hsr_counter counters[] = {
     [UNPLACED] = {"unplaced pairs",
                   "pairs tested because the image of one is not known",
                   HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE},
-    {0}};
+    {NULL}};
+
 static const struct hsr_line outline[] = {
     {"sort edges by their northmost Y into buckets", HSR_RAISES(BUCKET_SORT)},
     {"for each Y where edges enter or leave"},
@@ -484,21 +489,22 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(UNCERTAIN)},
     {"  note a crossing if one is relevant and the other is a contour edge",
      HSR_RAISES(NOTED)},
-    HSR_NETWORK_OUTLINE_BEFORE,
+    {"", .part = &hsr_network_part},
     {"    for each crossing noted: does the contour edge cross it?",
      HSR_RAISES(HSR_INTERSECT)},
     {"    the same for each edge whose image is not known",
      HSR_RAISES(UNPLACED)},
     {"      is the contour edge the nearer one?", HSR_RAISES(CONFIRMED)},
-    HSR_NETWORK_OUTLINE_AFTER,
-    {0}};
+    {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
+    {NULL}};
+
 static const struct hsr_step steps[] = {
-    HSR_NETWORK_STEPS,
     {"bucket sort", BUCKET_SORT, 1, NULL, NULL},
     {"X merge", X_MERGE, 1, NULL, NULL},
     {"bubble sort", BUBBLE_SORT, 1, NULL, NULL},
     {"uncertain order", UNCERTAIN, 1, NULL, NULL},
-    {0}};
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, contour", "cull", "once a frame"},
     {"edges", "northmost Y", "bucket sort", "once a frame"},
@@ -509,7 +515,7 @@ static const struct hsr_sort sorts[] = {
      "exhaustive search among those noted", "once an edge"},
     {"faces", "before an edge's end", "cull", "twice an edge"},
     {"crossings", "along the edge", "sort", "once an edge"},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
     .name = "warnock-edges",
@@ -525,6 +531,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -70,10 +70,9 @@ enum {
 };
 
 enum { BOXES }; /* option */
-static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how volumes are sorted", sortings, 0, HSR_BY_CORNER,
-               HSR_NOT_SORTED},
+    [BOXES] = {"boxes", "how volumes are sorted", hsr_box_sortings, 0,
+               HSR_BY_CORNER, HSR_NOT_SORTED},
     {NULL}};
 
 /* The outcomes of a minimax test. */
@@ -776,12 +775,16 @@ static double expense(const struct hsr_world *world,
   return (double)world->mesh.n_corners / 2 * world->n_faces;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
 static double predict_back_cull(const struct hsr_table1 *t) {
   return t->E_t;
 }
+
 static double predict_clip_cull(const struct hsr_table1 *t) {
   return 100 * t->E_s;
 }
+
 static double predict_test(const struct hsr_table1 *t) {
   const double f = 4;
   return 100 * t->E_s * f * t->C_t;
@@ -836,10 +839,13 @@ static const struct hsr_counter counters[] = {
     [BOX_SEARCH] = {"box search",
                     "boxes of volumes looked at to find those near an edge",
                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME, "not there|there"},
-    {0}};
+    {NULL}};
 
 static const struct hsr_line outline[] = {
-    HSR_BOX_SORT_LINE("volumes", HSR_RAISES(BOX_SORT) | HSR_RAISES(BOX_SEARCH)),
+    {"with sorted boxes: sort volumes by the upper left corners of their "
+     "boxes, and "
+     "find those near an edge",
+     HSR_RAISES(BOX_SORT, BOX_SEARCH)},
     {"for each object that is no closed solid before the eye: take it face by "
      "face",
      HSR_RAISES(TAKEN_APART)},
@@ -864,21 +870,21 @@ static const struct hsr_line outline[] = {
     {"        two pieces are left: put one by", HSR_RAISES(TWO_LEFT)},
     {"  put faces that are no volumes to what is left", HSR_RAISES(APART)},
     {"  draw the unobscured portions, and the hidden ones", HSR_RAISES(DRAWN)},
-    {0}};
+    {NULL}};
 
 static const struct hsr_step steps[] = {
     {"back-edge cull", BACK_CULL, 1, "E_t", predict_back_cull},
     {"clipping cull", CLIP_CULL, 100, "100 E_s", predict_clip_cull},
     {"minimax", MINIMAX, 1, NULL, NULL, {{BOX_SORT, 1}, {BOX_SEARCH, 1}}},
     {"edge/volume test", TEST, 100, "100 E_s f C_t, f = 4", predict_test},
-    {0}};
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing", "cull", "once a frame"},
     {"edges", "clipping", "cull", "once a frame"},
     {"volumes", "before an edge",
      "exhaustive search: minimax, linear programme", "once an edge"},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .name = "roberts",

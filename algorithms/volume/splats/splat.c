@@ -26,8 +26,6 @@
 
 enum { BLOCK = 4, FEW = 4096 };
 
-static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
-
 /* The picture is defined by the sequence of pbtf. */
 enum { ORDER, NESTING, ACCUMULATE };
 static const struct hsr_word orders[] = {
@@ -37,7 +35,7 @@ static const struct hsr_word orders[] = {
     {"vbuffer", "by distance within a slice", HSR_KNOWN_WRONG},
     {"ippbtf", "octants interleaved", HSR_KNOWN_WRONG},
     {"octree-order", "an octree over the grid", HSR_KNOWN_WRONG},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const enum hsr_grid_order order_of[] = {
     HSR_PBTF, HSR_BTF, HSR_WBTF, HSR_VBUFFER, HSR_IPPBTF, HSR_OCTREE};
 /* In the order of hsr_grid_nesting. */
@@ -48,7 +46,7 @@ static const struct hsr_word nestings[] = {
     {"yxz", "likewise", HSR_KNOWN_WRONG},
     {"xzy", "likewise", HSR_KNOWN_WRONG},
     {"xyz", "likewise", HSR_KNOWN_WRONG},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const struct hsr_word accumulations[] = {
     {"off", "splats are stretched, as the definition has it", 0},
     {"2", "so many frames, the first and the last included", HSR_KNOWN_WRONG},
@@ -57,7 +55,7 @@ static const struct hsr_word accumulations[] = {
     {"9", "likewise", HSR_KNOWN_WRONG},
     {"17", "likewise", HSR_KNOWN_WRONG},
     {"33", "likewise", HSR_KNOWN_WRONG},
-    {NULL, NULL, 0}};
+    {NULL}};
 static const int frames_of[] = {1, 2, 3, 5, 9, 17, 33};
 static const struct hsr_option options[] = {
     [ORDER] = {"order", "in which samples are visited", orders, 0, 5, 0},
@@ -252,23 +250,26 @@ static enum hsr_status render(const struct hsr_job *job,
   return status;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_splats_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
-    {"take the samples of the grid in an order, from the back or the front", 0},
+    {"take the samples of the grid in an order, from the back or the front"},
     {"for each row of samples, or piece of it from the front; is its box out "
      "of "
      "the window, or all full? leave it",
      HSR_RAISES(HSR_SPLAT_ROWS)},
     {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
-    {"    shade it by its density, its gradient and the light", 0},
+    {"    shade it by its density, its gradient and the light"},
     {"      find its footprint; is it out of sight, or all full? leave it",
      HSR_RAISES(HSR_SPLAT_SPLATS)},
     {"    for each pixel of the footprint, composite weight times colour",
      HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(splat) = {
-    HSR_OF_SPLATS,
     .name = "splat",
     .title = "Splatting, splat over splat",
     .authors = "L. Westover; J. E. Swan II",
@@ -278,7 +279,12 @@ const struct hsr_algorithm HSR_ALGORITHM(splat) = {
               "thesis, Ohio State University, 1998",
     .sort_order = "Z(XY)",
     .makes = 1 << HSR_OVER | 1 << HSR_UNDER,
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED,
+    .parts = uses,
     .outline = outline,
     .options = options,
     .render = render};

@@ -14,9 +14,6 @@
 
 #include <math.h>
 
-static const struct hsr_counter counters[] = {
-    HSR_SPLAT_COUNTERS, HSR_SPLAT_FOLD_COUNTER, {NULL}};
-
 struct model {
   struct hsr_splat_picture picture, sheet;
   struct hsr_window drawn; /* of the sheet */
@@ -63,9 +60,14 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_splats_part}, {&hsr_folds_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
-    {"choose the slices most parallel to the view plane", 0},
-    {"for each slice, from back to front", 0},
+    {"choose the slices most parallel to the view plane"},
+    {"for each slice, from back to front"},
     {"  for each row of samples; is its box out of the window? leave it",
      HSR_RAISES(HSR_SPLAT_ROWS)},
     {"    for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
@@ -75,10 +77,9 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"  put the sheet over the picture", HSR_RAISES(HSR_SPLAT_FOLDS)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(splat_sheet) = {
-    HSR_OF_SPLATS,
     .name = "splat-sheet",
     .title = "Splatting with a sheet buffer",
     .authors = "L. Westover",
@@ -88,6 +89,11 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_sheet) = {
               "thesis, Ohio State University, 1998",
     .sort_order = "Z(XY)",
     .makes = 1 << HSR_SHEET,
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED,
+    .parts = uses,
     .outline = outline,
     .render = render};

@@ -19,9 +19,6 @@
 
 enum { MOST_BYTES = 1 << 25, PARTS = HSR_FOOTPRINT_PARTS };
 
-static const struct hsr_counter counters[] = {
-    HSR_SPLAT_COUNTERS, HSR_SPLAT_FOLD_COUNTER, {NULL}};
-
 struct model {
   struct hsr_splat_picture picture, *bucket;
   int n;               /* buckets */
@@ -203,6 +200,11 @@ static enum hsr_status render(const struct hsr_job *job,
   return status;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_splats_part}, {&hsr_folds_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
     {"for each row of samples; is its box out of the window? leave it",
      HSR_RAISES(HSR_SPLAT_ROWS)},
@@ -211,16 +213,13 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_SPLAT_SPLATS)},
     {"    for each pixel of the footprint", HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"      add the parts of the kernel, times colour, to the buckets that "
-     "they "
-     "are in",
-     0},
+     "they are in"},
     {"from the last bucket to the first, put it over the picture",
      HSR_RAISES(HSR_SPLAT_FOLDS)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
-    HSR_OF_SPLATS,
     .name = "splat-volume",
     .title = "Splatting with a volumetric buffer",
     .authors = "L. Westover",
@@ -230,6 +229,11 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
               "thesis, Ohio State University, 1998",
     .sort_order = "(XY)Z",
     .makes = 1 << HSR_VOLUME,
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED,
+    .parts = uses,
     .outline = outline,
     .render = render};

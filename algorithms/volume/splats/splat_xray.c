@@ -12,8 +12,6 @@
 
 enum { MOST_SPLATS = 65536 };
 
-static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
-
 struct model {
   struct hsr_splat_picture picture; /* since the last move */
   uint64_t (*all)[4];
@@ -95,6 +93,10 @@ static enum hsr_status render(const struct hsr_job *job,
   return status;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_splats_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
     {"for each row of samples; is its box out of the window? leave it",
      HSR_RAISES(HSR_SPLAT_ROWS)},
@@ -104,10 +106,9 @@ static const struct hsr_line outline[] = {
     {"    for each pixel of the footprint, add weight times colour",
      HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(splat_xray) = {
-    HSR_OF_SPLATS_WITH(HSR_SUMS),
     .name = "splat-xray",
     .title = "Splatting of an X-ray picture",
     .authors = "L. Westover; J. E. Swan II",
@@ -116,6 +117,11 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_xray) = {
               "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
               "thesis, Ohio State University, 1998",
     .makes = 1 << HSR_XRAY,
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED | HSR_SUMS,
+    .parts = uses,
     .outline = outline,
     .render = render};

@@ -21,14 +21,9 @@
 
 #include <math.h>
 
-enum { CHANNELS = HSR_TEXTURE_CHANNELS, TRIES = HSR_TEXTURE_OWN };
+enum { CHANNELS = HSR_TEXTURE_CHANNELS };
+enum { TRIES }; /* counter */
 enum { FOOTPRINT, PREIMAGE };
-
-static const struct hsr_counter counters[] = {
-    HSR_TEXTURE_COUNTERS,
-    [TRIES] = {"tries", "texels in boxes around filters", HSR_COMPARE,
-               HSR_OF_CELL, HSR_OF_WINDOW, "outside|inside"},
-    {NULL}};
 
 static const struct hsr_word shapes[] = {
     [FOOTPRINT] = {"footprint", "the texel's splat reaches the pixel", 0},
@@ -220,6 +215,15 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_textures_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [TRIES] = {"tries", "texels in boxes around filters", HSR_COMPARE,
+               HSR_OF_CELL, HSR_OF_WINDOW, "outside|inside"},
+    {NULL}};
+
 static const struct hsr_line outline[] = {
     {"for each pixel: does its ray meet the layer?",
      HSR_RAISES(HSR_TEXTURE_RAYS)},
@@ -227,10 +231,9 @@ static const struct hsr_line outline[] = {
     {"    if the filter reaches it, read it and add weight times colour",
      HSR_RAISES(HSR_TEXTURE_TEXELS)},
     {"  write the mean, if it is not empty", HSR_RAISES(HSR_TEXTURE_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_convolve) = {
-    HSR_OF_TEXTURES,
     .name = "texture-convolve",
     .title = "Texture mapping by direct convolution",
     .authors = "E. A. Feibush, M. Levoy and R. L. Cook; P. S. Heckbert",
@@ -239,6 +242,14 @@ const struct hsr_algorithm HSR_ALGORITHM(texture_convolve) = {
               "Filters, SIGGRAPH 1980; Heckbert, Fundamentals of Texture "
               "Mapping and Image Warping, 1989",
     .options = options,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
+    .makes = 1 << HSR_XRAY,
+    .prepare = hsr_textures_prepare,
+    .release = hsr_textures_release,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .render = render};

@@ -17,9 +17,6 @@
 
 enum { CHANNELS = HSR_TEXTURE_CHANNELS, MOST_LEVELS = 24 };
 
-static const struct hsr_counter counters[] = {
-    HSR_TEXTURE_COUNTERS, HSR_TEXTURE_BUILT_COUNTER, {NULL}};
-
 struct level {
   int n[2];
   float (*texel)[CHANNELS];
@@ -128,23 +125,34 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_textures_part}, {&hsr_built_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
     {"build each level of means of four texels of the one before",
      HSR_RAISES(HSR_TEXTURE_BUILT)},
     {"for each pixel: does its ray meet the layer?",
      HSR_RAISES(HSR_TEXTURE_RAYS)},
-    {"  if so, choose two levels by the square around its preimage", 0},
+    {"  if so, choose two levels by the square around its preimage"},
     {"  read four texels of each", HSR_RAISES(HSR_TEXTURE_TEXELS)},
     {"  write their mean, if it is not empty", HSR_RAISES(HSR_TEXTURE_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_mipmap) = {
-    HSR_OF_TEXTURES,
     .name = "texture-mipmap",
     .title = "Williams' mip-map",
     .authors = "L. Williams",
     .year = 1983,
     .source = "Williams, Pyramidal Parametrics, SIGGRAPH 1983",
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
+    .makes = 1 << HSR_XRAY,
+    .prepare = hsr_textures_prepare,
+    .release = hsr_textures_release,
+    .parts = uses,
     .outline = outline,
     .render = render};

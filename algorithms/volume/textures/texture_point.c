@@ -8,8 +8,6 @@
  * Notation, invariant, ties, departures and cost are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
 
-static const struct hsr_counter counters[] = {HSR_TEXTURE_COUNTERS, {NULL}};
-
 static void filter(struct hsr_texture *x, const struct hsr_preimage *pre,
                    double mean[HSR_TEXTURE_CHANNELS]) {
   int p = hsr_texel_of(pre->at[0], x->n[0]),
@@ -30,21 +28,31 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_textures_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
     {"for each pixel: does its ray meet the layer?",
      HSR_RAISES(HSR_TEXTURE_RAYS)},
     {"  if so, read the texel there", HSR_RAISES(HSR_TEXTURE_TEXELS)},
     {"  write it, if it is not empty", HSR_RAISES(HSR_TEXTURE_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_point) = {
-    HSR_OF_TEXTURES,
     .name = "texture-point",
     .title = "Texture mapping, a texel a pixel",
     .authors = "E. Catmull",
     .year = 1974,
     .source = "Catmull, A Subdivision Algorithm for Computer Display of Curved "
               "Surfaces, PhD thesis, University of Utah, 1974",
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
+    .makes = 1 << HSR_XRAY,
+    .prepare = hsr_textures_prepare,
+    .release = hsr_textures_release,
+    .parts = uses,
     .outline = outline,
     .render = render};

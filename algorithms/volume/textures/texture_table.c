@@ -21,9 +21,6 @@
 
 enum { CHANNELS = HSR_TEXTURE_CHANNELS };
 
-static const struct hsr_counter counters[] = {
-    HSR_TEXTURE_COUNTERS, HSR_TEXTURE_BUILT_COUNTER, {NULL}};
-
 /* --- The table ------------------------------------------------------------ */
 
 static double *entry(const struct hsr_texture *x, int p, int q) {
@@ -98,24 +95,35 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_textures_part}, {&hsr_built_part}, {NULL}};
+
 static const struct hsr_line outline[] = {
     {"build the table: each entry from three others and a texel",
      HSR_RAISES(HSR_TEXTURE_BUILT)},
     {"for each pixel: does its ray meet the layer?",
      HSR_RAISES(HSR_TEXTURE_RAYS)},
-    {"  if so, find the rectangle around its preimage", 0},
+    {"  if so, find the rectangle around its preimage"},
     {"  for each corner, read the four entries around it",
      HSR_RAISES(HSR_TEXTURE_TEXELS)},
     {"  write the mean, if it is not empty", HSR_RAISES(HSR_TEXTURE_WRITES)},
-    {NULL, 0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_table) = {
-    HSR_OF_TEXTURES,
     .name = "texture-table",
     .title = "Crow's summed-area table",
     .authors = "F. C. Crow",
     .year = 1984,
     .source = "Crow, Summed-Area Tables for Texture Mapping, SIGGRAPH 1984",
-    .counters = counters,
+    .taxonomy = HSR_VOLUME_SPACE,
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_COMPOSITED,
+    .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
+    .makes = 1 << HSR_XRAY,
+    .prepare = hsr_textures_prepare,
+    .release = hsr_textures_release,
+    .parts = uses,
     .outline = outline,
     .render = render};

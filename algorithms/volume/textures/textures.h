@@ -34,32 +34,14 @@
 
 /* --- What the modules have in common -------------------------------------- */
 
+/* What they count; and what those count that build levels or tables. */
+extern const struct hsr_part hsr_textures_part, hsr_built_part;
 enum {
-  HSR_TEXTURE_RAYS,
+  HSR_TEXTURE_RAYS = HSR_FIRST_OF(HSR_PART_TEXTURES),
   HSR_TEXTURE_TEXELS,
-  HSR_TEXTURE_WRITES,
-  HSR_TEXTURE_OWN /* the first counter that only one module has */
+  HSR_TEXTURE_WRITES
 };
-
-#define HSR_TEXTURE_COUNTERS                                                   \
-  [HSR_TEXTURE_RAYS] = {"rays",        "rays that are met with the layer",     \
-                        HSR_COMPARE,   HSR_OF_NOTHING,                         \
-                        HSR_OF_WINDOW, "misses|meets"},                        \
-  [HSR_TEXTURE_TEXELS] = {"texels", "texels read, or entries of a table",      \
-                          HSR_SAMPLE, HSR_OF_CELL, HSR_OF_WINDOW},             \
-  [HSR_TEXTURE_WRITES] = {"writes", "pixels that are not empty", HSR_ACCEPT,   \
-                          HSR_OF_NOTHING, HSR_OF_WINDOW}
-#define HSR_TEXTURE_BUILT HSR_TEXTURE_OWN /* of modules that build */
-#define HSR_TEXTURE_BUILT_COUNTER                                              \
-  [HSR_TEXTURE_BUILT] = {"built",                                              \
-                         "texels of levels, or entries, that are made",        \
-                         HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING}
-
-#define HSR_OF_TEXTURES                                                        \
-  .taxonomy = HSR_VOLUME_SPACE, .subjects = 1 << HSR_GRID,                     \
-  .kind = HSR_COMPOSITED, .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,            \
-  .makes = 1 << HSR_XRAY, .prepare = hsr_textures_prepare,                     \
-  .release = hsr_textures_release
+enum { HSR_TEXTURE_BUILT = HSR_FIRST_OF(HSR_PART_BUILT) };
 
 /* --- The frame ------------------------------------------------------------ */
 

@@ -128,8 +128,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_subject subject = hsr_cube_subject(instance, k);
   struct hsr_tally before = *w->tally;
-  bool truly_out = hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES,
-                                     subject) == HSR_BOX_OUT;
+  bool truly_out =
+      hsr_cube_classify(&w->frame, placing, &cube, subject) == HSR_BOX_OUT;
   *w->tally = before;
   bool visible =
       hsr_hz_is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);

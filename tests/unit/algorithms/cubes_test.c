@@ -362,8 +362,8 @@ static bool is_out(struct frame *f, const struct hsr_octree_box *cube,
   struct hsr_trace trace = {.listen = listen, .context = &told};
   uint64_t before = f->tally.count[INEQUALITIES];
   f->tally.trace = &trace;
-  bool out = hsr_cube_classify(&f->frame, &f->frame.placing, cube, INEQUALITIES,
-                               told.cube) == HSR_BOX_OUT;
+  bool out = hsr_cube_classify(&f->frame, &f->frame.placing, cube, told.cube) ==
+             HSR_BOX_OUT;
   f->tally.trace = NULL;
   held->miscounted += told.wrong || told.outside != out || told.last != out ||
                       told.n < 1 || told.n > 30 ||

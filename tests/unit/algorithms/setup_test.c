@@ -115,10 +115,10 @@ int main(void) {
   open_worlds(&cells, "checker-cube:4");
   open_bare(&scene, &bare);
   int n = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     n++;
   struct tap tap = plan(n + 8);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     ok(&tap, l->plain->subjects && is_faithful(l->plain, &faces, &cells, &bare),
        "%s says what it takes, and refuses what it does not take",
        l->plain->name);

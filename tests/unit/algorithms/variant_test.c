@@ -35,7 +35,7 @@ static bool parses(const char *text) {
  * of every number's range. */
 static bool all_parse(void) {
   bool good = true;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
     const struct hsr_option *option = a->plain->options;
     for (int k = 0; option && option[k].name; k++) {
       char text[HSR_MOST_VARIANT + 1];

@@ -178,7 +178,7 @@ static struct results make(struct world *w) {
     table1[s] = table1_of(w, s, coefficient);
     give(&results, view_record(s, &table1[s]));
   }
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->steps)
       give_algorithm(&results, l->plain, l->plain->name, w, table1);
   for (const char *const *name = tables_variants; *name; name++) {

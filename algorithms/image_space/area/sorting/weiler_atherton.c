@@ -47,47 +47,6 @@ enum {
   SHOWN
 };
 
-static const struct hsr_counter counters[] = {
-    [SORTED] = {"polygons", "polygons put into rough order", HSR_SORT,
-                HSR_OF_FACE, HSR_OF_NOTHING},
-    [CLIP] = {"clip polygons", "polygons that others were clipped to",
-              HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_NOTHING},
-    [EXAMINED] = {"examinations",
-                  "polygons examined against a clip polygon; what of them is "
-                  "left is examined again",
-                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                  "boxes apart|outside|divided or inside"},
-    [CLIPPED] = {"pieces", "pieces that clipping made, inside and outside",
-                 HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE, "inside|outside"},
-    [COMPARED] = {"depth comparisons",
-                  "inside pieces compared with the clip polygon's plane",
-                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "behind|before|both"},
-    [CUT] = {"penetrations", "inside pieces divided where two planes meet",
-             HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE},
-    [CULLED] = {"culled", "inside pieces behind the clip polygon", HSR_REJECT,
-                HSR_OF_FACE, HSR_OF_FACE},
-    [RECURSION] = {"recursions", "inside lists that had to be processed",
-                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_NOTHING},
-    [SHOWN] = {"regions", "pieces displayed", HSR_ACCEPT, HSR_OF_FACE,
-               HSR_OF_NOTHING},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"sort the polygons from front to back, roughly", HSR_RAISES(SORTED)},
-    {"while the list is not empty", 0},
-    {"  the nearest of the list is the clip polygon", HSR_RAISES(CLIP)},
-    {"  for each other polygon of the list", HSR_RAISES(EXAMINED)},
-    {"    clip it: inside list and outside list", HSR_RAISES(CLIPPED)},
-    {"  for each polygon of the inside list", HSR_RAISES(COMPARED)},
-    {"    if it penetrates the clip polygon, divide it", HSR_RAISES(CUT)},
-    {"    if it is behind the clip polygon, cull it", HSR_RAISES(CULLED)},
-    {"  if polygons are left before the clip polygon", 0},
-    {"    process the inside list, the clip polygon at its end",
-     HSR_RAISES(RECURSION)},
-    {"  else display the clip polygon", HSR_RAISES(SHOWN)},
-    {"  the outside list is the list", 0},
-    {NULL}};
-
 enum { SORT, CLIPS }; /* options */
 enum { ROUGH, NONE };
 static const struct hsr_word orders[] = {
@@ -411,19 +370,62 @@ static enum hsr_status render(const struct hsr_job *job,
                     : HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_counter counters[] = {
+    [SORTED] = {"polygons", "polygons put into rough order", HSR_SORT,
+                HSR_OF_FACE, HSR_OF_NOTHING},
+    [CLIP] = {"clip polygons", "polygons that others were clipped to",
+              HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_NOTHING},
+    [EXAMINED] = {"examinations",
+                  "polygons examined against a clip polygon; what of them is "
+                  "left is examined again",
+                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                  "boxes apart|outside|divided or inside"},
+    [CLIPPED] = {"pieces", "pieces that clipping made, inside and outside",
+                 HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE, "inside|outside"},
+    [COMPARED] = {"depth comparisons",
+                  "inside pieces compared with the clip polygon's plane",
+                  HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "behind|before|both"},
+    [CUT] = {"penetrations", "inside pieces divided where two planes meet",
+             HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE},
+    [CULLED] = {"culled", "inside pieces behind the clip polygon", HSR_REJECT,
+                HSR_OF_FACE, HSR_OF_FACE},
+    [RECURSION] = {"recursions", "inside lists that had to be processed",
+                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_NOTHING},
+    [SHOWN] = {"regions", "pieces displayed", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"sort the polygons from front to back, roughly", HSR_RAISES(SORTED)},
+    {"while the list is not empty"},
+    {"  the nearest of the list is the clip polygon", HSR_RAISES(CLIP)},
+    {"  for each other polygon of the list", HSR_RAISES(EXAMINED)},
+    {"    clip it: inside list and outside list", HSR_RAISES(CLIPPED)},
+    {"  for each polygon of the inside list", HSR_RAISES(COMPARED)},
+    {"    if it penetrates the clip polygon, divide it", HSR_RAISES(CUT)},
+    {"    if it is behind the clip polygon, cull it", HSR_RAISES(CULLED)},
+    {"  if polygons are left before the clip polygon"},
+    {"    process the inside list, the clip polygon at its end",
+     HSR_RAISES(RECURSION)},
+    {"  else display the clip polygon", HSR_RAISES(SHOWN)},
+    {"  the outside list is the list"},
+    {NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"polygons", "Z of the nearest vertex", "sort", "once a frame"},
     {"polygons", "X, Y", "clipping to the borders of others",
      "once a clip polygon"},
     {"polygons", "Z", "comparison of planes", "once an inside polygon"},
-    {0}};
+    {NULL}};
 
 static const struct hsr_step steps[] = {
     {"rough sort", SORTED, 1, NULL, NULL, {{0}}},
     {"examine", EXAMINED, 1, NULL, NULL, {{0}}},
     {"clip", CLIPPED, 1, NULL, NULL, {{0}}},
     {"compare", COMPARED, 1, NULL, NULL, {{0}}},
-    {0}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(weiler_atherton) = {
     .name = "weiler-atherton",

@@ -138,3 +138,66 @@ void hsr_tiling_background(struct hsr_tiling *t) {
   hsr_masks_tile_rest(&t->masks, &t->sink);
   t->job->tally->work = t->work;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"cubes asked",
+                             "cubes, and boxes of instances, whose silhouettes "
+                             "were tiled",
+                             HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
+                             "hidden|visible"},
+    {"cubes hidden",
+                                       "of these, those that are hidden",
+                                       HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},
+    {"cube cells", "cells of the mask pyramid visited for them",
+         HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES},
+    {"polygon cells",
+         "cells of the mask pyramid visited for polygons, "
+         "and the background",
+         HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_MASK_VISIT_OUTCOMES},
+    {"finest cells", "of all these, those of the finest level", HSR_COMPARE,
+         HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+    {"pixel cells", "of all these, those as large as a pixel or larger",
+         HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+    {"samples",
+                                 "written by masks, each once; of a filtered "
+                                 "picture, 64 a pixel, or 4096",
+                                 HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {"unsure samples",
+                                         "put to the exact predicates",
+                                         HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                                         "not covered|covered"},
+    {NULL}};
+
+static const struct hsr_line cube_lines[] = {
+    {"  is a vacant sample within the cube's silhouette?",
+     HSR_RAISES(HSR_CUBES_ASKED)},
+    {"    tile_poly the silhouette, to look and not to write",
+     HSR_RAISES(HSR_CUBE_CELLS)},
+    {"  if not, cull the cube", HSR_RAISES(HSR_CUBES_HIDDEN)},
+    {NULL}};
+
+static const struct hsr_line cell_lines[] = {
+    {"    tile_poly(mask): build the polygon's mask; W = Cv & Pc, A = ~(W | Pv "
+     "| Cc)",
+     HSR_RAISES(HSR_POLYGON_CELLS)},
+    {"      of a square of one or more pixels", HSR_RAISES(HSR_PIXEL_CELLS)},
+    {"      of the finest level: W is a mask of samples",
+     HSR_RAISES(HSR_FINEST_CELLS)},
+    {"        ask exactly about samples too close to an edge",
+     HSR_RAISES(HSR_SAMPLES_UNSURE)},
+    {"      for each TRUE bit in A: tile_poly(the subcell's mask), propagate"},
+    {NULL}};
+
+static const struct hsr_line sample_lines[] = {
+    {"    for each TRUE bit in W: display its samples",
+     HSR_RAISES(HSR_SAMPLES_WRITTEN)},
+    {NULL}};
+
+const struct hsr_part hsr_tiling_part = {
+    HSR_PART_TILING,
+    counters,
+    NULL,
+    NULL,
+    {cube_lines, cell_lines, sample_lines}};

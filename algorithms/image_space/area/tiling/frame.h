@@ -38,14 +38,6 @@ enum hsr_status hsr_tiling_prepare(size_t size, long intervals, void **prepared,
                                    struct hsr_error *err);
 void hsr_sampling_free(struct hsr_sampling *sampling);
 
-/* The option of all modules from which `intervals` comes. */
-#define HSR_INTERVALS_OPTION                                                   \
-  {                                                                            \
-    .name = "intervals",                                                       \
-    .meaning = "into which a side is divided for the tables of masks",         \
-    .least = 1, .most = HSR_TRIAGE_MOST, .standard = 64                        \
-  }
-
 /* --- A frame -------------------------------------------------------------- */
 
 struct hsr_tiling {
@@ -90,61 +82,20 @@ void hsr_tiling_background(struct hsr_tiling *tiling);
 
 /* --- Counters ------------------------------------------------------------- */
 
-/* The first counters of each module; its own begin at HSR_TILING_COUNTERS. */
+/* What tiling with masks counts. The groups of lines: the test of a cube; listing 1;
+ * its samples. */
+extern const struct hsr_part hsr_tiling_part;
 enum {
-  HSR_CUBES_ASKED,
+  HSR_CUBES_ASKED = HSR_FIRST_OF(HSR_PART_TILING),
   HSR_CUBES_HIDDEN,
   HSR_CUBE_CELLS,
   HSR_POLYGON_CELLS,
   HSR_FINEST_CELLS,
   HSR_PIXEL_CELLS,
   HSR_SAMPLES_WRITTEN,
-  HSR_SAMPLES_UNSURE,
-  HSR_TILING_COUNTERS
+  HSR_SAMPLES_UNSURE
 };
-
-#define HSR_TILING_COUNTER_NAMES                                               \
-  [HSR_CUBES_ASKED] = {"cubes asked",                                          \
-                       "cubes, and boxes of instances, whose silhouettes "     \
-                       "were tiled",                                           \
-                       HSR_COMPARE,                                            \
-                       HSR_OF_CELL,                                            \
-                       HSR_OF_WINDOW,                                          \
-                       "hidden|visible"},                                      \
-  [HSR_CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden",     \
-                        HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},               \
-  [HSR_CUBE_CELLS] = {"cube cells",                                            \
-                      "cells of the mask pyramid visited for them",            \
-                      HSR_COMPARE,                                             \
-                      HSR_OF_CELL,                                             \
-                      HSR_OF_CELL,                                             \
-                      HSR_MASK_VISIT_OUTCOMES},                                \
-  [HSR_POLYGON_CELLS] = {"polygon cells",                                      \
-                         "cells of the mask pyramid visited for polygons, "    \
-                         "and the background",                                 \
-                         HSR_COMPARE,                                          \
-                         HSR_OF_CELL,                                          \
-                         HSR_OF_FACE,                                          \
-                         HSR_MASK_VISIT_OUTCOMES},                             \
-  [HSR_FINEST_CELLS] = {"finest cells",                                        \
-                        "of all these, those of the finest level",             \
-                        HSR_COMPARE,                                           \
-                        HSR_OF_CELL,                                           \
-                        HSR_OF_NOTHING,                                        \
-                        HSR_MASK_VISIT_OUTCOMES},                              \
-  [HSR_PIXEL_CELLS] = {"pixel cells",                                          \
-                       "of all these, those as large as a pixel or larger",    \
-                       HSR_COMPARE,                                            \
-                       HSR_OF_CELL,                                            \
-                       HSR_OF_NOTHING,                                         \
-                       HSR_MASK_VISIT_OUTCOMES},                               \
-  [HSR_SAMPLES_WRITTEN] = {"samples",                                          \
-                           "written by masks, each once; of a filtered "       \
-                           "picture, 64 a pixel, or 4096",                     \
-                           HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},            \
-  [HSR_SAMPLES_UNSURE] = {"unsure samples", "put to the exact predicates",     \
-                          HSR_SAMPLE,       HSR_OF_FACE,                       \
-                          HSR_OF_WINDOW,    "not covered|covered"}
+enum { HSR_CUBE_LINES, HSR_CELL_LINES, HSR_SAMPLE_LINES };
 
 /* For whom cells are visited from now on: a face, or a cube. */
 static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
@@ -171,36 +122,6 @@ static inline void hsr_tiling_asked(const struct hsr_tiling *tiling,
   if (!visible)
     HSR_STEP(tally, HSR_CUBES_HIDDEN, cube, HSR_THE_WINDOW, window, 0);
 }
-
-/* Lines of an outline: the test of a cube; listing 1 and its samples. */
-#define HSR_TILING_CUBE_LINES                                                  \
-  {"  is a vacant sample within the cube's silhouette?",                       \
-   HSR_RAISES(HSR_CUBES_ASKED)},                                               \
-      {"    tile_poly the silhouette, to look and not to write",               \
-       HSR_RAISES(HSR_CUBE_CELLS)},                                            \
-  {                                                                            \
-    "  if not, cull the cube", HSR_RAISES(HSR_CUBES_HIDDEN)                    \
-  }
-
-#define HSR_TILING_CELL_LINES                                                  \
-  {"    tile_poly(mask): build the polygon's mask; W = Cv & Pc, A = ~(W | Pv " \
-   "| Cc)",                                                                    \
-   HSR_RAISES(HSR_POLYGON_CELLS)},                                             \
-      {"      of a square of one or more pixels",                              \
-       HSR_RAISES(HSR_PIXEL_CELLS)},                                           \
-      {"      of the finest level: W is a mask of samples",                    \
-       HSR_RAISES(HSR_FINEST_CELLS)},                                          \
-      {"        ask exactly about samples too close to an edge",               \
-       HSR_RAISES(HSR_SAMPLES_UNSURE)},                                        \
-  {                                                                            \
-    "      for each TRUE bit in A: tile_poly(the subcell's mask), propagate"   \
-  }
-
-#define HSR_TILING_SAMPLE_LINE                                                 \
-  {                                                                            \
-    "    for each TRUE bit in W: display its samples",                         \
-        HSR_RAISES(HSR_SAMPLES_WRITTEN)                                        \
-  }
 
 #ifdef __cplusplus
 }

@@ -32,7 +32,7 @@ enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
 enum { CUBES_TESTED, CUBES_DRAWN };
 
-enum { POLYGONS = HSR_LAZY_COUNTERS, POLYGONS_HIDDEN };
+enum { POLYGONS, POLYGONS_HIDDEN };
 
 /* --- Once ----------------------------------------------------------------- */
 
@@ -419,37 +419,6 @@ static enum hsr_status render(const struct hsr_job *job,
 
 /* --- The descriptor ------------------------------------------------------- */
 
-static const struct hsr_counter counters[] = {
-    HSR_TILING_COUNTER_NAMES,
-    HSR_LAZY_COUNTER_NAMES,
-    [POLYGONS] = {"polygons",
-                  "faces, or pieces of them, in visible cubes, with a sample "
-                  "in their box",
-                  HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
-    [POLYGONS_HIDDEN] = {"polygons hidden",
-                         "of these, those whose box is hidden", HSR_REJECT,
-                         HSR_OF_PIECE, HSR_OF_WINDOW},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each octree cube, from front to back"},
-    HSR_TILING_CUBE_LINES,
-    {"  for each polygon in it, in any order", HSR_RAISES(POLYGONS)},
-    {"    if it is behind zfar of the cell that encloses its box: skip it",
-     HSR_RAISES(POLYGONS_HIDDEN)},
-    HSR_TILING_CELL_LINES,
-    HSR_LAZY_PIXEL_LINES,
-    {"    update znear and zfar of the coarser cells"},
-    HSR_LAZY_END_LINES,
-    HSR_TILING_SAMPLE_LINE,
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"cubes", "distance", "octree, from front to back", "once a frame"},
-    {"faces", "X and Y", "mask pyramid", "a polygon"},
-    {"faces", "Z", "exhaustive search", "a sample of a z-buffered pixel"},
-    {NULL, NULL, NULL, NULL}};
-
 static const struct hsr_option options[] = {
     [ORDER] = {.name = "order",
                .meaning = "in which polygons come",
@@ -482,8 +451,47 @@ static const struct hsr_option options[] = {
                         0},
                        {"drawn", "all are gone through", 0},
                        {NULL, NULL, 0}}},
-    [INTERVALS] = HSR_INTERVALS_OPTION,
+    [INTERVALS] = {.name = "intervals",
+                   .meaning =
+                       "into which a side is divided for the tables of masks",
+                   .least = 1,
+                   .most = HSR_TRIAGE_MOST,
+                   .standard = 64},
     {.name = NULL}};
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_tiling_part}, {&hsr_lazy_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [POLYGONS] = {"polygons",
+                  "faces, or pieces of them, in visible cubes, with a sample "
+                  "in their box",
+                  HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [POLYGONS_HIDDEN] = {"polygons hidden",
+                         "of these, those whose box is hidden", HSR_REJECT,
+                         HSR_OF_PIECE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each octree cube, from front to back"},
+    {"", .part = &hsr_tiling_part},
+    {"  for each polygon in it, in any order", HSR_RAISES(POLYGONS)},
+    {"    if it is behind zfar of the cell that encloses its box: skip it",
+     HSR_RAISES(POLYGONS_HIDDEN)},
+    {"", .part = &hsr_tiling_part, .group = HSR_CELL_LINES},
+    {"", .part = &hsr_lazy_part},
+    {"    update znear and zfar of the coarser cells"},
+    {"", .part = &hsr_lazy_part, .group = HSR_END_LINES},
+    {"", .part = &hsr_tiling_part, .group = HSR_SAMPLE_LINES},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {"faces", "Z", "exhaustive search", "a sample of a z-buffered pixel"},
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .name = "tiling-lazy",
@@ -501,6 +509,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .kind = HSR_IDS,
     .flags = HSR_FILTERS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .options = options,

@@ -563,3 +563,41 @@ void hsr_lazy_resolve(struct hsr_lazy_pyramid *p,
   struct hsr_mask_cell root = hsr_masks_root(p->masks);
   resolve(&resolving, &root);
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"fragments", "of polygons, cached in pixels",
+                                HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    {"pixels demoted",
+                                       "from tiling to z-buffering",
+                                       HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_FACE},
+    {"samples compared", "by depth",
+                                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                                        "farther|nearer"},
+    {"pixels entered",
+         "that in the end are not of one face as all about "
+         "them, or vacant",
+         HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_WINDOW, "tiled|z-buffered"},
+    {"pixels z-buffered",
+                                          "of these, in the end", HSR_SUBDIVIDE,
+                                          HSR_OF_CELL, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line pixel_lines[] = {
+    {"    if it is not behind all of a pixel's fragments where they meet: "
+     "compare",
+     HSR_RAISES(HSR_LAZY_COMPARED)},
+    {"      tiling is legal: cache a fragment", HSR_RAISES(HSR_LAZY_FRAGMENTS)},
+    {"      else change the pixel to ordinary z-buffering",
+     HSR_RAISES(HSR_LAZY_DEMOTED)},
+    {NULL}};
+
+static const struct hsr_line end_lines[] = {
+    {"for each pixel that is not of one face or vacant: shade its fragments",
+     HSR_RAISES(HSR_LAZY_ENTERED)},
+    {"  or the faces of its z-buffer", HSR_RAISES(HSR_LAZY_Z_BUFFERED)},
+    {NULL}};
+
+const struct hsr_part hsr_lazy_part = {
+    HSR_PART_LAZY, counters, NULL, NULL, {pixel_lines, end_lines}};

@@ -57,52 +57,17 @@ struct hsr_lazy_pixel {
   bool z_buffered;
 };
 
-/* The counters, after those of whoever tiles with masks; the module's own begin
- * at HSR_LAZY_COUNTERS. */
+/* What it counts. The groups of lines: what becomes of a polygon in a pixel; and
+ * of a pixel in the end. */
+extern const struct hsr_part hsr_lazy_part;
 enum {
-  HSR_LAZY_FRAGMENTS = HSR_TILING_COUNTERS,
+  HSR_LAZY_FRAGMENTS = HSR_FIRST_OF(HSR_PART_LAZY),
   HSR_LAZY_DEMOTED,
   HSR_LAZY_COMPARED,
   HSR_LAZY_ENTERED,
-  HSR_LAZY_Z_BUFFERED,
-  HSR_LAZY_COUNTERS
+  HSR_LAZY_Z_BUFFERED
 };
-
-#define HSR_LAZY_COUNTER_NAMES                                                 \
-  [HSR_LAZY_FRAGMENTS] = {"fragments", "of polygons, cached in pixels",        \
-                          HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},             \
-  [HSR_LAZY_DEMOTED] = {"pixels demoted", "from tiling to z-buffering",        \
-                        HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_FACE},              \
-  [HSR_LAZY_COMPARED] = {"samples compared", "by depth",  HSR_COMPARE,         \
-                         HSR_OF_FACE,        HSR_OF_FACE, "farther|nearer"},   \
-  [HSR_LAZY_ENTERED] = {"pixels entered",                                      \
-                        "that in the end are not of one face as all about "    \
-                        "them, or vacant",                                     \
-                        HSR_SUBDIVIDE,                                         \
-                        HSR_OF_CELL,                                           \
-                        HSR_OF_WINDOW,                                         \
-                        "tiled|z-buffered"},                                   \
-  [HSR_LAZY_Z_BUFFERED] = {"pixels z-buffered", "of these, in the end",        \
-                           HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_WINDOW}
-
-/* Lines of an outline: what becomes of a polygon in a pixel; and in the end. */
-#define HSR_LAZY_PIXEL_LINES                                                   \
-  {"    if it is not behind all of a pixel's fragments where they meet: "      \
-   "compare",                                                                  \
-   HSR_RAISES(HSR_LAZY_COMPARED)},                                             \
-      {"      tiling is legal: cache a fragment",                              \
-       HSR_RAISES(HSR_LAZY_FRAGMENTS)},                                        \
-  {                                                                            \
-    "      else change the pixel to ordinary z-buffering",                     \
-        HSR_RAISES(HSR_LAZY_DEMOTED)                                           \
-  }
-
-#define HSR_LAZY_END_LINES                                                     \
-  {"for each pixel that is not of one face or vacant: shade its fragments",    \
-   HSR_RAISES(HSR_LAZY_ENTERED)},                                              \
-  {                                                                            \
-    "  or the faces of its z-buffer", HSR_RAISES(HSR_LAZY_Z_BUFFERED)          \
-  }
+enum { HSR_PIXEL_LINES, HSR_END_LINES };
 
 struct hsr_lazy_pyramid {
   struct hsr_masks *masks; /* its C and V are kept here */

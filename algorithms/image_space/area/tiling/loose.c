@@ -13,10 +13,10 @@ static bool has_any(const struct hsr_bsp *bsp) {
 
 enum hsr_status hsr_loose_begin(struct hsr_loose *l, const struct hsr_bsp *bsp,
                                 const struct hsr_view *view,
-                                struct hsr_tally *tally, int compared,
-                                int shown, struct hsr_arena *arena) {
+                                struct hsr_tally *tally,
+                                struct hsr_arena *arena) {
   uint32_t n = bsp->world->n_faces;
-  *l = (struct hsr_loose){.tally = tally, .compared = compared, .shown = shown};
+  *l = (struct hsr_loose){.tally = tally};
   if (!has_any(bsp))
     return HSR_OK;
   l->is_loose = HSR_NEW_ZEROED(arena, bool, n);
@@ -69,7 +69,7 @@ static bool is_nearer(struct hsr_loose *l, uint32_t f, uint32_t g, int i,
     return true;
   find_plane(l, g);
   bool nearer = hsr_nearer(&l->screen, f, g, i, j, l->tally);
-  HSR_STEP(l->tally, l->compared, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j),
+  HSR_STEP(l->tally, HSR_LOOSE_COMPARED, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j),
            nearer);
   return nearer;
 }
@@ -86,10 +86,32 @@ void hsr_loose_draw(struct hsr_loose *l, uint32_t *ids, size_t stride) {
         uint32_t *id = &ids[(size_t)j * stride + (size_t)i];
         if (*id != f && hsr_covers(&l->screen, f, i, j, l->tally) &&
             is_nearer(l, f, *id, i, j)) {
-          HSR_STEP(l->tally, l->shown, HSR_FACE(f), HSR_THE_WINDOW,
+          HSR_STEP(l->tally, HSR_LOOSE_SHOWN, HSR_FACE(f), HSR_THE_WINDOW,
                    HSR_AT(i, j), 0);
           *id = f;
         }
       }
   }
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"thickness checks",
+         "comparisons in depth with faces that are not flat and have "
+         "no place in the trees",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {"loose samples",
+                             "where such a face is the nearest so far: written",
+                             HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line lines[] = {
+    {"for each face that is not flat and has no place in the trees"},
+    {"  at each sample: is it nearer than the face there?",
+     HSR_RAISES(HSR_LOOSE_COMPARED)},
+    {"    display it", HSR_RAISES(HSR_LOOSE_SHOWN)},
+    {NULL}};
+
+const struct hsr_part hsr_loose_part = {
+    HSR_PART_LOOSE, counters, NULL, NULL, {lines}};

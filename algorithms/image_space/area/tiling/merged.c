@@ -46,16 +46,7 @@ enum { LEAF, INTERVALS };
  * whole. */
 enum { SMALL = 8 };
 
-enum {
-  REGIONS = HSR_TILING_COUNTERS,
-  TREES,
-  MERGES,
-  MERGED_FACES,
-  PIECES,
-  PIECES_CLIPPED,
-  LOOSE,
-  LOOSE_SHOWN
-};
+enum { REGIONS, TREES, MERGES, MERGED_FACES, PIECES, PIECES_CLIPPED };
 
 /* --- Once ----------------------------------------------------------------- */
 
@@ -236,8 +227,8 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
     return hsr_fail_nomem(err);
   make_room(f, &p->tree);
   if (!f->status && p->is_whole &&
-      hsr_loose_begin(&f->loose, &p->tree, &f->tiling.view, job->tally, LOOSE,
-                      LOOSE_SHOWN, job->scratch))
+      hsr_loose_begin(&f->loose, &p->tree, &f->tiling.view, job->tally,
+                      job->scratch))
     fail(f, HSR_E_NOMEM);
   return f->status;
 }
@@ -742,8 +733,26 @@ static enum hsr_status render(const struct hsr_job *job,
 
 /* --- The descriptor ------------------------------------------------------- */
 
+static const struct hsr_option options[] = {
+    [LEAF] = {.name = "leaf",
+              .meaning = "the most faces that an octree's leaf has",
+              .least = 1,
+              .most = 1000,
+              .standard = 30},
+    [INTERVALS] = {.name = "intervals",
+                   .meaning =
+                       "into which a side is divided for the tables of masks",
+                   .least = 1,
+                   .most = HSR_TRIAGE_MOST,
+                   .standard = 64},
+    {.name = NULL}};
+
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_tiling_part}, {&hsr_loose_part}, {NULL}};
+
 static const struct hsr_counter counters[] = {
-    HSR_TILING_COUNTER_NAMES,
     [REGIONS] = {"regions",
                  "of space, with cubes that may be visible; the first of them",
                  HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING,
@@ -759,7 +768,6 @@ static const struct hsr_counter counters[] = {
                 HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
     [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region", HSR_SPLIT,
                         HSR_OF_PIECE, HSR_OF_WINDOW},
-    HSR_LOOSE_COUNTERS(LOOSE, LOOSE_SHOWN),
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -770,14 +778,14 @@ static const struct hsr_line outline[] = {
     {"  if leaves of several bodies meet: merge them into one BSP tree",
      HSR_RAISES(MERGES)},
     {"    insert a face of theirs", HSR_RAISES(MERGED_FACES)},
-    HSR_TILING_CUBE_LINES,
+    {"", .part = &hsr_tiling_part},
     {"  for each polygon of a leaf's BSP tree, from front to back",
      HSR_RAISES(PIECES)},
     {"    clip it to the region", HSR_RAISES(PIECES_CLIPPED)},
-    HSR_TILING_CELL_LINES,
-    HSR_TILING_SAMPLE_LINE,
+    {"", .part = &hsr_tiling_part, .group = HSR_CELL_LINES},
+    {"", .part = &hsr_tiling_part, .group = HSR_SAMPLE_LINES},
     {"display the background in what is vacant"},
-    HSR_LOOSE_LINES(LOOSE, LOOSE_SHOWN),
+    {"", .part = &hsr_loose_part},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -786,16 +794,7 @@ static const struct hsr_sort sorts[] = {
     {"cubes", "distance", "octrees together, from front to back",
      "once a frame"},
     {"faces", "X and Y", "mask pyramid", "a polygon"},
-    {NULL, NULL, NULL, NULL}};
-
-static const struct hsr_option options[] = {
-    [LEAF] = {.name = "leaf",
-              .meaning = "the most faces that an octree's leaf has",
-              .least = 1,
-              .most = 1000,
-              .standard = 30},
-    [INTERVALS] = HSR_INTERVALS_OPTION,
-    {.name = NULL}};
+    {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
     .name = "tiling-merged",
@@ -814,6 +813,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS |
              HSR_FILTERS_FINELY,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .options = options,

@@ -31,14 +31,7 @@ enum { CUBES_TESTED, CUBES_DRAWN };
 enum { COUNTS_OFF, COUNTS_ON };
 enum { CORNERS = 4 };
 
-enum {
-  PIECES = HSR_TILING_COUNTERS,
-  PIECES_HIDDEN,
-  PIECES_LEFT_OUT,
-  CELLS_EXHAUSTED,
-  LOOSE,
-  LOOSE_SHOWN
-};
+enum { PIECES, PIECES_HIDDEN, PIECES_LEFT_OUT, CELLS_EXHAUSTED };
 
 /* --- Once ----------------------------------------------------------------- */
 
@@ -152,7 +145,7 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
     return HSR_E_NOMEM;
   return grove->is_whole
              ? hsr_loose_begin(&f->loose, &grove->whole, &f->tiling.view,
-                               job->tally, LOOSE, LOOSE_SHOWN, job->scratch)
+                               job->tally, job->scratch)
              : HSR_OK;
 }
 
@@ -331,45 +324,6 @@ static enum hsr_status render(const struct hsr_job *job,
 
 /* --- The descriptor ------------------------------------------------------- */
 
-static const struct hsr_counter counters[] = {
-    HSR_TILING_COUNTER_NAMES,
-    [PIECES] = {"pieces",
-                "pieces of faces in visible cubes, with a sample in their box",
-                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
-    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden",
-                       HSR_REJECT, HSR_OF_PIECE, HSR_OF_WINDOW},
-    [PIECES_LEFT_OUT] = {"pieces left out",
-                         "in cubes of which no counted sample is left",
-                         HSR_REJECT, HSR_OF_PIECE, HSR_OF_NOTHING},
-    [CELLS_EXHAUSTED] = {"cells exhausted",
-                         "not entered: none of their counted samples is left",
-                         HSR_REJECT, HSR_OF_CELL, HSR_OF_FACE},
-    HSR_LOOSE_COUNTERS(LOOSE, LOOSE_SHOWN),
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each octree cube, from front to back"},
-    HSR_TILING_CUBE_LINES,
-    {"  for each polygon of its BSP tree, from front to back",
-     HSR_RAISES(PIECES)},
-    {"    skip it if no visible sample of the cube is left",
-     HSR_RAISES(PIECES_LEFT_OUT)},
-    {"    if the box is hidden in the cell that encloses it: skip the polygon",
-     HSR_RAISES(PIECES_HIDDEN)},
-    HSR_TILING_CELL_LINES,
-    {"        but for those where none of the cube's visible samples is left",
-     HSR_RAISES(CELLS_EXHAUSTED)},
-    HSR_TILING_SAMPLE_LINE,
-    {"display the background in what is vacant"},
-    HSR_LOOSE_LINES(LOOSE, LOOSE_SHOWN),
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "priority", "BSP trees", "once for all frames"},
-    {"cubes", "distance", "octree, from front to back", "once a frame"},
-    {"faces", "X and Y", "mask pyramid", "a polygon"},
-    {NULL, NULL, NULL, NULL}};
-
 static const struct hsr_option options[] = {
     [LEAF] = {.name = "leaf",
               .meaning = "the most faces that an octree's leaf has; 0: one BSP "
@@ -377,7 +331,12 @@ static const struct hsr_option options[] = {
               .least = 0,
               .most = 1000,
               .standard = 30},
-    [INTERVALS] = HSR_INTERVALS_OPTION,
+    [INTERVALS] = {.name = "intervals",
+                   .meaning =
+                       "into which a side is divided for the tables of masks",
+                   .least = 1,
+                   .most = HSR_TRIAGE_MOST,
+                   .standard = 64},
     [MASKS] = {.name = "masks",
                .meaning = "how the masks of samples are found",
                .words =
@@ -429,6 +388,48 @@ static const struct hsr_option options[] = {
                       {NULL, NULL, 0}}},
     {.name = NULL}};
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_tiling_part}, {&hsr_loose_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [PIECES] = {"pieces",
+                "pieces of faces in visible cubes, with a sample in their box",
+                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden",
+                       HSR_REJECT, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [PIECES_LEFT_OUT] = {"pieces left out",
+                         "in cubes of which no counted sample is left",
+                         HSR_REJECT, HSR_OF_PIECE, HSR_OF_NOTHING},
+    [CELLS_EXHAUSTED] = {"cells exhausted",
+                         "not entered: none of their counted samples is left",
+                         HSR_REJECT, HSR_OF_CELL, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each octree cube, from front to back"},
+    {"", .part = &hsr_tiling_part},
+    {"  for each polygon of its BSP tree, from front to back",
+     HSR_RAISES(PIECES)},
+    {"    skip it if no visible sample of the cube is left",
+     HSR_RAISES(PIECES_LEFT_OUT)},
+    {"    if the box is hidden in the cell that encloses it: skip the polygon",
+     HSR_RAISES(PIECES_HIDDEN)},
+    {"", .part = &hsr_tiling_part, .group = HSR_CELL_LINES},
+    {"        but for those where none of the cube's visible samples is left",
+     HSR_RAISES(CELLS_EXHAUSTED)},
+    {"", .part = &hsr_tiling_part, .group = HSR_SAMPLE_LINES},
+    {"display the background in what is vacant"},
+    {"", .part = &hsr_loose_part},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "priority", "BSP trees", "once for all frames"},
+    {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .name = "tiling",
     .title = "Hierarchical polygon tiling with coverage masks",
@@ -445,6 +446,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS |
              HSR_FILTERS_FINELY,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .options = options,

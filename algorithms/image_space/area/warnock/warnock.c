@@ -39,63 +39,15 @@
 
 /* Of the option that puts out rows; of the variant that divides at vertices. */
 enum {
-  RASTER_SORT = HSR_N_WARNOCK_COUNTERS,
+  RASTER_SORT,
   RASTER_MERGE,
   RASTER_ROWS,
   RANGES,
   ENTERED,
   LEFT,
   REGION_SORT,
-  AT_VERTEX = HSR_N_WARNOCK_COUNTERS
+  AT_VERTEX = 0
 };
-
-static const struct hsr_counter counters[] = {
-    HSR_WARNOCK_COUNTERS,
-    [RASTER_SORT] = {"raster sort",
-                     "decided windows put into buckets, in each of two passes",
-                     HSR_SORT, HSR_OF_WINDOW, HSR_OF_NOTHING, "by X|by Y"},
-    [RASTER_MERGE] = {"raster merge",
-                      "comparisons to merge windows into those of a row",
-                      HSR_COMPARE, HSR_OF_WINDOW, HSR_OF_WINDOW, "right|left"},
-    [RASTER_ROWS] = {"raster rows", "parts of windows put out, a row each",
-                     HSR_RETIRE, HSR_OF_WINDOW, HSR_OF_NOTHING},
-    [RANGES] = {"ranges",
-                "faces whose regions are compared with the last frame's",
-                HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "others|the same"},
-    [ENTERED] = {"entered", "faces put into the list of a region", HSR_ACTIVATE,
-                 HSR_OF_FACE, HSR_OF_WINDOW},
-    [LEFT] = {"left", "faces taken from the list of a region", HSR_RETIRE,
-              HSR_OF_FACE, HSR_OF_WINDOW},
-    [REGION_SORT] = {"region sort", "comparisons of the Z sort of the lists",
-                     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                     "in order|out of order"},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_WARNOCK_LINES,
-    {"with a raster: sort the decided windows by X and by Y",
-     HSR_RAISES(RASTER_SORT)},
-    {"  on each row, merge those that begin into those that go on",
-     HSR_RAISES(RASTER_MERGE)},
-    {"  put them out from left to right", HSR_RAISES(RASTER_ROWS)},
-    {"with regions: find those of each face; are they the last frame's?",
-     HSR_RAISES(RANGES)},
-    {"  where not, change the lists of the regions",
-     HSR_RAISES(ENTERED) | HSR_RAISES(LEFT)},
-    {"  sort each list by Z, from the last frame's order on",
-     HSR_RAISES(REGION_SORT)},
-    {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_WARNOCK_STEPS,
-    {"region lists",
-     RANGES,
-     1,
-     NULL,
-     NULL,
-     {{ENTERED, 1}, {LEFT, 1}, {REGION_SORT, 1}}},
-    {"raster sort", RASTER_SORT, 1, NULL, NULL, {{RASTER_MERGE, 1}}},
-    {NULL}};
 
 enum { OUTPUT, REGIONS }; /* options */
 enum { WINDOWS, RASTER };
@@ -118,22 +70,6 @@ static const struct hsr_option options[] = {
     [REGIONS] = {"regions", "what is kept from the last frame", kept_regions, 0,
                  BY_256, NO_REGIONS},
     {NULL}};
-
-static const struct hsr_counter counters_at_vertices[] = {
-    HSR_WARNOCK_COUNTERS,
-    [AT_VERTEX] = {"at vertices", "windows divided at a vertex", HSR_SUBDIVIDE,
-                   HSR_OF_WINDOW, HSR_OF_VERTEX},
-    {NULL}};
-
-static const struct hsr_line outline_at_vertices[] = {
-    HSR_WARNOCK_LINES,
-    {"    at the vertex nearest to its centre, if one is in the window",
-     HSR_RAISES(AT_VERTEX)},
-    {NULL}};
-
-static const struct hsr_step steps_at_vertices[] = {HSR_WARNOCK_STEPS, {NULL}};
-
-static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS, {NULL}};
 
 /* The Z sort: two passes of 9 bits. */
 enum { DIGIT_BITS = 9, RADIX = 1 << DIGIT_BITS };
@@ -510,9 +446,7 @@ static void finish(struct state *s, const struct hsr_area *w, uint32_t n) {
            0);
   for (uint32_t k = 0; k < n; k++)
     s->open[k] = s->list[k].id;
-  s->tally->first = HSR_WARNOCK_FINISHER;
   s->finisher->finish(s->finisher->context, &window, s->open, n);
-  s->tally->first = 0;
 }
 
 /* A window that is neither homogeneous nor simple, and whose surrounders and
@@ -661,18 +595,187 @@ static void release(void *prepared) {
   hsr_regions_free(prepared);
 }
 
-/* Figure 29b is lost: the restrictions are reconstructed from the text. */
-#define DESCRIPTION                                                            \
-  .authors = "J. E. Warnock", .year = 1969,                                    \
-  .source = "TR 4-15, University of Utah, 1969; Sutherland et al., Computing " \
-            "Surveys 6(1), 1974, \"J. E. Warnock\"",                           \
-  .taxonomy = HSR_IMAGE_SPACE_AREA, .sort_order = "(XY)Z",                     \
-  .coherence = "area", .restrictions = 0, .subjects = 1 << HSR_FACES,          \
-  .kind = HSR_IDS, .sorts = sorts
+/* --- What it is and counts ------------------------------------------------ */
 
+static const struct hsr_use uses[] = {{&hsr_warnock_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [RASTER_SORT] = {"raster sort",
+                     "decided windows put into buckets, in each of two passes",
+                     HSR_SORT, HSR_OF_WINDOW, HSR_OF_NOTHING, "by X|by Y"},
+    [RASTER_MERGE] = {"raster merge",
+                      "comparisons to merge windows into those of a row",
+                      HSR_COMPARE, HSR_OF_WINDOW, HSR_OF_WINDOW, "right|left"},
+    [RASTER_ROWS] = {"raster rows", "parts of windows put out, a row each",
+                     HSR_RETIRE, HSR_OF_WINDOW, HSR_OF_NOTHING},
+    [RANGES] = {"ranges",
+                "faces whose regions are compared with the last frame's",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "others|the same"},
+    [ENTERED] = {"entered", "faces put into the list of a region", HSR_ACTIVATE,
+                 HSR_OF_FACE, HSR_OF_WINDOW},
+    [LEFT] = {"left", "faces taken from the list of a region", HSR_RETIRE,
+              HSR_OF_FACE, HSR_OF_WINDOW},
+    [REGION_SORT] = {"region sort", "comparisons of the Z sort of the lists",
+                     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                     "in order|out of order"},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_warnock_part},
+    {"", .part = &hsr_warnock_part, .group = HSR_DIVIDE_LINES},
+    {"with a raster: sort the decided windows by X and by Y",
+     HSR_RAISES(RASTER_SORT)},
+    {"  on each row, merge those that begin into those that go on",
+     HSR_RAISES(RASTER_MERGE)},
+    {"  put them out from left to right", HSR_RAISES(RASTER_ROWS)},
+    {"with regions: find those of each face; are they the last frame's?",
+     HSR_RAISES(RANGES)},
+    {"  where not, change the lists of the regions", HSR_RAISES(ENTERED, LEFT)},
+    {"  sort each list by Z, from the last frame's order on",
+     HSR_RAISES(REGION_SORT)},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"region lists",
+     RANGES,
+     1,
+     NULL,
+     NULL,
+     {{ENTERED, 1}, {LEFT, 1}, {REGION_SORT, 1}}},
+    {"raster sort", RASTER_SORT, 1, NULL, NULL, {{RASTER_MERGE, 1}}},
+    {NULL}};
+
+static const struct hsr_use uses_at_vertices[] = {{&hsr_warnock_part}, {NULL}};
+
+static const struct hsr_counter counters_at_vertices[] = {
+    [AT_VERTEX] = {"at vertices", "windows divided at a vertex", HSR_SUBDIVIDE,
+                   HSR_OF_WINDOW, HSR_OF_VERTEX},
+    {NULL}};
+
+static const struct hsr_line outline_at_vertices[] = {
+    {"", .part = &hsr_warnock_part},
+    {"", .part = &hsr_warnock_part, .group = HSR_DIVIDE_LINES},
+    {"    at the vertex nearest to its centre, if one is in the window",
+     HSR_RAISES(AT_VERTEX)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {{.part = &hsr_warnock_part}, {NULL}};
+
+static const struct hsr_counter warnock_counters[] = {
+    {"Z sort", "faces put into buckets, in each of two passes", HSR_SORT,
+     HSR_OF_FACE},
+    {"Warnock special", "faces tested against a window", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_WINDOW, "disjoint|intersecter|surrounder"},
+    {"depth search", "faces compared in depth with a surrounder", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "undecided|behind|in front"},
+    {"windows", "windows examined", HSR_ACTIVATE, HSR_OF_WINDOW},
+    {"subdivisions", "windows divided into smaller ones", HSR_SUBDIVIDE,
+     HSR_OF_WINDOW},
+    {"minimax culls", "faces tested that their boxes decided", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_WINDOW, "disjoint|intersecter"},
+    {"inherited surrounders",
+     "faces not tested, since they surround a larger window", HSR_ACTIVATE,
+     HSR_OF_FACE, HSR_OF_WINDOW},
+    {"inherited disjoints",
+     "faces not tested, since they are disjoint from a larger window",
+     HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW, NULL, true},
+    {"hidden faces", "faces not tested, since a surrounder hides them",
+     HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW, NULL, true},
+    {"empty windows", "decided: no face in them", HSR_ACCEPT, HSR_OF_FACE,
+     HSR_OF_WINDOW},
+    {"homogeneous windows", "decided: a critical surround", HSR_ACCEPT,
+     HSR_OF_FACE, HSR_OF_WINDOW},
+    {"one face", "decided: no surrounder and one intersecter", HSR_ACCEPT,
+     HSR_OF_FACE, HSR_OF_FACE},
+    {"one in front", "decided: one intersecter before the critical surround",
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
+    {"samples", "decided: windows of a single sample", HSR_ACCEPT, HSR_OF_FACE,
+     HSR_OF_WINDOW},
+    {"runs", "runs of samples of the one intersecter", HSR_ACCEPT, HSR_OF_FACE,
+     HSR_OF_WINDOW},
+    {NULL}};
+
+static double predict_z_sort(const struct hsr_table1 *t) {
+  return 2 * t->F_r;
+}
+static double predict_special(const struct hsr_table1 *t) {
+  return 100 * t->L_v * t->D_c;
+}
+static double predict_depth_search(const struct hsr_table1 *t) {
+  return t->L_v * t->D_c;
+}
+
+static const struct hsr_step warnock_steps[] = {
+    {"Z sort", HSR_WARNOCK_Z_SORT, 1, "2 F_r", predict_z_sort},
+    {"Warnock special", HSR_WARNOCK_SPECIAL, 100, "100 L_v D_c",
+     predict_special},
+    {"depth search", HSR_WARNOCK_DEPTH_SEARCH, 1, "L_v D_c",
+     predict_depth_search},
+    {NULL}};
+
+/* Figure 29b being lost, the sorts are reconstructed from the text. */
+static const struct hsr_sort warnock_sorts[] = {
+    {"faces", "Z", "radix 512 Quicksort, two passes", "once a frame"},
+    {"faces", "(XY)", "radix 4 Quicksort: cull and subdivision",
+     "once a window"},
+    {"surrounders and intersecters", "Z", "exhaustive search at the corners",
+     "once a window"},
+    {NULL}};
+
+static const struct hsr_line window_lines[] = {
+    {"Z sort: put the faces into buckets by depth, in two passes",
+     HSR_RAISES(HSR_WARNOCK_Z_SORT)},
+    {"for each window, of which the picture is the first",
+     HSR_RAISES(HSR_WARNOCK_WINDOWS)},
+    {"  for each face, in Z order: disjoint, an intersecter, a surrounder?",
+     HSR_RAISES(HSR_WARNOCK_SPECIAL, HSR_WARNOCK_MINIMAX)},
+    {"    inherit what is known from a larger window",
+     HSR_RAISES(HSR_WARNOCK_OLD_SURROUNDERS, HSR_WARNOCK_OLD_DISJOINTS)},
+    {"    stop at the first face that is behind all of a surrounder",
+     HSR_RAISES(HSR_WARNOCK_HIDDEN_FACES)},
+    {"  find the critical surround; which faces are behind it?",
+     HSR_RAISES(HSR_WARNOCK_DEPTH_SEARCH)},
+    {"  if the window is homogeneous, show the surround or the background",
+     HSR_RAISES(HSR_WARNOCK_EMPTY, HSR_WARNOCK_HOMOGENEOUS,
+                HSR_WARNOCK_SAMPLES)},
+    {"  if one intersecter is left, show what is behind it",
+     HSR_RAISES(HSR_WARNOCK_ONE_FACE, HSR_WARNOCK_ONE_IN_FRONT)},
+    {"    and then the intersecter", HSR_RAISES(HSR_WARNOCK_RUNS)},
+    {NULL}};
+
+static const struct hsr_line divide_lines[] = {
+    {"  else divide the window into four",
+     HSR_RAISES(HSR_WARNOCK_SUBDIVISIONS)},
+    {NULL}};
+
+const struct hsr_part hsr_warnock_part = {HSR_PART_WARNOCK,
+                                          warnock_counters,
+                                          warnock_steps,
+                                          warnock_sorts,
+                                          {window_lines, divide_lines}};
+
+static const struct hsr_counter finished_counters[] = {
+    {"finished windows", "left to the other algorithm", HSR_RETIRE,
+     HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line finish_lines[] = {
+    {"  else divide the window into four; but leave few faces to the other "
+     "algorithm:",
+     HSR_RAISES(HSR_WARNOCK_SUBDIVISIONS, HSR_WARNOCK_FINISHED)},
+    {NULL}};
+
+const struct hsr_part hsr_finished_part = {HSR_PART_FINISHED,
+                                           finished_counters,
+                                           NULL,
+                                           NULL,
+                                           {window_lines, finish_lines}};
+
+/* Figure 29b is lost: the restrictions are reconstructed from the text. */
 const struct hsr_algorithm HSR_ALGORITHM(warnock) = {
     .name = "warnock",
     .title = "Warnock's area subdivision",
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .steps = steps,
@@ -680,13 +783,33 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock) = {
     .prepare = prepare,
     .render = render,
     .release = release,
-    DESCRIPTION};
+    .authors = "J. E. Warnock",
+    .year = 1969,
+    .source = "TR 4-15, University of Utah, 1969; Sutherland et al., Computing "
+              "Surveys 6(1), 1974, \"J. E. Warnock\"",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "(XY)Z",
+    .coherence = "area",
+    .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
+    .sorts = sorts};
 
 const struct hsr_algorithm HSR_ALGORITHM(warnock_vertices) = {
     .name = "warnock-vertices",
     .title = "Warnock's area subdivision, at vertices",
+    .parts = uses_at_vertices,
     .counters = counters_at_vertices,
     .outline = outline_at_vertices,
-    .steps = steps_at_vertices,
     .render = render_at_vertices,
-    DESCRIPTION};
+    .authors = "J. E. Warnock",
+    .year = 1969,
+    .source = "TR 4-15, University of Utah, 1969; Sutherland et al., Computing "
+              "Surveys 6(1), 1974, \"J. E. Warnock\"",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "(XY)Z",
+    .coherence = "area",
+    .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
+    .sorts = sorts};

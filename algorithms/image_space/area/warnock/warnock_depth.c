@@ -19,43 +19,7 @@
 #include "algorithms/engines/windows/quadtree.h"
 #include "algorithms/engines/bsp/bsp_frame.h"
 
-enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
-
-static const struct hsr_counter counters[] = {
-    HSR_BSP_COUNTERS,
-    [CELLS] = {"cells", "cells visited that were not occupied", HSR_COMPARE,
-               HSR_OF_FACE, HSR_OF_CELL, "outside the box|in the box"},
-    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided",
-                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},
-    [SIDES] = {"side tests", "sides of polygons compared with cells",
-               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_CELL,
-               "outside|intersecting|inside"},
-    {NULL}};
-
-static const struct hsr_line outline[] = {
-    {"for each piece of a polygon, in the order of the BSP tree, from the "
-     "front",
-     HSR_RAISES(HSR_BSP_PIECES)},
-    {"  insert it into a cell, unless that is occupied: the root first",
-     HSR_RAISES(CELLS)},
-    {"    compare each side that crosses the enclosing cell with the cell",
-     HSR_RAISES(SIDES)},
-    {"      if the cell is outside of one, it has nothing of the polygon"},
-    {"    if the cell is vacant, and inside of all, write its samples",
-     HSR_RAISES(HSR_BSP_SAMPLES)},
-    {"    else insert the polygon into its four quadrants",
-     HSR_RAISES(SUBDIVISIONS)},
-    {"      the cell is occupied if all of these are"},
-    {"for each face without a place in the tree: compare it in depth at its "
-     "samples",
-     HSR_RAISES(HSR_BSP_THICKNESS)},
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    {"faces", "Z", "BSP tree", "once for all frames"},
-    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
-    {"windows", "XY", "quadtree", "once a piece"},
-    {NULL}};
+enum { CELLS, SUBDIVISIONS, SIDES };
 
 struct warnock {
   struct hsr_bsp_frame frame;
@@ -216,6 +180,45 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_bsp_part}, {NULL}};
+
+static const struct hsr_counter counters[] = {
+    [CELLS] = {"cells", "cells visited that were not occupied", HSR_COMPARE,
+               HSR_OF_FACE, HSR_OF_CELL, "outside the box|in the box"},
+    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided",
+                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},
+    [SIDES] = {"side tests", "sides of polygons compared with cells",
+               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_CELL,
+               "outside|intersecting|inside"},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each piece of a polygon, in the order of the BSP tree, from the "
+     "front",
+     HSR_RAISES(HSR_BSP_PIECES)},
+    {"  insert it into a cell, unless that is occupied: the root first",
+     HSR_RAISES(CELLS)},
+    {"    compare each side that crosses the enclosing cell with the cell",
+     HSR_RAISES(SIDES)},
+    {"      if the cell is outside of one, it has nothing of the polygon"},
+    {"    if the cell is vacant, and inside of all, write its samples",
+     HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"    else insert the polygon into its four quadrants",
+     HSR_RAISES(SUBDIVISIONS)},
+    {"      the cell is occupied if all of these are"},
+    {"for each face without a place in the tree: compare it in depth at its "
+     "samples",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
+    {"windows", "XY", "quadtree", "once a piece"},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .name = "warnock-depth",
     .title = "Depth-priority Warnock: subdivision from front to back",
@@ -230,6 +233,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
+    .parts = uses,
     .counters = counters,
     .outline = outline,
     .prepare = hsr_bsp_prepare,

@@ -18,22 +18,6 @@
 #include "algorithms/list_priority/per_frame/newell.h"
 #include "algorithms/image_space/area/warnock/warnock.h"
 
-static const struct hsr_counter counters[] = {
-    HSR_FINISHED_COUNTERS, HSR_NEWELL_COUNTERS("Newell: "), {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_WARNOCK_STEPS,
-    HSR_NEWELL_STEPS(HSR_WARNOCK_FINISHER, "Newell: "),
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_WARNOCK_SORTS, HSR_LIST_SORTS, HSR_BEAD_SORTS, {NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_FINISHED_LINES,
-    HSR_NEWELL_OUTLINE(HSR_WARNOCK_FINISHER, "    "),
-    {NULL}};
-
 static void finish(void *newell, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n) {
   hsr_newell_solve(newell, window, faces, n);
@@ -55,6 +39,26 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {
+    {&hsr_warnock_part},           {&hsr_finished_part},
+    {&hsr_list_part, "Newell: "},  {&hsr_painting_part, "Newell: "},
+    {&hsr_beads_part, "Newell: "}, {NULL}};
+
+static const struct hsr_sort sorts[] = {{.part = &hsr_warnock_part},
+                                        {.part = &hsr_list_part},
+                                        {.part = &hsr_beads_part},
+                                        {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_finished_part},
+    {"", .part = &hsr_finished_part, .group = HSR_DIVIDE_LINES},
+    {"    ", .part = &hsr_list_part},
+    {"    ", .part = &hsr_painting_part},
+    {"    ", .part = &hsr_beads_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(warnock_newell) = {
     .name = "warnock-newell",
     .title = "Warnock's subdivision, then Newell's priority list",
@@ -69,7 +73,6 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_newell) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
-    .counters = counters,
-    .steps = steps,
+    .parts = uses,
     .outline = outline,
     .render = render};

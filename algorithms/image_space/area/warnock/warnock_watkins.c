@@ -16,22 +16,6 @@
 #include "algorithms/image_space/area/warnock/warnock.h"
 #include "algorithms/image_space/point/watkins.h"
 
-static const struct hsr_counter counters[] = {
-    HSR_FINISHED_COUNTERS, HSR_WATKINS_COUNTERS("Watkins: "), {NULL}};
-
-static const struct hsr_step steps[] = {
-    HSR_WARNOCK_STEPS,
-    HSR_WATKINS_STEPS(HSR_WARNOCK_FINISHER, "Watkins: "),
-    {NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_WARNOCK_SORTS, HSR_WATKINS_SORTS, {NULL}};
-
-static const struct hsr_line outline[] = {
-    HSR_FINISHED_LINES,
-    HSR_WATKINS_LINES(HSR_WARNOCK_FINISHER, "    "),
-    {NULL}};
-
 static void finish(void *watkins, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n) {
   hsr_watkins_solve(watkins, window, faces, n);
@@ -56,6 +40,30 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_warnock_part},
+                                      {&hsr_finished_part},
+                                      {&hsr_scan_part, "Watkins: "},
+                                      {&hsr_spans_part, "Watkins: "},
+                                      {&hsr_depth_search_part, "Watkins: "},
+                                      {NULL}};
+
+static const struct hsr_sort sorts[] = {{.part = &hsr_warnock_part},
+                                        {.part = &hsr_scan_part},
+                                        {.part = &hsr_spans_part},
+                                        {.part = &hsr_depth_search_part},
+                                        {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"", .part = &hsr_finished_part},
+    {"", .part = &hsr_finished_part, .group = HSR_DIVIDE_LINES},
+    {"    ", .part = &hsr_scan_part},
+    {"    ", .part = &hsr_spans_part},
+    {"    ", .part = &hsr_depth_search_part},
+    {"    ", .part = &hsr_spans_part, .group = HSR_LINES_AFTER_SEARCH},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(warnock_watkins) = {
     .name = "warnock-watkins",
     .title = "Warnock's subdivision, then Watkins' scan lines",
@@ -70,7 +78,6 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_watkins) = {
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
-    .counters = counters,
-    .steps = steps,
+    .parts = uses,
     .outline = outline,
     .render = render};

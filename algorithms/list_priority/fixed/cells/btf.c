@@ -11,26 +11,33 @@
  * Notation, invariant, ties, departures and cost are those of cells.h. */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"axis by axis: begin at the end that is farthest from the view plane"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_BTF, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"axis by axis: begin at the end that is farthest from the view plane"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(btf) = {
-    HSR_OF_CELLS,
     .name = "btf",
     .title = "Back to front in three nested loops",
     .authors = "G. Frieder, D. Gordon, R. A. Reynolds",
     .year = 1985,
     .source = "Frieder et al., Back-to-Front Display of Voxel-Based Objects, "
               "IEEE Computer Graphics and Applications 5(1), 1985",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_nested,
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,

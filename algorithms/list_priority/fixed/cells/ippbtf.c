@@ -11,26 +11,33 @@
  */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"sort the cells of each axis by their distance from the eye's"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_IPPBTF, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"sort the cells of each axis by their distance from the eye's"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(ippbtf) = {
-    HSR_OF_CELLS,
     .name = "ippbtf",
     .title = "Interleaved perspective back to front",
     .authors = "C. P. Botha, F. H. Post",
     .year = 2003,
     .source = "Botha and Post, ShellSplatting: Interactive Rendering of "
               "Anisotropic Volumes, VisSym 2003",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_nested,
     .flags = HSR_INSTANCED,

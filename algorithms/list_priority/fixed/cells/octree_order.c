@@ -12,26 +12,33 @@
  */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"at a node: take the children, the one opposite to the eye first"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_OCTREE, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"at a node: take the children, the one opposite to the eye first"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(octree_order) = {
-    HSR_OF_CELLS,
     .name = "octree-order",
     .title = "An octree, the far children of a node first",
     .authors = "W. G. Aref, H. Samet",
     .year = 1991,
     .source = "Aref and Samet, Perspective Viewing of Objects Represented by "
               "Octrees, Computer Graphics Forum, 1991",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_front,
     .flags = HSR_INSTANCED,

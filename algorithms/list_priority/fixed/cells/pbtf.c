@@ -14,27 +14,34 @@
  */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"divide each axis at the eye; take the octants, those of the eye's cell "
-     "last"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_PBTF, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"divide each axis at the eye; take the octants, those of the eye's cell "
+     "last"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(pbtf) = {
-    HSR_OF_CELLS,
     .name = "pbtf",
     .title = "Perspective back to front, octant by octant",
     .authors = "J. E. Swan II",
     .year = 1998,
     .source = "Swan, Object-Order Rendering of Discrete Objects, PhD thesis, "
               "Ohio State University, 1998",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_nested,
     .flags = HSR_INSTANCED,

@@ -12,26 +12,33 @@
  */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"sort the cells of a slice by their distance from the view plane"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_VBUFFER, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"sort the cells of a slice by their distance from the view plane"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(vbuffer) = {
-    HSR_OF_CELLS,
     .name = "vbuffer",
     .title = "The V-buffer: slices, and concentric sweeps in them",
     .authors = "C. Upson, M. Keeler",
     .year = 1988,
     .source =
         "Upson and Keeler, V-BUFFER: Visible Volume Rendering, SIGGRAPH 1988",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_front,
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,

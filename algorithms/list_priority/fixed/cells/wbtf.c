@@ -9,26 +9,33 @@
  * Notation, invariant, ties, departures and cost are those of cells.h. */
 #include "algorithms/engines/cells/cells.h"
 
-static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
-
-static const struct hsr_line outline[] = {
-    {"take the axes in the order of their angles to the view direction"},
-    HSR_CELLS_LINES};
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return hsr_cells_render(HSR_WBTF, job, err);
 }
 
+/* --- What it is and counts ------------------------------------------------ */
+
+static const struct hsr_use uses[] = {{&hsr_cells_part}, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"take the axes in the order of their angles to the view direction"},
+    {"", .part = &hsr_cells_part},
+    {NULL}};
+
 const struct hsr_algorithm HSR_ALGORITHM(wbtf) = {
-    HSR_OF_CELLS,
     .name = "wbtf",
     .title = "Back to front by slices along the view",
     .authors = "L. Westover",
     .year = 1990,
     .source =
         "Westover, Footprint Evaluation for Volume Rendering, SIGGRAPH 1990",
-    .counters = counters,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Z(XY)",
+    .coherence = "object",
+    .subjects = 1 << HSR_GRID,
+    .kind = HSR_IDS,
+    .parts = uses,
     .outline = outline,
     .options = hsr_cells_front,
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
