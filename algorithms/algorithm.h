@@ -22,6 +22,8 @@
 #include "common/view/view.h"
 #include "common/scene/world.h"
 
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -222,6 +224,12 @@ bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
 #else
 #define HSR_ALGORITHM(id) hsr_algorithm_##id
 #endif
+
+/* Makes a tally one of a registered algorithm; its counts stay as they are. */
+static inline void hsr_tally_begin(struct hsr_tally *tally,
+                                   const struct hsr_algorithm *algorithm) {
+  memcpy(tally->base, algorithm->base, sizeof tally->base);
+}
 
 /* The line of a registered algorithm's outline that a counter belongs to, from 1;
  * 0: none. */

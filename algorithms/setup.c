@@ -219,7 +219,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
     job->passes = setup->passes;
   if (job->answer)
     open_answer(setup, job);
-  memcpy(job->tally->base, setup->algorithm->base, sizeof job->tally->base);
+  hsr_tally_begin(job->tally, setup->algorithm);
   if (job->tally->trace) {
     job->tally->trace->name = name_subjects;
     job->tally->trace->names = setup->world;

@@ -147,7 +147,7 @@ struct hsr_trace {
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
   uint8_t base[HSR_MOST_PARTS];    /* where the counters of each part begin in
-                                   count[]; hsr_setup_render sets them */
+                                   count[]: hsr_tally_begin */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
   uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
   bool out_of_memory;       /* an exact predicate could not be decided */
@@ -163,6 +163,12 @@ struct hsr_tally {
 /* Where a counter is kept in count[]. */
 static inline int hsr_tally_place(const struct hsr_tally *tally, int counter) {
   return tally->base[counter / HSR_PART_SIZE] + counter % HSR_PART_SIZE;
+}
+
+/* What a counter counted. */
+static inline uint64_t hsr_tally_count(const struct hsr_tally *tally,
+                                       int counter) {
+  return tally->count[hsr_tally_place(tally, counter)];
 }
 
 /* Adds the counts and questions of `from` to those of `to`. */

@@ -40,7 +40,7 @@ static void count_view(const struct hsr_algorithm *a,
                        uint32_t number, FILE *out) {
   struct hsr_view view;
   struct hsr_answer answer;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   if (hsr_view_init(&view, &worlds->scene->views[number], M, N, NULL))
     abort();
   bool drawn = draw_chosen(a, choice, &worlds->world, &view, &answer, &tally);

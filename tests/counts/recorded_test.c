@@ -35,7 +35,7 @@ static int check_cell(const json_t *cell, struct both_worlds *worlds) {
       find_counting(results_text(cell, "algorithm"));
   struct hsr_view view;
   struct hsr_answer answer;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   if (hsr_view_init(&view,
                     &worlds->scene->views[results_number(cell, "view") - 1],
                     (int)results_number(cell, "width"),

@@ -212,10 +212,3 @@ const struct hsr_listed hsr_modules[] = {BOTH(hsr_counting_oracle),
                                          BOTH(fixture_endless),
                                          BOTH(fixture_mute),
                                          {NULL, NULL}};
-
-const struct hsr_listed *hsr_algorithm_find(const char *name) {
-  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
-    if (!strcmp(a->plain->name, name))
-      return a;
-  return NULL;
-}

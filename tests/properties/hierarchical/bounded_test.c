@@ -99,7 +99,7 @@ static bool draw(const char *name, const struct hsr_world *world,
                  const struct hsr_passes *passes) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   struct hsr_setup setup;
   struct hsr_variant variant;
   if (hsr_variant_parse(name, &variant, &err))

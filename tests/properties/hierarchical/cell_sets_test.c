@@ -190,7 +190,7 @@ static void open_oracle(struct building *b) {
 static void ask_oracle(const struct building *b, const struct hsr_view *view,
                        struct hsr_arena *scratch, uint32_t ids[M * N]) {
   struct hsr_error err;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   struct hsr_job job = {.view = view,
                         .scratch = scratch,
                         .tally = &tally,

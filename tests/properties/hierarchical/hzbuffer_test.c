@@ -123,8 +123,9 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
                   const struct hsr_octree_node *node, uint32_t instance,
                   uint32_t k, bool *inside) {
   struct hsr_hz_walk *w = &ns->walk;
-  const uint64_t *count = w->tally->count;
-  uint64_t out = count[OUT], tested = count[CUBES_TESTED];
+  const struct hsr_tally *tally = w->tally;
+  uint64_t out = hsr_tally_count(tally, OUT),
+           tested = hsr_tally_count(tally, CUBES_TESTED);
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_subject subject = hsr_cube_subject(instance, k);
   struct hsr_tally before = *w->tally;
@@ -133,10 +134,11 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   *w->tally = before;
   bool visible =
       hsr_hz_is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);
-  enum said said = count[OUT] > out               ? IS_OUT
-                   : !visible                     ? IS_HIDDEN
-                   : count[CUBES_TESTED] > tested ? IS_VISIBLE
-                                                  : IS_UNTESTED;
+  enum said said = hsr_tally_count(tally, OUT) > out ? IS_OUT
+                   : !visible                        ? IS_HIDDEN
+                   : hsr_tally_count(tally, CUBES_TESTED) > tested
+                       ? IS_VISIBLE
+                       : IS_UNTESTED;
   ns->strays += (said == IS_OUT) != truly_out;
   if (ns->n == ns->room) {
     ns->room = 2 * ns->room + 1000;
@@ -480,9 +482,9 @@ struct watched {
 
 static void watch(void *context, const struct hsr_event *event) {
   struct watched *w = context;
-  if (event->counter == HSR_WRITES)
+  if (event->counter == HSR_WRITES % HSR_PART_SIZE)
     w->written[event->a.id[0]] = true;
-  if (event->counter != HSR_DEPTH_TESTS)
+  if (event->counter != HSR_DEPTH_TESTS % HSR_PART_SIZE)
     return;
   if (w->n == w->room) {
     w->room = 2 * w->room + 1000;
@@ -559,14 +561,16 @@ static void try_view(const struct both_worlds *s, struct run *r,
                count_differences(&r->view, noted->ids, right);
   f->not_alike += !count_alike(r, noted);
 
-  const uint64_t *count = r->tally.count;
-  f->nodes += (long)count[NODES];
-  f->visible += (long)count[CUBES_VISIBLE];
+  const struct hsr_tally *tally = &r->tally;
+  f->nodes += (long)hsr_tally_count(tally, NODES);
+  f->visible += (long)hsr_tally_count(tally, CUBES_VISIBLE);
   f->strays += ns.strays;
   f->twice += !none_twice(&ns);
-  f->families +=
-      count[NODES] != count_families(&ns) ||
-      count[NODES] != count[CUBES_VISIBLE] + count[CUBES_CULLED] + count[OUT];
+  f->families += hsr_tally_count(tally, NODES) != count_families(&ns) ||
+                 hsr_tally_count(tally, NODES) !=
+                     hsr_tally_count(tally, CUBES_VISIBLE) +
+                         hsr_tally_count(tally, CUBES_CULLED) +
+                         hsr_tally_count(tally, OUT);
   mark_in_visible(&ns, in);
   for (uint32_t g = 0; g < s->world.n_faces; g++)
     f->outside += watched.written[g] && !in[g];
@@ -639,15 +643,15 @@ struct passes {
 /* Draws a frame as `render` does, and looks at what the first pass did. */
 static struct passes draw_in_passes(struct run *r) {
   struct hsr_hz_walk w = {.visit = 0};
-  const uint64_t *count = r->tally.count;
+  const struct hsr_tally *tally = &r->tally;
   struct passes p = {0, 0, 0, 0};
   if (begin(&w, &r->job) || render_loose(&w) || hsr_hz_render_last(&w))
     stop("passes", "out of memory");
-  p.first = count[FACES_TILED];
-  p.again = count[CUBES_AGAIN];
+  p.first = hsr_tally_count(tally, FACES_TILED);
+  p.again = hsr_tally_count(tally, CUBES_AGAIN);
   if (hsr_hz_render_octrees(&w))
     stop("passes", "out of memory");
-  p.second = count[FACES_TILED] - p.first;
+  p.second = hsr_tally_count(tally, FACES_TILED) - p.first;
   hsr_hz_end_coherence(&w);
   const struct hsr_hz_prepared *prepared = r->setup.prepared;
   p.listed = prepared->list[prepared->last].cube.n;
@@ -667,8 +671,8 @@ static void draw_cold(const struct both_worlds *s, struct run *plain,
   draw_right(s, &plain->view, cold->right);
   draw_run(plain);
   cold->differ = count_differences(&plain->view, plain->ids, cold->right);
-  cold->tiled = plain->tally.count[FACES_TILED];
-  cold->visible = plain->tally.count[CUBES_VISIBLE];
+  cold->tiled = hsr_tally_count(&plain->tally, FACES_TILED);
+  cold->visible = hsr_tally_count(&plain->tally, CUBES_VISIBLE);
 }
 
 struct hsr_hz_walked {

@@ -120,7 +120,7 @@ static void check_picture(struct frame *f) {
 static void check_depths(struct frame *f) {
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_screen screen;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   const int of[] = {counter(f, "depth tests"), counter(f, "unsure depths"),
                     counter(f, "samples compared"),
                     counter(f, "thickness checks")};

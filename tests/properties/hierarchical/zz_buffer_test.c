@@ -20,7 +20,7 @@ enum { M = 96, N = 72 };
 
 static uint32_t count_relevant(const struct claim_scene *scene) {
   struct hsr_arena arena = HSR_ARENA_EMPTY;
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   struct hsr_screen screen;
   if (hsr_screen_make(&screen, &scene->worlds.world, &scene->view, &arena,
                       &tally))

@@ -159,6 +159,7 @@ static void check_clusters(struct tap *tap, const char *algorithm,
                         .tally = &count.tally,
                         .ids = ids,
                         .ids_stride = M};
+  hsr_tally_begin(&count.tally, count.algorithm);
   if (count.algorithm->render(&job, &err))
     stop(name, err.text);
   ok(tap,

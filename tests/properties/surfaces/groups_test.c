@@ -327,7 +327,7 @@ static uint64_t count_of(const struct hsr_algorithm *a,
 static void count(const struct mesh *m, const struct hsr_variant *variant,
                   const struct hsr_view *view, struct hsr_tally *tally) {
   struct hsr_answer answer;
-  *tally = (struct hsr_tally){.first = 0};
+  *tally = (struct hsr_tally){.trace = NULL};
   if (!draw_chosen(variant->listed->counting, &variant->choice, &m->world, view,
                    &answer, tally))
     stop(variant->name, "it was refused");

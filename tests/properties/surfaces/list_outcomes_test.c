@@ -222,6 +222,7 @@ static void watch_scene(struct watch *w, const char *name) {
                         .tally = &tally,
                         .ids = ids,
                         .ids_stride = M};
+  hsr_tally_begin(&tally, a);
   if (a->render(&job, &err))
     abort();
   hsr_setup_free(&setup);

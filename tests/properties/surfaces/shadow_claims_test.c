@@ -18,7 +18,7 @@ struct drawn {
 static struct drawn draw(const struct both_worlds *worlds, const char *name) {
   const struct hsr_algorithm *a = hsr_algorithm_find(name)->counting;
   struct hsr_choice choice = choose_also(a, HSR_SHADOWED);
-  struct hsr_tally tally = {.first = 0};
+  struct hsr_tally tally = {.trace = NULL};
   struct hsr_view view;
   struct hsr_answer answer;
   struct drawn drawn = {.lit = 0};

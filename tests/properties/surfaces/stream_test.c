@@ -42,7 +42,8 @@ static long compare(const struct hsr_algorithm *a,
   draw_from(a, &worlds->outline, view, &streamed);
   long differ = count_differences(view, laid_out.ids, streamed.ids);
   for (size_t k = 0; k < sizeof same / sizeof *same; k++)
-    differ += laid_out.tally.count[same[k]] != streamed.tally.count[same[k]];
+    differ += hsr_tally_count(&laid_out.tally, same[k]) !=
+              hsr_tally_count(&streamed.tally, same[k]);
   return differ;
 }
 

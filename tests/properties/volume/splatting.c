@@ -160,7 +160,7 @@ uint64_t count_of(const struct hsr_variant *v, const struct hsr_tally *tally,
   const struct hsr_counter *c = v->listed->counting->counters;
   for (int k = 0; c[k].name; k++)
     if (!strcmp(c[k].name, counter))
-      return tally->count[tally->first + k];
+      return tally->count[k];
   stop(counter);
   return 0;
 }

@@ -343,14 +343,12 @@ struct told {
   bool last;
 };
 
-enum { INEQUALITIES = 5 };
-
 static void listen(void *context, const struct hsr_event *event) {
   struct told *t = context;
   t->n++;
   t->last = event->outcome;
   t->outside += event->outcome;
-  t->wrong += event->counter != INEQUALITIES ||
+  t->wrong += event->counter != HSR_INEQUALITIES % HSR_PART_SIZE ||
               memcmp(&event->a, &t->cube, sizeof t->cube) != 0;
 }
 
@@ -360,14 +358,15 @@ static bool is_out(struct frame *f, const struct hsr_octree_box *cube,
                    uint32_t k, struct held *held) {
   struct told told = {.cube = hsr_cube_subject(f->frame.instance, k)};
   struct hsr_trace trace = {.listen = listen, .context = &told};
-  uint64_t before = f->tally.count[INEQUALITIES];
+  uint64_t before = hsr_tally_count(&f->tally, HSR_INEQUALITIES);
   f->tally.trace = &trace;
   bool out = hsr_cube_classify(&f->frame, &f->frame.placing, cube, told.cube) ==
              HSR_BOX_OUT;
   f->tally.trace = NULL;
-  held->miscounted += told.wrong || told.outside != out || told.last != out ||
-                      told.n < 1 || told.n > 30 ||
-                      f->tally.count[INEQUALITIES] != before + (uint64_t)told.n;
+  held->miscounted +=
+      told.wrong || told.outside != out || told.last != out || told.n < 1 ||
+      told.n > 30 ||
+      hsr_tally_count(&f->tally, HSR_INEQUALITIES) != before + (uint64_t)told.n;
   return out;
 }
 

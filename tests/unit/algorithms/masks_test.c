@@ -331,7 +331,7 @@ static void begin(struct picture *p, const struct build *build,
   struct hsr_error err;
   p->build = build;
   p->window = window;
-  p->tally = (struct hsr_tally){.first = 0};
+  p->tally = (struct hsr_tally){.trace = NULL};
   p->twice = p->outside = p->written = 0;
   p->filtering = (struct hsr_filtering){HSR_FILTER_BOX, patterns};
   for (int k = 0; k < PATTERNS; k++) {
@@ -657,7 +657,7 @@ static void test_cases(struct tap *tap, struct picture *p) {
   tile(p, &screen, true, &hidden);
   struct hsr_triage before = p->masks.coarse[0][0];
   long written = p->written;
-  p->tally = (struct hsr_tally){.first = 0};
+  p->tally = (struct hsr_tally){.trace = NULL};
   p->id = 2;
   want(p, &polygon);
   tile(p, &polygon, true, &hidden);
@@ -697,7 +697,7 @@ static void test_occluder(struct tap *tap, struct picture *p) {
     struct polygon polygon;
     random_polygon(&polygon, &p->window, &seed);
     struct hsr_bounds box = box_of(&polygon, &p->window, false);
-    p->tally = (struct hsr_tally){.first = 0};
+    p->tally = (struct hsr_tally){.trace = NULL};
     tile(p, &polygon, k & 1, &hidden);
     bool in = k & 1 || (box.x0 < box.x1 && box.y0 < box.y1);
     outside += !in;

@@ -125,7 +125,7 @@ static uint64_t reads_of(const struct hsr_pyramid *p) {
 static void begin(struct memory *m, const struct hsr_window *window,
                   bool near) {
   m->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
-  m->tally = (struct hsr_tally){.first = 0};
+  m->tally = (struct hsr_tally){.trace = NULL};
   if (hsr_pyramid_init(&m->pyramid, window, near, &m->stride, &m->arena))
     stop("out of memory");
   m->pyramid.count =

@@ -31,7 +31,7 @@ static void test_windows(struct tap *tap, const struct both_worlds *worlds) {
     static const long sizes[] = {0, 1, 7, 8, 11, 40};
     struct hsr_setup setup;
     struct hsr_answer answer;
-    struct hsr_tally tally = {.first = 0};
+    struct hsr_tally tally = {.trace = NULL};
     struct hsr_choice choice = hsr_choice_standard(a);
     choice.window = sizes[k % 6];
     if (hsr_setup_init(&setup, a, &choice, &worlds->world, NULL) ||
@@ -86,7 +86,7 @@ static void test_shares(struct tap *tap, const struct both_worlds *worlds) {
     abort();
   for (int k = 0; k < 2; k++) {
     struct hsr_answer answer;
-    struct hsr_tally tally = {.first = 0};
+    struct hsr_tally tally = {.trace = NULL};
     if (answer_init(&answer, &setup, &view, NULL) ||
         render_view(&setup, &view, k ? 4 : 1, &answer, &tally, NULL, NULL))
       abort();
