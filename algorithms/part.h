@@ -78,8 +78,9 @@ struct hsr_term {
   double factor;
 };
 
-/* A cost step, as in Table III: cost = factor * count, and likewise for `more`.
- * A step that has the label of one before adds its terms to that one. */
+/* A cost step, as in Table III: cost = factor * count, and likewise for `more`; or
+ * all those of a part. A step that has the label of one before adds its terms to
+ * that one. */
 #define HSR_MORE_TERMS 7
 struct hsr_step {
   const char *label; /* "X merge" */
@@ -88,6 +89,8 @@ struct hsr_step {
   const char *formula; /* the paper's prediction of the cost, or NULL */
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
   struct hsr_term more[HSR_MORE_TERMS];         /* ended by .factor == 0 */
+  const struct hsr_part *part; /* not NULL: its steps stand here. Those of parts
+                                  that stand nowhere come first */
 };
 
 /* A line of an algorithm's outline: its pseudocode, in the paper's words; or all

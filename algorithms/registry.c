@@ -111,14 +111,33 @@ static void add_step(const struct hsr_algorithm *a, const struct hsr_step *from,
                                    from->more[k].factor});
 }
 
+static void add_steps_of(const struct hsr_algorithm *a,
+                         const struct hsr_use *use) {
+  for (const struct hsr_step *s = use->part->steps; s && s->label; s++)
+    add_step(a, s, use->prefix);
+}
+
+static bool is_step(const struct hsr_step *step) {
+  return step && (step->label || step->part);
+}
+
+static bool has_place(const struct hsr_step *own, const struct hsr_part *part) {
+  while (is_step(own) && own->part != part)
+    own++;
+  return is_step(own);
+}
+
 static void put_steps(struct hsr_algorithm *a) {
   const struct hsr_step *own = a->steps;
   a->steps = &steps[n_steps];
   for (const struct hsr_use *u = a->parts; u && u->part; u++)
-    for (const struct hsr_step *s = u->part->steps; s && s->label; s++)
-      add_step(a, s, u->prefix);
-  for (const struct hsr_step *s = own; s && s->label; s++)
-    add_step(a, s, NULL);
+    if (!has_place(own, u->part))
+      add_steps_of(a, u);
+  for (const struct hsr_step *s = own; is_step(s); s++)
+    if (s->part)
+      add_steps_of(a, &(struct hsr_use){s->part, NULL});
+    else
+      add_step(a, s, NULL);
   if (a->steps == &steps[n_steps])
     a->steps = NULL;
   else

@@ -77,6 +77,7 @@ static void set_view(struct run *r, const struct both_worlds *s,
     stop(s->scene->name, err.text);
   hsr_arena_reset(&r->scratch);
   memset(&r->tally, 0, sizeof r->tally);
+  hsr_tally_begin(&r->tally, r->setup.algorithm);
   memset(r->ids, 0xfe, sizeof r->ids);
   r->job = (struct hsr_job){.world = r->setup.world,
                             .view = &r->view,
