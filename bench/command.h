@@ -243,8 +243,7 @@ enum hsr_status choose_view(const struct view_options *options,
 
 /* --- Running -------------------------------------------------------------- */
 
-double seconds_now(void); /* monotonic */
-long processors(void);    /* available to this process; at least 1 */
+long processors(void); /* available to this process; at least 1 */
 
 /* Makes an answer of the form that the setup chooses, in which nothing is
  * drawn. It is to be freed with hsr_answer_free also after a failure.

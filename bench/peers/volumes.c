@@ -6,6 +6,7 @@
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
 #include "bench/run/terminate.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
 
 #include <math.h>
@@ -185,9 +186,9 @@ static enum hsr_status time_frame(struct run *run, double *seconds,
                                   enum hsr_status (*draw)(struct run *,
                                                           struct hsr_error *),
                                   struct hsr_error *err) {
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = draw(run, err);
-  *seconds = seconds_now() - begin;
+  *seconds = hsr_seconds_now() - begin;
   return status;
 }
 

@@ -3,6 +3,7 @@
 #include "bench/render/render.h"
 #include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/lines/crease.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
@@ -14,13 +15,13 @@
 static enum hsr_status open_named(struct render *r, struct hsr_scene **scene,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   char frame[MOST_FILE_NAME];
   const char *name = o->scene.name;
   if (o->last_frame >= 0 && series_name(name, r->frame, frame))
     name = frame;
   enum hsr_status status = open_scene(name, o->scene.import, scene, err);
-  r->import += seconds_now() - begin;
+  r->import += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -43,14 +44,14 @@ static enum hsr_status open_place(struct render *r,
                                   const struct hsr_choice *choice,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = choose_place(r, r->scene, err);
   if (!status && o->orbit)
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, choice, r->scene, err);
-  r->build += seconds_now() - begin;
+  r->build += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -292,7 +293,7 @@ static enum hsr_status follow(struct render *r, const struct hsr_scene *then,
 static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
                                struct hsr_scene *then, bool *kept,
                                struct hsr_error *err) {
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   hsr_world_free(&r->world);
   r->world = (struct hsr_world){.n_faces = 0};
   hsr_scene_delete(r->scene);
@@ -300,7 +301,7 @@ static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
   enum hsr_status status = choose_place(r, then, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, &r->setup.choice, then, err);
-  r->build += seconds_now() - begin;
+  r->build += hsr_seconds_now() - begin;
   return status ? status : hsr_setup_follow(&r->setup, &r->world, kept, err);
 }
 

@@ -3,6 +3,7 @@
 #include "bench/command.h"
 #include "bench/run/ranks.h"
 
+#include "common/base/clock.h"
 #include "common/base/share.h"
 
 #include <math.h>
@@ -13,12 +14,6 @@
 #include <unistd.h>
 
 enum { PARTS_OF_WORKER = 32, LEAST_SIDE = 16 };
-
-double seconds_now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 long processors(void) {
   cpu_set_t set;
@@ -290,10 +285,10 @@ enum hsr_status render_view(const struct hsr_setup *setup,
   struct crew *crew = crew_new(threads);
   if (!crew)
     return hsr_fail_nomem(err);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = crew_render(crew, setup, view, answer, tally, err);
   if (seconds)
-    *seconds = seconds_now() - begin;
+    *seconds = hsr_seconds_now() - begin;
   crew_free(crew);
   return status;
 }

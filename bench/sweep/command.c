@@ -3,6 +3,7 @@
  * work, as lines of JSON. */
 #include "bench/sweep/journal.h"
 #include "bench/times/rows.h"
+#include "common/base/clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -359,7 +360,7 @@ static void print_list(const struct plan *plan) {
 }
 
 static enum hsr_status sweep_all(struct sweep *sweep, struct hsr_error *err) {
-  sweep->begin = seconds_now();
+  sweep->begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
   size_t all = plan_places(sweep->plan);
   for (size_t k = 0; k < all && !status; k++)

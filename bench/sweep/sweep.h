@@ -197,7 +197,7 @@ struct sweep {
   char code[17];          /* hash_program */
   struct results results; /* earlier ones, and those of this run */
   int file;               /* -1: none */
-  double begin;           /* seconds_now() */
+  double begin;           /* hsr_seconds_now() */
 };
 
 /* Judges, times and records those cells of a place that are wanted and have no

@@ -3,6 +3,7 @@
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
 #include "common/files/library.h"
 #include "common/files/srgb.h"
@@ -113,14 +114,14 @@ void viewer_show_panel(struct viewer *v) {
 
 /* What the frame took beside drawing and shading. */
 static void note_times(struct viewer *v, double begin) {
-  const double all = 1e3 * (seconds_now() - begin);
+  const double all = 1e3 * (hsr_seconds_now() - begin);
   double inside = 0;
   for (int k = 0; k < 2; k++)
     if (k == 0 ? v->comparison != COMPARE_BLINK || !v->blink : v->comparison)
       inside += v->player[k]->draw_ms + v->player[k]->shade_ms;
   v->outside_ms = all - inside;
   if (!v->n_frames++)
-    v->first_ms = 1e3 * (seconds_now() - v->begin);
+    v->first_ms = 1e3 * (hsr_seconds_now() - v->begin);
   if (!v->moving)
     return;
   v->n_moving++;
@@ -138,7 +139,7 @@ static void note_times(struct viewer *v, double begin) {
 
 void viewer_show(struct viewer *v) {
   struct hsr_error err = {HSR_OK, ""};
-  const double begin = seconds_now();
+  const double begin = hsr_seconds_now();
   if (!v->frozen && frame_draw(v, &err))
     viewer_say(v, "%s", err.text);
   if (!v->frozen)
@@ -374,7 +375,7 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   struct viewer *v = calloc(1, sizeof *v);
   if (!v)
     return hsr_fail_nomem(err);
-  v->begin = seconds_now();
+  v->begin = hsr_seconds_now();
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
   if (!status)
     status = name_players(v, o.algorithms, err);

@@ -42,7 +42,6 @@ extern "C" {
 #define hsr_bounded_hull HSR_OF_BUILD(hsr_bounded_hull)
 #define hsr_bounded_mean HSR_OF_BUILD(hsr_bounded_mean)
 #define hsr_bounded_reach HSR_OF_BUILD(hsr_bounded_reach)
-#define hsr_bounded_now HSR_OF_BUILD(hsr_bounded_now)
 #define hsr_bounded_is_late HSR_OF_BUILD(hsr_bounded_is_late)
 #define hsr_bounded_leave HSR_OF_BUILD(hsr_bounded_leave)
 #define hsr_bounded_leave_all HSR_OF_BUILD(hsr_bounded_leave_all)
@@ -128,7 +127,7 @@ struct hsr_eb_tree {
   struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
   uint32_t in_order; /* polygons from this one on came in strict order, from
                         front to back; HSR_EB_NONE: none did */
-  double until;      /* by hsr_bounded_now; INFINITY: any time */
+  double until;      /* by hsr_seconds_now; INFINITY: any time */
   bool late;         /* it is past that */
   unsigned asked;
   double background[3];
@@ -285,9 +284,6 @@ enum hsr_status hsr_bounded_refine(struct hsr_eb_tree *tree,
 
 /* How many pixels to either side of a point's own the filter reaches. */
 int hsr_bounded_reach(enum hsr_area_filter filter);
-
-/* Seconds, by a clock that is never set. */
-double hsr_bounded_now(void);
 
 #ifdef __cplusplus
 }
