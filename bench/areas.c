@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr areas: how much of the picture shows which face, exactly. */
-#include "bench/command.h"
 #include "bench/judge/areas/areas.h"
-#include "bench/results/json.h"
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
+#include "bench/options/view.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/suffix.h"
 #include "common/files/whole_file.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

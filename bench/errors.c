@@ -6,10 +6,16 @@
  * are linear, from 0 to 1. A picture of one sample a place can be asked for
  * with N x N samples a pixel: it is then the mean of N x N pictures, whose
  * colours are rounded to the nearest 65535th as in the definition. */
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
+#include "bench/options/view.h"
+#include "bench/options/words.h"
 #include "bench/results/json.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hsr command: chooses the subcommand, and ends the program. */
-#include "bench/command.h"
-#include "bench/run/ranks.h"
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr stats: Table I of Sutherland et al. 1974, measured, and depths. */
-#include "bench/command.h"
+#include "bench/options/command.h"
+#include "bench/options/view.h"
 #include "bench/results/json.h"
+#include "bench/run/table1.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 #include "common/statistics/depth.h"
 #include "common/statistics/statistics.h"
 
@@ -171,29 +174,6 @@ static void print_depths(const struct depths *d) {
       "\nOf two relevant faces the part that overlaps: in X %.3f, in Y %.3f, "
       "in Z %.3f\n(rule, f = 2 H_f / n: %.3f)\n",
       d->overlaps.f_x, d->overlaps.f_y, d->overlaps.f_z, d->rule);
-}
-
-enum hsr_status measure_table1(const struct hsr_world *world,
-                               const struct hsr_view *view,
-                               struct hsr_table1 *table,
-                               struct hsr_error *err) {
-  struct hsr_answer answer = {.body = NULL};
-  struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_setup setup = {.algorithm = NULL};
-  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
-  enum hsr_status status =
-      hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
-  if (!status)
-    status = answer_init(&answer, &setup, view, err);
-  if (!status)
-    status = render_view(&setup, view, 1, &answer, &tally, NULL, err);
-  if (setup.algorithm)
-    hsr_setup_free(&setup);
-  if (!status)
-    status = hsr_statistics_measure(world, view, hsr_answer_ids_of(&answer),
-                                    table, err);
-  hsr_answer_free(&answer);
-  return status;
 }
 
 static void free_depths(struct depths *d) {

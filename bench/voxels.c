@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "bench/results/json.h"
 

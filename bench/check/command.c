@@ -7,7 +7,11 @@
  * is judged in its own process (bench/judge/judge.c), several at a time.
  * Several ranks take groups from one queue. */
 #include "bench/check/check.h"
-#include "bench/run/ranks.h"
+#include "bench/options/command.h"
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 
 #include <errno.h>
 #include <fnmatch.h>

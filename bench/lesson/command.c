@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
+#include "config.h"
+
 #include "bench/lesson/lesson.h"
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr-peers: other people's renderers, for hsr bench. See peers.h. */
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/peers/peers.h"
 
-#include "bench/command.h"
 #include "bench/results/json.h"
 #include "bench/run/serve.h"
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
+#include "common/files/json.h"
 
 #include <malloc.h>
 #include <stdlib.h>

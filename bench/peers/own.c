@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The yardsticks, which need no other library: zbuffer without its exact
  * decisions, and memset. */
-#include "bench/peers/peers.h"
+#include "config.h"
 
-#include "bench/command.h"
+#include "bench/peers/peers.h"
+#include "bench/run/crew.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/painted.h"
 
-#include "common/base/window.h"
 #include "common/view/view.h"
 
 #include <algorithm>

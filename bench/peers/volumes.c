@@ -1,13 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr-volumes: see volumes.h. */
+#include "config.h"
+
 #include "bench/peers/volumes.h"
 
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/words.h"
 #include "bench/results/json.h"
+#include "bench/run/crew.h"
 #include "bench/run/stage.h"
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@
  *             that comes, without a depth test.
  * Sides       One-sided faces and the others are two actors. The painter needs
  *             all faces in one order, so it culls only if all are one-sided. */
+#include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
 #include "bench/peers/vtk_window.h"
 

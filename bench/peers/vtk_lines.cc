@@ -9,6 +9,7 @@
  *             faces share a side, the one that is drawn last wins. */
 #include "bench/peers/line_pixels.h"
 #include "bench/peers/lines.h"
+#include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
 #include "bench/peers/vtk_window.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/vtk_window.h"
+#include "bench/peers/offscreen.h"
 
 #include <vtkAutoInit.h>
 #include <vtkCallbackCommand.h>

@@ -9,7 +9,6 @@
 #ifndef HSR_BENCH_PEERS_VTK_WINDOW_H
 #define HSR_BENCH_PEERS_VTK_WINDOW_H
 
-#include "bench/peers/offscreen.h"
 #include "bench/peers/projection.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: pictures, or line drawings, by one algorithm. */
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/lines/crease.h"

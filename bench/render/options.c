@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
+#include "bench/options/picture.h"
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 #include "common/files/srgb.h"
 #include "common/files/suffix.h"
 

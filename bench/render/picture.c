@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawing, showing and writing one picture of hsr render. */
+#include "config.h"
+
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
 

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render --sort-last: a scene larger than memory, part by part. Each rank
  * opens and draws one part after the other, and keeps only what is seen; at last
- * the ranks put their pictures together (bench/run/composite.h). A kind that is
+ * the ranks put their pictures together (bench/ranks/composite.h). A kind that is
  * folded from pictures of ids is folded at last, by rank 0, from whole pictures.
  * Of a kind that is summed, the parts of a grid are drawn into the same sums, and
  * those of all ranks are added. */
 #include "bench/render/render.h"
-#include "bench/run/composite.h"
-#include "bench/run/ranks.h"
-#include "bench/run/sums.h"
+#include "bench/ranks/composite.h"
+#include "bench/ranks/ranks.h"
+#include "bench/ranks/sums.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 

@@ -9,8 +9,11 @@
  *
  * Several ranks take tiles from one queue, and each writes its own. They see
  * one folder. */
+#include "config.h"
+
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/files/colour_tiles.h"

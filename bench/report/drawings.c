@@ -5,11 +5,13 @@
 #include "bench/judge/judge.h"
 #include "bench/report/pictures.h"
 #include "bench/results/json.h"
+#include "bench/run/crew.h"
 #include "bench/run/terminate.h"
 
 #include "common/answers/answer.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 #include "common/view/picture.h"
 
 #include <errno.h>

@@ -4,11 +4,13 @@
  *
  * Each scene and view is drawn by another process. A scene is a name out of a
  * file of results: opening it may take long, or never end. */
+#include "config.h"
+
 #include "bench/report/pictures.h"
-#include "bench/results/json.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
+#include "common/files/json.h"
 
 #include <errno.h>
 #include <fcntl.h>

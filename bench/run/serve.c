@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/run/serve.h"
 
-#include "bench/command.h"
+#include "bench/options/words.h"
 #include "common/base/clock.h"
 
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/run/stage.h"
 
-#include "bench/command.h"
 #include "common/base/clock.h"
 #include "common/base/share.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr bench: timings of the algorithms that are right, and the counts of their
  * work, as lines of JSON. */
+#include "bench/options/words.h"
 #include "bench/sweep/journal.h"
 #include "bench/times/rows.h"
 #include "common/base/clock.h"

@@ -7,8 +7,9 @@
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
 
-#include "bench/command.h"
 #include "bench/judge/judge.h"
+#include "bench/options/camera.h"
+#include "bench/options/command.h"
 #include "bench/results/results.h"
 
 enum {

@@ -2,6 +2,8 @@
 /* Timing in turn: every entrant is a process that draws when it is told to, and
  * only one draws at a time. So whatever disturbs the machine for a while
  * disturbs all alike. */
+#include "config.h"
+
 #include "bench/sweep/sweep.h"
 #include "bench/results/figures.h"
 #include "bench/run/terminate.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/terminal/terminal.h"
-#include "bench/command.h"
+#include "bench/options/words.h"
 #include "common/base/clock.h"
 
 #include <stdlib.h>

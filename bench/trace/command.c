@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr trace: every step of one algorithm on one view, as lines of JSON. */
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/trace/trace.h"
 #include "bench/terminal/terminal.h"
 

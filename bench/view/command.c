@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr view: look around in a scene, as algorithms draw it. */
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
+#include "bench/options/words.h"
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Running an algorithm over a view, on one thread or several. */
-#include "bench/command.h"
-#include "bench/run/ranks.h"
+#include "config.h"
+
+#include "bench/run/crew.h"
+#include "bench/ranks/ranks.h"
 
 #include "common/base/clock.h"
 #include "common/base/share.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/run/loose_faces.h"
+#include "bench/ranks/loose_faces.h"
 
 #include <stdlib.h>
 #include <string.h>

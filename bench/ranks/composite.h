@@ -14,10 +14,10 @@
  * Cost        of a swap: 8 bytes for each sample that is covered, and for each
  *             face 20 bytes and 24 a corner. In log2 R rounds a rank sends
  *             half, a quarter, ... of its picture. */
-#ifndef HSR_BENCH_COMPOSITE_H
-#define HSR_BENCH_COMPOSITE_H
+#ifndef HSR_BENCH_RANKS_COMPOSITE_H
+#define HSR_BENCH_RANKS_COMPOSITE_H
 
-#include "bench/run/loose_faces.h"
+#include "bench/ranks/loose_faces.h"
 #include "common/view/view.h"
 
 struct composite {

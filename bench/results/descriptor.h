@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an algorithm's descriptor says, as hsr list and hsr tables show it. */
-#ifndef HSR_BENCH_LIST_H
-#define HSR_BENCH_LIST_H
+#ifndef HSR_BENCH_RESULTS_DESCRIPTOR_H
+#define HSR_BENCH_RESULTS_DESCRIPTOR_H
 
 #include "algorithms/algorithm.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 
 #include "config.h"
 
-#include "bench/run/ranks_library.h"
+#include "bench/ranks/ranks_library.h"
 #include "common/files/library.h"
 
 #include <fcntl.h>

@@ -2,8 +2,8 @@
 /* Faces by themselves, with the scene's ids: what ranks send to one another so
  * that each can compare what it sees with what others see. The corners are the
  * doubles of the world, so the planes are exact. */
-#ifndef HSR_BENCH_LOOSE_FACES_H
-#define HSR_BENCH_LOOSE_FACES_H
+#ifndef HSR_BENCH_RANKS_LOOSE_FACES_H
+#define HSR_BENCH_RANKS_LOOSE_FACES_H
 
 #include "common/scene/world.h"
 

@@ -3,7 +3,7 @@
 #ifndef HSR_BENCH_RANKS_LIBRARY_H
 #define HSR_BENCH_RANKS_LIBRARY_H
 
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 
 /* As the functions of ranks.h. */
 struct ranks_library {

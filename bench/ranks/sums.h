@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sort-last of what is summed: arrays of whole numbers that ranks add.
  *
- * Source      as in bench/run/composite.h: binary swap.
+ * Source      as in bench/ranks/composite.h: binary swap.
  * Exact       numbers of 64 bits are added, modulo 2^64. So the sum does not
  *             depend on how many ranks there are, nor on which drew what.
  * Cost        R ranks, of which H, a power of 2, have a partner: R - H whole
  *             arrays are sent, then halves, quarters, ..., and what is gathered.
  *             That is R - 1/H arrays at most. */
-#ifndef HSR_BENCH_SUMS_H
-#define HSR_BENCH_SUMS_H
+#ifndef HSR_BENCH_RANKS_SUMS_H
+#define HSR_BENCH_RANKS_SUMS_H
 
 #include "common/base/status.h"
 

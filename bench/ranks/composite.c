@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/run/composite.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/composite.h"
+#include "bench/ranks/ranks.h"
 #include "common/exact/screen.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/report/page.h"
+#include "bench/results/page.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pages that are built from reports/, for all commands that write one. */
-#ifndef HSR_BENCH_REPORT_PAGE_H
-#define HSR_BENCH_REPORT_PAGE_H
+#ifndef HSR_BENCH_RESULTS_PAGE_H
+#define HSR_BENCH_RESULTS_PAGE_H
 
 #include <stddef.h>
 

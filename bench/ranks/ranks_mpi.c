@@ -10,7 +10,7 @@
  *
  * What MPI calls an error ends all ranks, as is its custom; so no call here
  * returns one. */
-#include "bench/run/ranks_library.h"
+#include "bench/ranks/ranks_library.h"
 
 #include <limits.h>
 #include <mpi.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/run/sums.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/sums.h"
+#include "bench/ranks/ranks.h"
 
 #include <stdlib.h>
 
