@@ -31,12 +31,20 @@ enum hsr_status aim_scene(struct scene_options *scene,
   return status;
 }
 
+enum hsr_status check_view(const struct hsr_scene *scene, long view,
+                           struct hsr_error *err) {
+  if (view <= (long)scene->n_views)
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
+                  scene->name, scene->n_views, view);
+}
+
 enum hsr_status choose_view(const struct view_options *o,
                             const struct hsr_scene *scene, int samples,
                             struct hsr_view *view, struct hsr_error *err) {
-  if (o->view > (long)scene->n_views)
-    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
-                    scene->name, scene->n_views, o->view);
+  enum hsr_status status = check_view(scene, o->view, err);
+  if (status)
+    return status;
   return hsr_view_init_of(view, scene, (uint32_t)o->view - 1, samples * o->m,
                           samples * o->n, err);
 }

@@ -37,6 +37,10 @@ error_t parse_view_option(struct view_options *options, int key, char *arg,
 enum hsr_status aim_scene(struct scene_options *scene,
                           struct view_options *view, struct hsr_error *err);
 
+/* Whether the scene has a view of this number, from 1. HSR_E_USAGE. */
+enum hsr_status check_view(const struct hsr_scene *scene, long view,
+                           struct hsr_error *err);
+
 /* The view that is chosen of a scene, with `samples` x `samples` a pixel.
  * HSR_E_USAGE if it has no such view; else as hsr_view_init. */
 enum hsr_status choose_view(const struct view_options *options,

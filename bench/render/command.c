@@ -215,13 +215,14 @@ static enum hsr_status print_ranks(const struct render *r,
   return HSR_OK;
 }
 
-/* Makes the pictures of views first to last, from 1. */
-static enum hsr_status make_series(struct render *r, long first, long last,
-                                   struct hsr_error *err) {
+/* Makes the pictures of several views, or of a turn. */
+static enum hsr_status make_series(struct render *r, struct hsr_error *err) {
   const struct render_options *o = r->options;
+  const long first = o->orbit ? 1 : o->first,
+             last = o->orbit ? o->orbit : o->last;
   struct view_options place = o->view;
   struct progress progress = progress_begin(stderr);
-  enum hsr_status status = HSR_OK;
+  enum hsr_status status = check_view(r->scene, last, err);
   for (long k = first; k <= last && !status; k++) {
     progress_tell(&progress, (size_t)(k - first), (size_t)(last - first + 1),
                   "pictures", o->scene.name);
@@ -232,20 +233,6 @@ static enum hsr_status make_series(struct render *r, long first, long last,
   }
   progress_end(&progress);
   return status;
-}
-
-static enum hsr_status make_all(struct render *r, struct hsr_error *err) {
-  const struct render_options *o = r->options;
-  if (o->tile)
-    return make_tiles(r, err);
-  if (!is_series(o))
-    return make_picture(r, err);
-  if (o->orbit)
-    return make_series(r, 1, o->orbit, err);
-  if (o->last > (long)r->scene->n_views)
-    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
-                    r->scene->name, r->scene->n_views, o->last);
-  return make_series(r, o->first, o->last, err);
 }
 
 /* A scene with transparent faces is drawn transparent, if the algorithm can do
@@ -379,15 +366,17 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
   if (!status && !options.tile && !options.sort_last)
     crew_join_ranks(r.crew);
-  if (!status && options.sort_last) {
+  bool frames = options.last_frame >= 0, one = !options.sort_last && !frames;
+  if (!status && options.sort_last)
     status = make_sort_last(&r, a, &variant, err);
-  } else if (!status && options.last_frame >= 0) {
+  else if (!status && frames)
     status = make_frames(&r, a, &variant, err);
-  } else if (!status) {
+  else if (!status)
     status = open_and_prepare(&r, a, &variant, err);
-    if (!status)
-      status = make_all(&r, err);
-  }
+  if (!status && one) /* scene, which is whole and stays as it is */
+    status = options.tile          ? make_tiles(&r, err)
+             : is_series(&options) ? make_series(&r, err)
+                                   : make_picture(&r, err);
   if (!status && !ranks_own())
     print_report(&r, a);
   if (!status && !ranks_own())

@@ -23,17 +23,13 @@ long processors(void) {
   return 1;
 }
 
-/* What is drawn, and the answer that it goes into. */
-struct task {
-  const struct hsr_setup *setup;
-  struct hsr_answer *answer;
-};
-
-/* The picture in parts: bands of rows, or squares. A worker that is free, of
- * whatever rank, takes the next part. */
+/* What is drawn, and the answer that it goes into. The picture is in parts:
+ * bands of rows, or squares. A worker that is free, of whatever rank, takes the
+ * next part. */
 struct parts {
-  const struct task *task;
+  const struct hsr_setup *setup;
   const struct hsr_view *view;
+  struct hsr_answer *answer;
   int width, height, across, all;
   struct queue queue;
   bool *is_own; /* which parts this rank has drawn; NULL: there is one rank */
@@ -99,7 +95,6 @@ static double processor_seconds(void) {
 static void work(void *context, int thread) {
   struct worker *worker = &((struct crew *)context)->worker[thread];
   struct parts *parts = worker->parts;
-  const struct task *task = parts->task;
   double begin = processor_seconds();
   for (int k; (k = (int)queue_take(&parts->queue)) >= 0;) {
     struct hsr_view view = *parts->view;
@@ -110,8 +105,8 @@ static void work(void *context, int thread) {
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .answer = task->answer};
-    worker->status = hsr_setup_render(task->setup, &job, &worker->err);
+                          .answer = parts->answer};
+    worker->status = hsr_setup_render(parts->setup, &job, &worker->err);
     if (worker->status)
       break;
   }
@@ -139,7 +134,7 @@ static int side_for(double samples, long n) {
 static void divide(struct parts *parts, int threads, bool by_ranks) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
-  int window = (int)parts->task->setup->choice.window;
+  int window = (int)parts->setup->choice.window;
   if (!window && by_ranks)
     window = side_for((double)columns * rows, (long)threads * ranks_count());
   parts->width = window ? window : columns;
@@ -180,8 +175,8 @@ static void send_parts(struct crew *crew, const struct parts *parts,
     if (!parts->is_own[k])
       continue;
     struct hsr_window window = window_of_part(parts, k);
-    size_t size = hsr_answer_window_size(parts->task->answer, &window);
-    hsr_answer_pack(parts->task->answer, &window, bytes);
+    size_t size = hsr_answer_window_size(parts->answer, &window);
+    hsr_answer_pack(parts->answer, &window, bytes);
     ranks_send(k, bytes, size);
     crew->work.bytes += (double)size;
     crew->work.messages++;
@@ -196,7 +191,7 @@ static void receive_parts(const struct parts *parts, void *bytes, size_t most) {
   for (; missing; missing--) {
     int k = ranks_receive(bytes, most);
     struct hsr_window window = window_of_part(parts, k);
-    hsr_answer_unpack(parts->task->answer, &window, bytes);
+    hsr_answer_unpack(parts->answer, &window, bytes);
   }
 }
 
@@ -206,7 +201,7 @@ static enum hsr_status draw_together(struct crew *crew, struct parts *parts,
                                      int threads, struct hsr_tally *tally,
                                      struct hsr_error *err) {
   struct hsr_window first = window_of_part(parts, 0); /* none is larger */
-  size_t most = hsr_answer_window_size(parts->task->answer, &first);
+  size_t most = hsr_answer_window_size(parts->answer, &first);
   void *bytes = malloc(most);
   parts->is_own = calloc((size_t)parts->all, sizeof *parts->is_own);
   enum hsr_status status = bytes && parts->is_own
@@ -223,35 +218,20 @@ static enum hsr_status draw_together(struct crew *crew, struct parts *parts,
   return status;
 }
 
-static enum hsr_status draw(struct crew *crew, const struct task *task,
-                            const struct hsr_view *view,
-                            struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole = !task->answer->form.type->by_windows ||
-               tally->trace; /* its events are in order */
-  bool together = crew->together && !whole;
-  if (crew->together && whole && ranks_own())
-    return HSR_OK; /* rank 0 makes it alone */
-  int threads = whole || task->setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
-  struct parts parts = {.task = task, .view = view};
-  divide(&parts, threads, together);
-  return together ? draw_together(crew, &parts, threads, tally, err)
-                  : draw_parts(crew, &parts, threads, tally, err);
-}
+/* --- Whole answers -------------------------------------------------------- */
 
-/* --- Answers that are folded from pictures -------------------------------- */
-
+/* Folds the answer from pictures that the crew draws. */
 static enum hsr_status fold(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view,
                             struct hsr_answer *answer, struct hsr_tally *tally,
                             struct hsr_error *err) {
   const struct hsr_fold *how = answer->form.type->fold;
-  struct task task = {.setup = setup, .answer = answer->picture};
   enum hsr_status status = HSR_OK;
   for (long k = 0; k < how->n(&answer->form) && !status; k++) {
     struct hsr_view picture;
     status = how->view(&answer->form, view, k, &picture, err);
     if (!status)
-      status = draw(crew, &task, &picture, tally, err);
+      status = crew_render(crew, setup, &picture, answer->picture, tally, err);
     if (!status && !(crew->together && ranks_own()))
       how->add(answer, setup->world, view, k);
   }
@@ -266,8 +246,16 @@ enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
     answer->form.type->clear(answer);
   if (answer->picture)
     return fold(crew, setup, view, answer, tally, err);
-  struct task task = {.setup = setup, .answer = answer};
-  return draw(crew, &task, view, tally, err);
+  bool whole = !answer->form.type->by_windows ||
+               tally->trace; /* its events are in order */
+  bool together = crew->together && !whole;
+  if (crew->together && whole && ranks_own())
+    return HSR_OK; /* rank 0 makes it alone */
+  int threads = whole || setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
+  struct parts parts = {.setup = setup, .view = view, .answer = answer};
+  divide(&parts, threads, together);
+  return together ? draw_together(crew, &parts, threads, tally, err)
+                  : draw_parts(crew, &parts, threads, tally, err);
 }
 
 enum hsr_status answer_init(struct hsr_answer *answer,
