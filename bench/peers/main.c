@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr-peers: other people's renderers, for hsr bench. See peers.h. */
+/* hsr-peers: other people's renderers, for hsr bench. See shared/peers.h. */
 #include "config.h"
 
 #include "bench/options/command.h"
 #include "bench/options/words.h"
-#include "bench/peers/peers.h"
+#include "bench/peers/shared/peers.h"
 
 #include "bench/results/json.h"
 #include "bench/run/serve.h"
