@@ -59,6 +59,8 @@ libbench_a_SOURCES = \
   %D%/options/parser.h \
   %D%/options/picture.c \
   %D%/options/picture.h \
+  %D%/options/place.c \
+  %D%/options/place.h \
   %D%/options/scene.c \
   %D%/options/scene.h \
   %D%/options/view.c \

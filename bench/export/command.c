@@ -72,7 +72,6 @@ static error_t choose_shape(struct options *o, const char *name) {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
-  error_t unknown;
   switch (key) {
   case 'a':
     o->algorithm = arg;
@@ -97,10 +96,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->frame.z_up = true;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "export", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
-               : unknown;
+    return parse_place_option(&o->scene, &o->view, key, arg, "export",
+                              &o->base);
   }
 }
 

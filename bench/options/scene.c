@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/scene.h"
+#include "bench/options/words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -31,6 +32,14 @@ error_t parse_scene_option(struct scene_options *o, int key, char *arg,
   default:
     return ARGP_ERR_UNKNOWN;
   }
+}
+
+error_t parse_threads(struct scene_options *options, long *threads,
+                      const char *arg, struct option_base *base) {
+  if (!parse_count(arg, 1, 64, threads))
+    return option_fail(base, "--jobs %s: must be 1 to 64", arg);
+  options->import.threads = (int)*threads;
+  return 0;
 }
 
 enum hsr_status open_scene(const char *name, struct hsr_import import,

@@ -37,6 +37,12 @@ bool parse_import_option(struct hsr_import *import, int key);
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 
+/* --jobs of subcommands that draw on so many threads. */
+#define THREADS_ARGP_OPTION                                                    \
+  { "jobs", 'J', "N", 0, "threads (standard: 1)", 0 }
+error_t parse_threads(struct scene_options *options, long *threads,
+                      const char *arg, struct option_base *base);
+
 /* Opens a scene, which the caller deletes, and says on stderr how many faces
  * were left out of it, and what else was passed over. The errors are those of
  * hsr_scene_open. */

@@ -21,6 +21,14 @@ error_t parse_view_option(struct view_options *o, int key, char *arg,
   }
 }
 
+error_t parse_place_option(struct scene_options *scene,
+                           struct view_options *view, int key, char *arg,
+                           const char *command, struct option_base *base) {
+  error_t error = parse_scene_option(scene, key, arg, command, base);
+  return error == ARGP_ERR_UNKNOWN ? parse_view_option(view, key, arg, base)
+                                   : error;
+}
+
 enum hsr_status aim_scene(struct scene_options *scene,
                           struct view_options *view, struct hsr_error *err) {
   enum hsr_status status =

@@ -31,6 +31,11 @@ struct view_options {
 error_t parse_view_option(struct view_options *options, int key, char *arg,
                           struct option_base *base);
 
+/* Parses an option of either; else ARGP_ERR_UNKNOWN. */
+error_t parse_place_option(struct scene_options *scene,
+                           struct view_options *view, int key, char *arg,
+                           const char *command, struct option_base *base);
+
 /* Adds the cameras and the palette to the scene's name. If there are words, the
  * scene's only view is the one that they describe, and view->view becomes 1.
  * The errors are those of aim_name. */

@@ -60,6 +60,8 @@ noinst_LIBRARIES += libvtkpeer.a
 libvtkpeer_a_SOURCES = \
   %D%/surfaces/vtk.cc \
   %D%/lines/vtk.cc \
+  %D%/shared/vtk.cc \
+  %D%/shared/vtk.h \
   %D%/shared/vtk_window.cc \
   %D%/shared/vtk_window.h \
   %D%/shared/vtk_cast.cc \

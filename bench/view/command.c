@@ -4,7 +4,6 @@
 
 #include "bench/options/command.h"
 #include "bench/options/picture.h"
-#include "bench/options/words.h"
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"
@@ -36,10 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->algorithms = arg;
     return 0;
   case 'J':
-    if (!parse_count(arg, 1, 64, &o->threads))
-      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
-    o->scene.import.threads = (int)o->threads;
-    return 0;
+    return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case CREASE:
     o->crease_word = arg;
     return parse_crease(&o->crease, arg, &o->base);
@@ -50,9 +46,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->screenshot = arg;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "view", &o->base);
-    if (unknown == ARGP_ERR_UNKNOWN)
-      unknown = parse_view_option(&o->view, key, arg, &o->base);
+    unknown =
+        parse_place_option(&o->scene, &o->view, key, arg, "view", &o->base);
     return !unknown && light_option(&o->view.camera)
                ? option_fail(&o->base,
                              "%s: shadows are drawn by hsr render, not by view",
@@ -66,7 +61,7 @@ static const struct argp_option entries[] = {
      "the algorithm, and another to compare it with (standard: "
      "zbuffer,watkins)",
      0},
-    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    THREADS_ARGP_OPTION,
     {"crease", CREASE, "DEG", 0,
      "leave out edges of line drawings whose two faces turn by at most DEG "
      "degrees, except contour edges",

@@ -11,6 +11,7 @@
 #include "bench/peers/lines/lines.h"
 #include "bench/peers/shared/offscreen.h"
 #include "bench/peers/shared/peers.h"
+#include "bench/peers/shared/vtk.h"
 #include "bench/peers/shared/vtk_window.h"
 
 #include <vtkActor.h>
@@ -107,7 +108,7 @@ enum hsr_status lines_setup(const struct peer *peer,
 enum hsr_status lines_draw(void *opaque, const struct hsr_view *view,
                            struct hsr_error *err) try {
   State *state = static_cast<State *>(opaque);
-  aim_ids(state->scene, &state->box, view);
+  vtk_aim(state->scene->renderer, &state->box, view);
   fill(state, view);
   state->scene->window->Render();
   take_ids(state->scene, view->m, view->n, state->pixel.data());

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/shared/vtk_cast.h"
+#include "bench/peers/shared/vtk.h"
 
 #include <vtkAutoInit.h>
-#include <vtkCamera.h>
 #include <vtkMultiThreader.h>
 #include <vtkThreadedImageAlgorithm.h>
 
@@ -42,25 +42,10 @@ void connect_cast(Cast *cast, int m, int n, double step, int threads) {
   cast->renderer->AddVolume(cast->volume);
 }
 
-static void set_camera(Cast *cast, const struct hsr_view *view) {
-  vtkCamera *camera = cast->renderer->GetActiveCamera();
-  double nearest, farthest;
-  box_depths(&cast->box, view, &nearest, &farthest);
-  camera->SetPosition(view->camera.eye);
-  camera->SetFocalPoint(view->camera.at);
-  camera->SetViewUp(view->camera.up);
-  camera->SetParallelProjection(view->parallel);
-  if (view->parallel)
-    camera->SetParallelScale(view->camera.parallel / 2);
-  else
-    camera->SetViewAngle(view->camera.fov);
-  camera->SetClippingRange(nearest, farthest);
-}
-
 void cast_rays(Cast *cast, const struct hsr_view *view) {
   double nowhere[3] = {0, 0, 0};
   int nothing[6] = {0, 0, 0, 0, 0, 0};
-  set_camera(cast, view);
+  vtk_aim(cast->renderer, &cast->box, view);
   cast->mapper->PerImageInitialization(cast->renderer, cast->volume, 0, nowhere,
                                        nowhere, nothing);
   cast->mapper->PerVolumeInitialization(cast->renderer, cast->volume);

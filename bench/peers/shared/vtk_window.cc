@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/shared/vtk_window.h"
 #include "bench/peers/shared/offscreen.h"
+#include "common/scene/scene.h"
 
 #include <vtkAutoInit.h>
 #include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkVersion.h>
 
 #include <cstdio>
 #include <cstring>
-#include <new>
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
@@ -55,22 +54,6 @@ void id_colour(uint32_t id, unsigned char colour[3]) {
     colour[k] = (unsigned char)(id >> 8 * k & 255);
 }
 
-void aim_ids(IdScene *scene, const struct box *box,
-             const struct hsr_view *view) {
-  vtkCamera *camera = scene->renderer->GetActiveCamera();
-  double nearest, farthest;
-  box_depths(box, view, &nearest, &farthest);
-  camera->SetPosition(view->camera.eye);
-  camera->SetFocalPoint(view->camera.at);
-  camera->SetViewUp(view->camera.up);
-  camera->SetParallelProjection(view->parallel);
-  if (view->parallel)
-    camera->SetParallelScale(view->camera.parallel / 2);
-  else
-    camera->SetViewAngle(view->camera.fov);
-  camera->SetClippingRange(nearest, farthest);
-}
-
 /* VTK's first row is the lowest. */
 void take_ids(IdScene *scene, int m, int n, uint32_t *ids) {
   scene->window->GetRGBACharPixelData(0, 0, m - 1, n - 1, 0, scene->pixels);
@@ -83,16 +66,6 @@ void take_ids(IdScene *scene, int m, int n, uint32_t *ids) {
       uint32_t id = row[i] & 0xffffff;
       row[i] = id == VTK_MOST_IDS ? HSR_BACKGROUND : id;
     }
-  }
-}
-
-enum hsr_status vtk_fail(struct hsr_error *err) {
-  try {
-    throw;
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
   }
 }
 

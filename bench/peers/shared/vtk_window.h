@@ -9,8 +9,6 @@
 #ifndef HSR_BENCH_PEERS_SHARED_VTK_WINDOW_H
 #define HSR_BENCH_PEERS_SHARED_VTK_WINDOW_H
 
-#include "bench/peers/shared/projection.h"
-
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -42,15 +40,8 @@ void watch_errors(IdScene *scene, vtkObject *object);
 
 void id_colour(uint32_t id, unsigned char colour[3]);
 
-/* Looks as `view` does; what is outside the box is not drawn. */
-void aim_ids(IdScene *scene, const struct box *box,
-             const struct hsr_view *view);
-
 /* Copies the pixels to ids, which has m * n. */
 void take_ids(IdScene *scene, int m, int n, uint32_t *ids);
-
-/* The status for whatever was thrown. */
-enum hsr_status vtk_fail(struct hsr_error *err);
 
 /* "9.1.0 on Mesa 22.3.6"; empty if there is no context. */
 void vtk_version_text(char *text, int size);

@@ -12,6 +12,7 @@
  *             all faces in one order, so it culls only if all are one-sided. */
 #include "bench/peers/shared/offscreen.h"
 #include "bench/peers/shared/peers.h"
+#include "bench/peers/shared/vtk.h"
 #include "bench/peers/shared/vtk_window.h"
 
 #include <vtkActor.h>
@@ -148,7 +149,7 @@ enum hsr_status vtk_draw(void *opaque, const struct hsr_view *view,
                          struct hsr_error *err) try {
   State *state = static_cast<State *>(opaque);
   Scene *scene = state->scene;
-  aim_ids(scene, &state->box, view);
+  vtk_aim(scene->renderer, &state->box, view);
   if (state->painter) {
     for (Part &part : scene->part)
       part.sorter->Modified(); /* otherwise it sorts only once */

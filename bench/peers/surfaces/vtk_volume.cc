@@ -18,6 +18,7 @@
  *             cells that the oracle's faces belong to. */
 #include "bench/peers/shared/peers.h"
 #include "bench/peers/shared/samples.h"
+#include "bench/peers/shared/vtk.h"
 #include "bench/peers/shared/vtk_cast.h"
 
 #include <vtkPiecewiseFunction.h>
@@ -26,7 +27,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 
 namespace {
 
@@ -37,16 +37,6 @@ struct State {
   uint32_t *cells; /* of the samples; the canvas' */
   Cast cast;
 };
-
-enum hsr_status volume_fail(struct hsr_error *err) {
-  try {
-    throw;
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
-  }
-}
 
 /* --- The volume ----------------------------------------------------------- */
 
@@ -134,7 +124,7 @@ enum hsr_status volume_setup(const struct peer *peer,
                (int)canvas->threads);
   return HSR_OK;
 } catch (...) {
-  return volume_fail(err);
+  return vtk_fail(err);
 }
 
 /* --- A frame -------------------------------------------------------------- */
@@ -165,7 +155,7 @@ enum hsr_status volume_draw(void *opaque, const struct hsr_view *view,
   take_cells(state, view);
   return HSR_OK;
 } catch (...) {
-  return volume_fail(err);
+  return vtk_fail(err);
 }
 
 void volume_release(void *opaque) {

@@ -7,6 +7,7 @@
  *             does not shade.
  * Cells       of unequal sides: the length is that of a cell along the view's
  *             middle. */
+#include "bench/peers/shared/vtk.h"
 #include "bench/peers/volumes/volumes.h"
 #include "bench/peers/shared/vtk_cast.h"
 
@@ -17,21 +18,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <new>
 
 namespace {
 
 constexpr float MOST = 32767; /* of 15 bits */
-
-enum hsr_status over_fail(struct hsr_error *err) {
-  try {
-    throw;
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
-  }
-}
 
 void choose_looks(vtkVolume *volume, double length) {
   vtkNew<vtkPiecewiseFunction> opacity;
@@ -69,7 +59,7 @@ enum hsr_status over_setup(const struct volume_peer *peer,
   connect_cast(cast, view->m, view->n, length / peer->steps, 1);
   return HSR_OK;
 } catch (...) {
-  return over_fail(err);
+  return vtk_fail(err);
 }
 
 enum hsr_status over_draw(void *state, const struct hsr_view *view,
@@ -77,7 +67,7 @@ enum hsr_status over_draw(void *state, const struct hsr_view *view,
   cast_rays(static_cast<Cast *>(state), view);
   return HSR_OK;
 } catch (...) {
-  return over_fail(err);
+  return vtk_fail(err);
 }
 
 void over_take(const void *state, const struct hsr_view *view, float *rgba) {
