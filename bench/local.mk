@@ -176,7 +176,22 @@ hsr_SOURCES += tests/torture/fail.cc
 hsr_LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
   -Wl,--wrap=aligned_alloc,--wrap=strdup,--wrap=main
 endif
+
+# The man page has the help of the commands, so hsr is run to make it. It is in the
+# tarball: whoever builds from that runs nothing. Where hsr cannot be run, because
+# it is built for another machine, the page has only what is written by hand.
 dist_man_MANS += %D%/hsr.1
+MAINTAINERCLEANFILES += %D%/hsr.1
+CLEANFILES += %D%/hsr.1.new
+EXTRA_DIST += %D%/man/hsr.1.in %D%/man/make
+if CROSS_COMPILING
+told_by =
+else
+told_by = hsr$(EXEEXT)
+endif
+%D%/hsr.1: %D%/man/hsr.1.in %D%/man/make %D%/hsr.c $(libbench_a_SOURCES) | $(told_by)
+	$(AM_V_GEN)$(MKDIR_P) %D% && $(srcdir)/bench/man/make \
+	  $(srcdir)/bench/man/hsr.1.in $(told_by:%=./%) >$@.new && mv $@.new $@
 
 # Completion for shells.
 bashcompletiondir = $(datadir)/bash-completion/completions

@@ -153,6 +153,7 @@ tap_scripts = \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
+  %D%/tree/generated.test \
   %D%/tree/mutants.test \
   %D%/view/view.test
 

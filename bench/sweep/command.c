@@ -248,7 +248,7 @@ static const struct argp argp = {
         CAMERA_ARGP_OPTIONS,
         {0}},
     parse,
-    "SCENE...",
+    "SCENE...\nmerge FILE... -o FILE",
     "Times every algorithm on every scene (a name or a pattern, as 'mesh:*'), "
     "view and size. An algorithm is timed only if its picture equals the "
     "oracle's; one that is wrong, refuses, crashes, takes too long or too much "
