@@ -109,7 +109,7 @@ static const struct argp argp = {
          "the place of the number. Black: at most 2^-16, brightest: 1, "
          "logarithmic between",
          0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         THREADS_ARGP_OPTION,
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF("512x512"),

@@ -37,7 +37,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 static const struct argp argp = {
     (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         {"depth", 'd', "FILE", 0,
          "also write a picture of the depth complexity: the faces over each "
          "sample, through a logarithmic ramp",

@@ -52,7 +52,7 @@ static const struct argp argp = {
         {"output", 'o', "FILE", 0,
          "write them as an image of VTK, .vti, for ParaView: cell data `solid'",
          0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         SCENE_ARGP_OPTIONS,
         {0}},
     parse,

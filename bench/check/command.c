@@ -268,7 +268,7 @@ static const struct argp argp = {
          0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         CAMERA_ARGP_OPTIONS,
         {0}},
     parse,

@@ -180,8 +180,7 @@ static error_t parse_json(int key, char *arg, struct argp_state *state) {
 
 enum hsr_status parse_json_option(int argc, char **argv, const char *about,
                                   bool *json, struct hsr_error *err) {
-  const struct argp_option entries[] = {
-      {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}};
+  const struct argp_option entries[] = {JSON_ARGP_OPTION, {0}};
   const struct argp argp = {entries, parse_json, NULL, about, NULL, NULL, NULL};
   struct json_options options = {.command = argv[0], .json = json};
   *json = false;

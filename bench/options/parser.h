@@ -23,6 +23,9 @@ struct option_base {
 error_t option_fail(struct option_base *base, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+#define JSON_ARGP_OPTION                                                       \
+  { "json", 'j', NULL, 0, "print one JSON object", 0 }
+
 /* For subcommands that only take --json; --help prints `about`. */
 enum hsr_status parse_json_option(int argc, char **argv, const char *about,
                                   bool *json, struct hsr_error *err);

@@ -366,17 +366,16 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
   if (!status && !options.tile && !options.sort_last)
     crew_join_ranks(r.crew);
-  bool frames = options.last_frame >= 0, one = !options.sort_last && !frames;
-  if (!status && options.sort_last)
-    status = make_sort_last(&r, a, &variant, err);
-  else if (!status && frames)
-    status = make_frames(&r, a, &variant, err);
-  else if (!status)
+  /* Parts and frames are opened one by one, as they are drawn. */
+  bool one_by_one = options.sort_last || options.last_frame >= 0;
+  if (!status && !one_by_one)
     status = open_and_prepare(&r, a, &variant, err);
-  if (!status && one) /* scene, which is whole and stays as it is */
-    status = options.tile          ? make_tiles(&r, err)
-             : is_series(&options) ? make_series(&r, err)
-                                   : make_picture(&r, err);
+  if (!status)
+    status = options.sort_last         ? make_sort_last(&r, a, &variant, err)
+             : options.last_frame >= 0 ? make_frames(&r, a, &variant, err)
+             : options.tile            ? make_tiles(&r, err)
+             : is_series(&options)     ? make_series(&r, err)
+                                       : make_picture(&r, err);
   if (!status && !ranks_own())
     print_report(&r, a);
   if (!status && !ranks_own())

@@ -63,7 +63,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 static const struct argp argp = {
     (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         {"greene", GREENE, NULL, 0,
          "instead, print Greene's figures on hierarchical visibility beside "
          "ours, from results that reports/greene/make makes",
