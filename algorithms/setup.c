@@ -1,17 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
-#endif
 #include "algorithms/setup.h"
-
-#include <string.h>
-#include <time.h>
-
-static double seconds_now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include "common/base/clock.h"
 
 /* Applies one adapter to what there is. */
 static enum hsr_status apply(struct hsr_setup *setup,
@@ -19,9 +8,9 @@ static enum hsr_status apply(struct hsr_setup *setup,
                              struct hsr_error *err) {
   struct hsr_world out = {.outline.scene = NULL};
   bool changed = false;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);
-  double seconds = seconds_now() - begin;
+  double seconds = hsr_seconds_now() - begin;
   setup->adapt_seconds += seconds;
   if (!changed) /* it may have failed before it made anything */
     return status;
@@ -102,10 +91,10 @@ static enum hsr_status prepare(struct hsr_setup *setup, struct hsr_error *err) {
   setup->n_prepared = setup->world->n_faces;
   if (!algorithm->prepare)
     return HSR_OK;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = algorithm->prepare(
       setup->world, setup->choice.values.option, &setup->prepared, err);
-  setup->prepare_seconds += seconds_now() - begin;
+  setup->prepare_seconds += hsr_seconds_now() - begin;
   return status;
 }
 

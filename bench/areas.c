@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr areas: how much of the picture shows which face, exactly. */
-#include "bench/command.h"
 #include "bench/judge/areas/areas.h"
-#include "bench/results/json.h"
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
+#include "bench/options/place.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/suffix.h"
 #include "common/files/whole_file.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +26,6 @@ struct options {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
-  error_t unknown;
   switch (key) {
   case 'f':
     return parse_area_filter(&o->filter, arg, &o->base);
@@ -40,10 +41,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->output = arg;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "areas", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
-               : unknown;
+    return parse_place_option(&o->scene, &o->view, key, arg, "areas", &o->base);
   }
 }
 
@@ -423,29 +421,15 @@ static enum hsr_status check_output(const struct options *o,
 
 enum hsr_status command_areas(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.view = VIEW_OPTIONS_STANDARD};
+  struct place place;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
     status = check_output(&options, err);
-  if (!status)
-    status = aim_scene(&options.scene, &options.view, err);
   if (status)
     return status;
-  struct hsr_scene *scene;
-  status = open_scene(options.scene.name, options.scene.import, &scene, err);
-  if (status)
-    return status;
-  struct hsr_world world = {.outline.scene = scene};
-  struct hsr_view view;
-  status = choose_view(&options.view, scene, 1, &view, err);
+  status = place_open(&place, &options.scene, &options.view, "areas", err);
   if (!status)
-    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&world))
-    status =
-        hsr_fail(err, HSR_E_NOMEM,
-                 "areas: %u faces are too many to be laid out", world.n_faces);
-  if (!status)
-    status = find(&options, &world, &view, err);
-  hsr_world_free(&world);
-  hsr_scene_delete(scene);
+    status = find(&options, &place.world, &place.view, err);
+  place_close(&place);
   return status;
 }

@@ -6,10 +6,16 @@
  * are linear, from 0 to 1. A picture of one sample a place can be asked for
  * with N x N samples a pixel: it is then the mean of N x N pictures, whose
  * colours are rounded to the nearest 65535th as in the definition. */
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
+#include "bench/options/place.h"
+#include "bench/options/words.h"
 #include "bench/results/json.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,7 +69,6 @@ static error_t add_sides(struct options *o, char *arg) {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
-  error_t unknown;
   switch (key) {
   case 'a':
     return add_algorithms(o, arg);
@@ -75,18 +80,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->json = true;
     return 0;
   case 'J':
-    if (!parse_count(arg, 1, 64, &o->threads))
-      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
-    o->scene.import.threads = (int)o->threads;
-    return 0;
+    return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case WHERE:
     o->where = arg;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "errors", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
-               : unknown;
+    return parse_place_option(&o->scene, &o->view, key, arg, "errors",
+                              &o->base);
   }
 }
 
@@ -109,8 +109,8 @@ static const struct argp argp = {
          "the place of the number. Black: at most 2^-16, brightest: 1, "
          "logarithmic between",
          0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
-        {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+        JSON_ARGP_OPTION,
+        THREADS_ARGP_OPTION,
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF("512x512"),
         {0}},
@@ -133,10 +133,9 @@ static const struct argp argp = {
 /* --- Pictures ------------------------------------------------------------- */
 
 /* The scene and view, and the exact values of the pixels. */
-struct place {
+struct comparison {
   const struct options *options;
-  const struct hsr_world *world;
-  const struct hsr_view *view;
+  struct place place;
   struct crew *crew;
   struct hsr_answer exact;
   float *share; /* m n: what the picture of errors shows */
@@ -152,45 +151,45 @@ struct made {
   char where[MOST_FILE_NAME]; /* the picture of its errors; "": none */
 };
 
-static size_t n_pixels(const struct place *p) {
-  return (size_t)p->view->m * (size_t)p->view->n;
+static size_t n_pixels(const struct comparison *c) {
+  return (size_t)c->place.view.m * (size_t)c->place.view.n;
 }
 
 /* Draws one picture with an algorithm that is prepared, and shades it. */
-static enum hsr_status draw(const struct place *p,
+static enum hsr_status draw(const struct comparison *c,
                             const struct hsr_setup *setup,
                             const struct hsr_view *view,
                             struct hsr_answer *answer,
                             struct hsr_shaded *shaded, struct hsr_error *err) {
   struct hsr_tally tally = {.out_of_memory = false};
-  const struct hsr_showing showing = {.world = p->world,
+  const struct hsr_showing showing = {.world = &c->place.world,
                                       .view = view,
-                                      .scene = p->options->scene.name,
+                                      .scene = c->options->scene.name,
                                       .shading = HSR_SHADE_LAMBERT,
                                       .supersamples = 1};
   enum hsr_status status =
-      crew_render(p->crew, setup, view, answer, &tally, err);
+      crew_render(c->crew, setup, view, answer, &tally, err);
   return status ? status
                 : answer->form.type->shade(answer, &showing, shaded, err);
 }
 
 /* Adds sample (a, b) of the N x N in each pixel. */
-static enum hsr_status add_sample(const struct place *p,
+static enum hsr_status add_sample(const struct comparison *c,
                                   const struct hsr_setup *setup,
                                   struct hsr_answer *answer, long a, long b,
                                   struct made *made, struct hsr_error *err) {
-  struct hsr_view view = *p->view;
+  struct hsr_view view = c->place.view;
   struct hsr_shaded shaded = {NULL, NULL};
   view.offset_x = ((double)a + .5) / (double)made->side - .5;
   view.offset_y = ((double)b + .5) / (double)made->side - .5;
-  enum hsr_status status = draw(p, setup, &view, answer, &shaded, err);
-  for (size_t k = 0; !status && k < 3 * n_pixels(p); k++)
+  enum hsr_status status = draw(c, setup, &view, answer, &shaded, err);
+  for (size_t k = 0; !status && k < 3 * n_pixels(c); k++)
     made->rgb[k] += rint(65535 * (double)shaded.rgb[k]); /* exact */
   hsr_shaded_free(&shaded);
   return status;
 }
 
-static enum hsr_status add_samples(const struct place *p,
+static enum hsr_status add_samples(const struct comparison *c,
                                    const struct hsr_setup *setup,
                                    struct hsr_answer *answer, struct made *made,
                                    struct hsr_error *err) {
@@ -199,22 +198,22 @@ static enum hsr_status add_samples(const struct place *p,
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < n && !status; k++) {
     progress_tell(&progress, k, n, "samples", made->name);
-    status = add_sample(p, setup, answer, (long)k % made->side,
+    status = add_sample(c, setup, answer, (long)k % made->side,
                         (long)k / made->side, made, err);
   }
   progress_end(&progress);
-  for (size_t k = 0; k < 3 * n_pixels(p); k++)
+  for (size_t k = 0; k < 3 * n_pixels(c); k++)
     made->rgb[k] /= 65535 * (double)n;
   return status;
 }
 
-static enum hsr_status take_pixels(const struct place *p,
+static enum hsr_status take_pixels(const struct comparison *c,
                                    const struct hsr_setup *setup,
                                    struct hsr_answer *answer, struct made *made,
                                    struct hsr_error *err) {
   struct hsr_shaded shaded = {NULL, NULL};
-  enum hsr_status status = draw(p, setup, p->view, answer, &shaded, err);
-  for (size_t k = 0; !status && k < 3 * n_pixels(p); k++)
+  enum hsr_status status = draw(c, setup, &c->place.view, answer, &shaded, err);
+  for (size_t k = 0; !status && k < 3 * n_pixels(c); k++)
     made->rgb[k] = (double)shaded.rgb[k];
   hsr_shaded_free(&shaded);
   return status;
@@ -224,22 +223,22 @@ static bool draws_samples(const struct hsr_variant *variant) {
   return variant->choice.form.type->takes & 1u << HSR_SUPERSAMPLES;
 }
 
-static enum hsr_status make(const struct place *p,
+static enum hsr_status make(const struct comparison *c,
                             const struct hsr_variant *variant,
                             struct made *made, struct hsr_error *err) {
   struct hsr_setup setup;
   struct hsr_answer answer = {.body = NULL};
-  enum hsr_status status = hsr_setup_init(&setup, variant->listed->plain,
-                                          &variant->choice, p->world, err);
-  made->rgb = calloc(3 * n_pixels(p), sizeof *made->rgb);
+  enum hsr_status status = hsr_setup_init(
+      &setup, variant->listed->plain, &variant->choice, &c->place.world, err);
+  made->rgb = calloc(3 * n_pixels(c), sizeof *made->rgb);
   if (!status && !made->rgb)
     status = hsr_fail_nomem(err);
   if (!status)
-    status = answer_init(&answer, &setup, p->view, err);
+    status = answer_init(&answer, &setup, &c->place.view, err);
   if (!status)
     status = draws_samples(variant)
-                 ? add_samples(p, &setup, &answer, made, err)
-                 : take_pixels(p, &setup, &answer, made, err);
+                 ? add_samples(c, &setup, &answer, made, err)
+                 : take_pixels(c, &setup, &answer, made, err);
   hsr_answer_free(&answer);
   hsr_setup_free(&setup);
   return status;
@@ -254,15 +253,15 @@ static double error_of(const double *got, const struct hsr_area_bounds *exact) {
   return worst;
 }
 
-static void measure(const struct place *p, struct made *made) {
-  const struct hsr_area_bounds *exact = hsr_answer_areas_of(&p->exact);
-  size_t n = n_pixels(p), m = (size_t)p->view->m, over = 0;
+static void measure(const struct comparison *c, struct made *made) {
+  const struct hsr_area_bounds *exact = hsr_answer_areas_of(&c->exact);
+  size_t n = n_pixels(c), m = (size_t)c->place.view.m, over = 0;
   double sum = 0;
   for (size_t k = 0; k < n; k++) {
     double error = error_of(made->rgb + 3 * k, exact + 3 * k);
     sum += error;
     over += error > much;
-    p->share[k] = (float)fmin(1, fmax(0, 1 + log2(error) / MOST_DARK));
+    c->share[k] = (float)fmin(1, fmax(0, 1 + log2(error) / MOST_DARK));
     if (error > made->largest) {
       made->largest = error;
       made->x = (int)(k % m);
@@ -273,26 +272,26 @@ static void measure(const struct place *p, struct made *made) {
   made->over = (double)over / (double)n;
 }
 
-static enum hsr_status write_where(const struct place *p, long number,
+static enum hsr_status write_where(const struct comparison *c, long number,
                                    struct made *made, struct hsr_error *err) {
-  const char *file = p->options->where;
+  const char *file = c->options->where;
   if (!file)
     return HSR_OK;
   if (!series_name(file, number, made->where))
     snprintf(made->where, sizeof made->where, "%s", file);
-  return hsr_image_write_ramp(made->where, p->view->m, p->view->n, p->share,
-                              err);
+  return hsr_image_write_ramp(made->where, c->place.view.m, c->place.view.n,
+                              c->share, err);
 }
 
 /* --- Output --------------------------------------------------------------- */
 
-static void print_head(const struct place *p) {
+static void print_head(const struct comparison *c) {
   char name[TERMINAL_NAME];
   printf("%s, view %ld, %d x %d pixels, against the exact integrals, %s\n\n"
          "    mean    largest  at           over 1/256  picture\n",
-         terminal_plain(p->options->scene.name, name, sizeof name),
-         p->options->view.view, p->view->m, p->view->n,
-         hsr_area_filters[p->options->filter].name);
+         terminal_plain(c->options->scene.name, name, sizeof name),
+         c->options->view.view, c->place.view.m, c->place.view.n,
+         hsr_area_filters[c->options->filter].name);
 }
 
 static void print_made(const struct made *made) {
@@ -313,12 +312,12 @@ static json_t *made_json(const struct made *made) {
       "where", *made->where ? json_string(made->where) : json_null());
 }
 
-static json_t *all_json(const struct place *p, json_t *pictures) {
+static json_t *all_json(const struct comparison *c, json_t *pictures) {
   return json_pack("{ss ss si si si ss so}", "schema", "hsr-errors/1", "scene",
-                   p->options->scene.name, "view", (int)p->options->view.view,
-                   "width", p->view->m, "height", p->view->n, "filter",
-                   hsr_area_filters[p->options->filter].name, "pictures",
-                   pictures);
+                   c->options->scene.name, "view", (int)c->options->view.view,
+                   "width", c->place.view.m, "height", c->place.view.n,
+                   "filter", hsr_area_filters[c->options->filter].name,
+                   "pictures", pictures);
 }
 
 /* --- The command ---------------------------------------------------------- */
@@ -328,14 +327,14 @@ struct told {
   long number;
 };
 
-static enum hsr_status tell(struct place *p, const struct hsr_variant *variant,
-                            long side, struct told *told,
-                            struct hsr_error *err) {
+static enum hsr_status tell(struct comparison *c,
+                            const struct hsr_variant *variant, long side,
+                            struct told *told, struct hsr_error *err) {
   struct made made = {.name = variant->name, .side = side};
-  enum hsr_status status = make(p, variant, &made, err);
+  enum hsr_status status = make(c, variant, &made, err);
   if (!status) {
-    measure(p, &made);
-    status = write_where(p, ++told->number, &made, err);
+    measure(c, &made);
+    status = write_where(c, ++told->number, &made, err);
     if (told->pictures)
       hsr_json_append(&told->pictures, made_json(&made));
     else
@@ -347,10 +346,10 @@ static enum hsr_status tell(struct place *p, const struct hsr_variant *variant,
 }
 
 /* An algorithm, with each number of samples a pixel if it draws samples. */
-static enum hsr_status tell_all(struct place *p, const char *algorithm,
+static enum hsr_status tell_all(struct comparison *c, const char *algorithm,
                                 struct told *told, struct hsr_error *err) {
   static const long one = 1;
-  const struct options *o = p->options;
+  const struct options *o = c->options;
   struct hsr_variant variant;
   enum hsr_status status = hsr_variant_parse(algorithm, &variant, err);
   if (status)
@@ -359,34 +358,35 @@ static enum hsr_status tell_all(struct place *p, const char *algorithm,
     return hsr_fail(err, HSR_E_USAGE, "errors: %s draws %s, not pixels",
                     algorithm, variant.choice.form.type->draws);
   if (!draws_samples(&variant))
-    return tell(p, &variant, 0, told, err);
+    return tell(c, &variant, 0, told, err);
   const long *side = o->n_sides ? o->side : &one;
   for (int k = 0; k < (o->n_sides ? o->n_sides : 1) && !status; k++)
-    status = tell(p, &variant, side[k], told, err);
+    status = tell(c, &variant, side[k], told, err);
   return status;
 }
 
-static enum hsr_status find_exact(struct place *p, struct hsr_error *err) {
+static enum hsr_status find_exact(struct comparison *c, struct hsr_error *err) {
   char name[40];
   struct hsr_variant variant;
   struct hsr_setup setup;
   struct hsr_tally tally = {.out_of_memory = false};
   snprintf(name, sizeof name, "area-oracle:filter=%s",
-           hsr_area_filters[p->options->filter].name);
+           hsr_area_filters[c->options->filter].name);
   enum hsr_status status = hsr_variant_parse(name, &variant, err);
   if (status)
     return status;
   status = hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                          p->world, err);
+                          &c->place.world, err);
   if (!status)
-    status = answer_init(&p->exact, &setup, p->view, err);
+    status = answer_init(&c->exact, &setup, &c->place.view, err);
   if (!status)
-    status = crew_render(p->crew, &setup, p->view, &p->exact, &tally, err);
+    status =
+        crew_render(c->crew, &setup, &c->place.view, &c->exact, &tally, err);
   hsr_setup_free(&setup);
   return status;
 }
 
-static enum hsr_status find(struct place *p, struct hsr_error *err) {
+static enum hsr_status find(struct comparison *c, struct hsr_error *err) {
   static const char *const usual[] = {"zbuffer",
                                       "zbuffer:filter=box4x4",
                                       "zbuffer:filter=box4x8",
@@ -397,22 +397,22 @@ static enum hsr_status find(struct place *p, struct hsr_error *err) {
                                       "zbuffer:filter=field",
                                       "a-buffer",
                                       "error-bounded"};
-  const struct options *o = p->options;
+  const struct options *o = c->options;
   const char *const *algorithm = o->n_algorithms ? o->algorithm : usual;
   int n =
       o->n_algorithms ? o->n_algorithms : (int)(sizeof usual / sizeof *usual);
   struct told told = {.pictures = o->json ? json_array() : NULL};
-  p->crew = crew_new(o->threads);
-  p->share = malloc(n_pixels(p) * sizeof *p->share);
-  enum hsr_status status = p->crew && p->share && (!o->json || told.pictures)
-                               ? find_exact(p, err)
+  c->crew = crew_new(o->threads);
+  c->share = malloc(n_pixels(c) * sizeof *c->share);
+  enum hsr_status status = c->crew && c->share && (!o->json || told.pictures)
+                               ? find_exact(c, err)
                                : hsr_fail_nomem(err);
   if (!status && !o->json)
-    print_head(p);
+    print_head(c);
   for (int k = 0; k < n && !status; k++)
-    status = tell_all(p, algorithm[k], &told, err);
+    status = tell_all(c, algorithm[k], &told, err);
   if (!status && o->json)
-    return json_print(all_json(p, told.pictures), err);
+    return json_print(all_json(c, told.pictures), err);
   json_decref(told.pictures);
   return status;
 }
@@ -430,41 +430,20 @@ static enum hsr_status check_where(const struct options *o,
                   o->where);
 }
 
-static enum hsr_status open_place(const struct options *o,
-                                  struct hsr_scene *scene,
-                                  struct hsr_error *err) {
-  struct hsr_world world = {.outline.scene = scene};
-  struct hsr_view view;
-  struct place place = {.options = o, .world = &world, .view = &view};
-  enum hsr_status status = choose_view(&o->view, scene, 1, &view, err);
-  if (!status)
-    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&world))
-    status =
-        hsr_fail(err, HSR_E_NOMEM,
-                 "errors: %u faces are too many to be laid out", world.n_faces);
-  if (!status)
-    status = find(&place, err);
-  hsr_answer_free(&place.exact);
-  free(place.share);
-  crew_free(place.crew);
-  hsr_world_free(&world);
-  return status;
-}
-
 enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.view = VIEW_OPTIONS_STANDARD, .threads = 1};
-  struct hsr_scene *scene;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
     status = check_where(&options, err);
-  if (!status)
-    status = aim_scene(&options.scene, &options.view, err);
-  if (!status)
-    status = open_scene(options.scene.name, options.scene.import, &scene, err);
   if (status)
     return status;
-  status = open_place(&options, scene, err);
-  hsr_scene_delete(scene);
+  struct comparison c = {.options = &options};
+  status = place_open(&c.place, &options.scene, &options.view, "errors", err);
+  if (!status)
+    status = find(&c, err);
+  hsr_answer_free(&c.exact);
+  free(c.share);
+  crew_free(c.crew);
+  place_close(&c.place);
   return status;
 }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hsr command: chooses the subcommand, and ends the program. */
-#include "bench/command.h"
-#include "bench/run/ranks.h"
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
@@ -115,13 +117,15 @@ static bool takes_ranks(const struct hsr_command *command) {
   return command->run == command_render || command->run == command_check;
 }
 
-static enum hsr_status run_in_ranks(const struct hsr_command *command, int argc,
-                                    char **argv, struct hsr_error *err) {
+/* Joins the other ranks, if this is a command for them. */
+static enum hsr_status begin(const struct hsr_command *command,
+                             struct hsr_error *err) {
   enum hsr_status status = ranks_join(err);
   if (!status && ranks_count() > 1 && !takes_ranks(command))
-    status = hsr_fail(err, HSR_E_USAGE,
-                      "hsr %s is for one process, not for mpirun", argv[0]);
-  return status ? status : command->run(argc, argv, err);
+    status =
+        hsr_fail(err, HSR_E_USAGE, "hsr %s is for one process, not for mpirun",
+                 command->name);
+  return status;
 }
 
 /* What fails in several ranks is told by one. */
@@ -134,28 +138,28 @@ static void tell(const struct hsr_error *err) {
   fprintf(stderr, "hsr: %s\n", terminal_plain(err->text, plain, sizeof plain));
 }
 
-static int run(const struct hsr_command *command, int argc, char **argv) {
-  struct hsr_error err = {.text = "unexplained failure"};
-  enum hsr_status status =
-      finish(run_in_ranks(command, argc, argv, &err), &err);
+/* Tells of a failure and leaves the ranks. Returns the exit status. */
+static int end(enum hsr_status status, const struct hsr_error *err) {
+  int exit_status = status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
   if (status && status != HSR_E_DIFFERENCE) {
-    tell(&err);
-    ranks_end(status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status);
+    tell(err);
+    ranks_end(exit_status);
   }
   ranks_leave();
   if (status == HSR_E_NOMEM)
-    end_process((int)status);
-  return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+    end_process(exit_status);
+  return exit_status;
 }
 
-static bool is_any(const char *word, const char *const *words) {
-  while (*words && strcmp(word, *words))
-    words++;
-  return *words;
+static bool is_help(const char *word) {
+  static const char *const words[] = {"--help", "-h", "-?", "help"};
+  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+    if (!strcmp(word, words[k]))
+      return true;
+  return false;
 }
 
 int main(int argc, char **argv) {
-  static const char *const help[] = {"--help", "-h", "-?", "help", NULL};
   hold_standard_files();
   setlocale(LC_CTYPE, "");
   end_in_one_line();
@@ -167,17 +171,22 @@ int main(int argc, char **argv) {
     puts("hsr " PACKAGE_VERSION);
     return 0;
   }
-  bool wants_help = is_any(argv[1], help);
-  if (wants_help && (argc == 2 || is_any(argv[2], help))) {
+  bool help = is_help(argv[1]);
+  if (help && (argc == 2 || is_help(argv[2]))) {
     print_help(stdout);
     return 0;
   }
-  const char *name = argv[wants_help ? 2 : 1];
-  const struct hsr_command *command = find_command(name);
+  /* "help COMMAND" is "COMMAND --help" */
+  char option[] = "--help",
+       *of_command[] = {help ? argv[2] : NULL, option, NULL};
+  char **words = help ? of_command : argv + 1;
+  int n = help ? 2 : argc - 1;
+  const struct hsr_command *command = find_command(words[0]);
   if (!command)
-    return no_command(name);
-  if (wants_help) /* hsr help COMMAND */
-    return run(command, 2,
-               (char *[]){(char *)command->name, (char *)"--help", NULL});
-  return run(command, argc - 1, argv + 1);
+    return no_command(words[0]);
+  struct hsr_error err = {.text = "unexplained failure"};
+  enum hsr_status status = begin(command, &err);
+  if (!status)
+    status = command->run(n, words, &err);
+  return end(finish(status, &err), &err);
 }

@@ -12,8 +12,8 @@ EXTRA_hsr_DEPENDENCIES = $(pkglibexec_PROGRAMS)
 if WITH_MPI
 pkglibexec_PROGRAMS += hsr-ranks.so
 hsr_ranks_so_SOURCES = \
-  %D%/run/ranks_library.h \
-  %D%/run/ranks_mpi.c \
+  %D%/ranks/ranks_library.h \
+  %D%/ranks/ranks_mpi.c \
   common/base/status.c
 hsr_ranks_so_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CPPFLAGS)
 hsr_ranks_so_CFLAGS = $(AM_CFLAGS) -fPIC
@@ -26,70 +26,11 @@ noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
   %D%/areas.c \
-  %D%/command.h \
   %D%/errors.c \
-  %D%/results/figures.c \
-  %D%/results/figures.h \
-  %D%/results/json.c \
-  %D%/results/json.h \
-  %D%/judge/differences.c \
-  %D%/judge/differences.h \
-  %D%/judge/folded.def \
-  %D%/judge/judge.c \
-  %D%/judge/judge.h \
-  %D%/judge/judge_filtered.c \
-  %D%/judge/judge_filtered.h \
-  %D%/judge/wanted.c \
-  %D%/judge/wanted.h \
   %D%/list.c \
-  %D%/list.h \
-  %D%/options.c \
-  %D%/render/command.c \
-  %D%/render/hint.c \
-  %D%/render/options.c \
-  %D%/render/passes.c \
-  %D%/render/picture.c \
-  %D%/render/render.h \
-  %D%/render/sort_last.c \
-  %D%/render/tiles.c \
-  %D%/results/results.c \
-  %D%/results/results.h \
-  %D%/run/composite.c \
-  %D%/run/composite.h \
-  %D%/run/loose_faces.c \
-  %D%/run/loose_faces.h \
-  %D%/run/ranks.c \
-  %D%/run/ranks.h \
-  %D%/run/ranks_library.h \
-  %D%/run/run.c \
-  %D%/run/sums.c \
-  %D%/run/sums.h \
   %D%/scenes.c \
-  %D%/run/serve.c \
-  %D%/run/serve.h \
-  %D%/run/stage.c \
-  %D%/run/stage.h \
   %D%/stats.c \
-  %D%/terminal/terminal.c \
-  %D%/terminal/terminal.h \
-  %D%/run/terminate.cc \
-  %D%/run/terminate.h \
-  %D%/results/times.c \
-  %D%/results/times.h \
-  %D%/times/command.c \
-  %D%/times/files.c \
-  %D%/times/plot.c \
-  %D%/times/rows.c \
-  %D%/times/rows.h \
-  %D%/times/table.c \
   %D%/voxels.c \
-  %D%/run/worker.c \
-  %D%/export/command.c \
-  %D%/shapes/list.c \
-  %D%/shapes/octree.c \
-  %D%/shapes/partition.c \
-  %D%/shapes/shapes.h \
-  %D%/shapes/views.c \
   %D%/check/candidates.c \
   %D%/check/candidates.h \
   %D%/check/check.h \
@@ -101,6 +42,48 @@ libbench_a_SOURCES = \
   %D%/check/sort_last.c \
   %D%/check/sort_last_sums.c \
   %D%/check/walk.c \
+  %D%/export/command.c \
+  %D%/judge/differences.c \
+  %D%/judge/differences.h \
+  %D%/judge/folded.def \
+  %D%/judge/judge.c \
+  %D%/judge/judge.h \
+  %D%/judge/judge_filtered.c \
+  %D%/judge/judge_filtered.h \
+  %D%/judge/wanted.c \
+  %D%/judge/wanted.h \
+  %D%/options/camera.c \
+  %D%/options/camera.h \
+  %D%/options/command.h \
+  %D%/options/parser.c \
+  %D%/options/parser.h \
+  %D%/options/picture.c \
+  %D%/options/picture.h \
+  %D%/options/place.c \
+  %D%/options/place.h \
+  %D%/options/scene.c \
+  %D%/options/scene.h \
+  %D%/options/view.c \
+  %D%/options/view.h \
+  %D%/options/words.c \
+  %D%/options/words.h \
+  %D%/ranks/composite.c \
+  %D%/ranks/composite.h \
+  %D%/ranks/loose_faces.c \
+  %D%/ranks/loose_faces.h \
+  %D%/ranks/ranks.c \
+  %D%/ranks/ranks.h \
+  %D%/ranks/ranks_library.h \
+  %D%/ranks/sums.c \
+  %D%/ranks/sums.h \
+  %D%/render/command.c \
+  %D%/render/hint.c \
+  %D%/render/options.c \
+  %D%/render/passes.c \
+  %D%/render/picture.c \
+  %D%/render/render.h \
+  %D%/render/sort_last.c \
+  %D%/render/tiles.c \
   %D%/report/cells.c \
   %D%/report/command.c \
   %D%/report/data.c \
@@ -109,12 +92,38 @@ libbench_a_SOURCES = \
   %D%/report/errors.c \
   %D%/report/ladders.c \
   %D%/report/lessons.c \
-  %D%/report/page.c \
-  %D%/report/page.h \
   %D%/report/pictures.c \
   %D%/report/pictures.h \
   %D%/report/probe.c \
   %D%/report/report.h \
+  %D%/results/descriptor.c \
+  %D%/results/descriptor.h \
+  %D%/results/figures.c \
+  %D%/results/figures.h \
+  %D%/results/json.c \
+  %D%/results/json.h \
+  %D%/results/page.c \
+  %D%/results/page.h \
+  %D%/results/results.c \
+  %D%/results/results.h \
+  %D%/results/times.c \
+  %D%/results/times.h \
+  %D%/run/crew.c \
+  %D%/run/crew.h \
+  %D%/run/serve.c \
+  %D%/run/serve.h \
+  %D%/run/stage.c \
+  %D%/run/stage.h \
+  %D%/run/table1.c \
+  %D%/run/table1.h \
+  %D%/run/terminate.cc \
+  %D%/run/terminate.h \
+  %D%/run/worker.c \
+  %D%/shapes/list.c \
+  %D%/shapes/octree.c \
+  %D%/shapes/partition.c \
+  %D%/shapes/shapes.h \
+  %D%/shapes/views.c \
   %D%/sweep/changes.c \
   %D%/sweep/command.c \
   %D%/sweep/group.c \
@@ -135,21 +144,29 @@ libbench_a_SOURCES = \
   %D%/tables/greene.def \
   %D%/tables/greene.h \
   %D%/tables/growth.c \
-  %D%/tables/sorts.c \
-  %D%/tables/sorts.h \
   %D%/tables/growth.h \
   %D%/tables/json.c \
   %D%/tables/paper_1974.c \
   %D%/tables/paper_1974.h \
+  %D%/tables/sorts.c \
+  %D%/tables/sorts.h \
   %D%/tables/tables.h \
-  %D%/tables/text.c
-nodist_libbench_a_SOURCES = %D%/commit.h
+  %D%/tables/text.c \
+  %D%/terminal/terminal.c \
+  %D%/terminal/terminal.h \
+  %D%/times/command.c \
+  %D%/times/files.c \
+  %D%/times/plot.c \
+  %D%/times/rows.c \
+  %D%/times/rows.h \
+  %D%/times/table.c
+nodist_libbench_a_SOURCES = %D%/sweep/commit.h
 
 # The commit that is built. The file is rewritten only if the commit changes.
-%D%/sweep/machine.$(OBJEXT): %D%/commit.h
-CLEANFILES += %D%/commit.h
-%D%/commit.h: commit-always
-	@mkdir -p %D%; \
+%D%/sweep/machine.$(OBJEXT): %D%/sweep/commit.h
+CLEANFILES += %D%/sweep/commit.h
+%D%/sweep/commit.h: commit-always
+	@mkdir -p %D%/sweep; \
 	commit=`git -C $(srcdir) describe --always --dirty --match= 2>/dev/null`; \
 	echo "#define HSR_COMMIT \"$$commit\"" >$@.new; \
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
@@ -159,7 +176,22 @@ hsr_SOURCES += tests/torture/fail.cc
 hsr_LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
   -Wl,--wrap=aligned_alloc,--wrap=strdup,--wrap=main
 endif
+
+# The man page has the help of the commands, so hsr is run to make it. It is in the
+# tarball: whoever builds from that runs nothing. Where hsr cannot be run, because
+# it is built for another machine, the page has only what is written by hand.
 dist_man_MANS += %D%/hsr.1
+MAINTAINERCLEANFILES += %D%/hsr.1
+CLEANFILES += %D%/hsr.1.new
+EXTRA_DIST += %D%/man/hsr.1.in %D%/man/make
+if CROSS_COMPILING
+told_by =
+else
+told_by = hsr$(EXEEXT)
+endif
+%D%/hsr.1: %D%/man/hsr.1.in %D%/man/make %D%/hsr.c $(libbench_a_SOURCES) | $(told_by)
+	$(AM_V_GEN)$(MKDIR_P) %D% && $(srcdir)/bench/man/make \
+	  $(srcdir)/bench/man/hsr.1.in $(told_by:%=./%) >$@.new && mv $@.new $@
 
 # Completion for shells.
 bashcompletiondir = $(datadir)/bash-completion/completions

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr scenes: lists the built-in scenes and the meshes. */
-#include "bench/command.h"
+#include "bench/options/command.h"
+#include "bench/options/parser.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/json.h"
+#include "scenes/scenes.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr stats: Table I of Sutherland et al. 1974, measured, and depths. */
-#include "bench/command.h"
+#include "bench/options/command.h"
+#include "bench/options/place.h"
 #include "bench/results/json.h"
+#include "bench/run/table1.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 #include "common/statistics/depth.h"
 #include "common/statistics/statistics.h"
 
@@ -20,7 +23,6 @@ struct options {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
-  error_t unknown;
   switch (key) {
   case 'j':
     o->json = true;
@@ -29,16 +31,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->depth = arg;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "stats", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
-               : unknown;
+    return parse_place_option(&o->scene, &o->view, key, arg, "stats", &o->base);
   }
 }
 
 static const struct argp argp = {
     (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         {"depth", 'd', "FILE", 0,
          "also write a picture of the depth complexity: the faces over each "
          "sample, through a logarithmic ramp",
@@ -173,29 +172,6 @@ static void print_depths(const struct depths *d) {
       d->overlaps.f_x, d->overlaps.f_y, d->overlaps.f_z, d->rule);
 }
 
-enum hsr_status measure_table1(const struct hsr_world *world,
-                               const struct hsr_view *view,
-                               struct hsr_table1 *table,
-                               struct hsr_error *err) {
-  struct hsr_answer answer = {.body = NULL};
-  struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_setup setup = {.algorithm = NULL};
-  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
-  enum hsr_status status =
-      hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
-  if (!status)
-    status = answer_init(&answer, &setup, view, err);
-  if (!status)
-    status = render_view(&setup, view, 1, &answer, &tally, NULL, err);
-  if (setup.algorithm)
-    hsr_setup_free(&setup);
-  if (!status)
-    status = hsr_statistics_measure(world, view, hsr_answer_ids_of(&answer),
-                                    table, err);
-  hsr_answer_free(&answer);
-  return status;
-}
-
 static void free_depths(struct depths *d) {
   free(d->samples);
 }
@@ -264,28 +240,13 @@ static enum hsr_status measure(const struct options *o,
 
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.view = VIEW_OPTIONS_STANDARD};
+  struct place place;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
-  if (!status)
-    status = aim_scene(&options.scene, &options.view, err);
   if (status)
     return status;
-  struct hsr_scene *scene;
-  status = open_scene(options.scene.name, options.scene.import, &scene, err);
-  if (status)
-    return status;
-  struct hsr_world world = {.outline.scene = scene};
-  struct hsr_view view;
-  status = choose_view(&options.view, scene, 1, &view, err);
+  status = place_open(&place, &options.scene, &options.view, "stats", err);
   if (!status)
-    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&world))
-    status = hsr_fail(err, HSR_E_NOMEM,
-                      "stats: %u faces are too many to be laid out, as Table I "
-                      "needs them",
-                      world.n_faces);
-  if (!status)
-    status = measure(&options, &world, &view, err);
-  hsr_world_free(&world);
-  hsr_scene_delete(scene);
+    status = measure(&options, &place.world, &place.view, err);
+  place_close(&place);
   return status;
 }

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "bench/results/json.h"
 
@@ -48,7 +52,7 @@ static const struct argp argp = {
         {"output", 'o', "FILE", 0,
          "write them as an image of VTK, .vti, for ParaView: cell data `solid'",
          0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         SCENE_ARGP_OPTIONS,
         {0}},
     parse,

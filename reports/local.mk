@@ -66,6 +66,7 @@ EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
   %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
+  %D%/swan/splats \
   $(report_sources) $(lesson_sources) $(lesson_page) \
   %D%/build.mjs %D%/inline.mjs %D%/package.json \
   %D%/package-lock.json %D%/page/page.html %D%/page/style.css

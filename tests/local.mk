@@ -153,6 +153,7 @@ tap_scripts = \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
+  %D%/tree/generated.test \
   %D%/tree/mutants.test \
   %D%/view/view.test
 
@@ -311,14 +312,14 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)
 
 %C%_unit_peers_lines_test_SOURCES = %D%/unit/peers/lines_test.c \
-  bench/peers/lines.c bench/peers/lines.h
+  bench/peers/lines/lines.c bench/peers/lines/lines.h
 %C%_unit_peers_lines_test_LDADD = $(BENCH_LIBS)
 %C%_unit_peers_line_pixels_test_SOURCES = \
-  %D%/unit/peers/line_pixels_test.c bench/peers/line_pixels.c \
-  bench/peers/line_pixels.h bench/peers/lines.c bench/peers/lines.h
+  %D%/unit/peers/line_pixels_test.c bench/peers/lines/line_pixels.c \
+  bench/peers/lines/line_pixels.h bench/peers/lines/lines.c bench/peers/lines/lines.h
 %C%_unit_peers_line_pixels_test_LDADD = $(BENCH_LIBS)
 %C%_unit_peers_painted_test_SOURCES = %D%/unit/peers/painted_test.c \
-  bench/peers/painted.cc bench/peers/painted.h
+  bench/peers/surfaces/painted.cc bench/peers/surfaces/painted.h
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 

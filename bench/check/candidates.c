@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/check/candidates.h"
+#include "bench/run/crew.h"
 
 #include <stdlib.h>
 

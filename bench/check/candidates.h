@@ -9,7 +9,7 @@
 #define HSR_BENCH_CANDIDATES_H
 
 #include "bench/judge/judge.h"
-#include "bench/run/loose_faces.h"
+#include "bench/ranks/loose_faces.h"
 
 /* Adds what the oracle sees of a part, whose ids begin at `first`. `of` has the
  * form, how many places are compared, the one view, its number, and the part's

@@ -5,8 +5,9 @@
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 
-#include "bench/command.h"
 #include "bench/judge/judge.h"
+#include "bench/options/camera.h"
+#include "scenes/scenes.h"
 
 enum {
   MOST_SCENES = 4096,

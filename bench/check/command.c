@@ -7,7 +7,11 @@
  * is judged in its own process (bench/judge/judge.c), several at a time.
  * Several ranks take groups from one queue. */
 #include "bench/check/check.h"
-#include "bench/run/ranks.h"
+#include "bench/options/command.h"
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 
 #include <errno.h>
 #include <fnmatch.h>
@@ -264,7 +268,7 @@ static const struct argp argp = {
          0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         CAMERA_ARGP_OPTIONS,
         {0}},
     parse,

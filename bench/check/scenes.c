@@ -3,7 +3,8 @@
  * are judged, the next scenes begin, so that no processor waits. Results come in
  * the scenes' order. */
 #include "bench/check/check.h"
-#include "bench/run/ranks.h"
+#include "bench/options/scene.h"
+#include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 

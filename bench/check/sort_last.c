@@ -4,8 +4,9 @@
  * by bench/check/candidates.h; nothing here says which of two faces is nearer. */
 #include "bench/check/candidates.h"
 #include "bench/check/check.h"
-#include "bench/run/composite.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/composite.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 
 #include <stdlib.h>

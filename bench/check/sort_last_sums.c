@@ -3,8 +3,9 @@
  * from those of a grid's parts. The oracle gets the whole scene; rank 0 opens it
  * once all parts are drawn. */
 #include "bench/check/check.h"
-#include "bench/run/ranks.h"
-#include "bench/run/sums.h"
+#include "bench/ranks/ranks.h"
+#include "bench/ranks/sums.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 
 #include <stdlib.h>

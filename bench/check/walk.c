@@ -2,6 +2,8 @@
 /* hsr check --frames: a scene for each frame. Frames of one scene whose objects
  * move are a walk; others are judged one by one. */
 #include "bench/check/check.h"
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
 #include "common/scene/motion.h"
 
 #include <stdlib.h>

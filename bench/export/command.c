@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr export: a scene, or what an algorithm makes of it, for other programs. */
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/options/view.h"
 #include "bench/shapes/shapes.h"
 #include "bench/terminal/terminal.h"
 
@@ -69,7 +72,6 @@ static error_t choose_shape(struct options *o, const char *name) {
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
-  error_t unknown;
   switch (key) {
   case 'a':
     o->algorithm = arg;
@@ -94,10 +96,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->frame.z_up = true;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "export", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
-               : unknown;
+    return parse_place_option(&o->scene, &o->view, key, arg, "export",
+                              &o->base);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "bench/judge/judge.h"
 #include "bench/judge/differences.h"
 #include "bench/judge/wanted.h"
+#include "bench/run/crew.h"
 #include "bench/run/terminate.h"
 #include "common/scene/motion.h"
 

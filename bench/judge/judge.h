@@ -4,6 +4,8 @@
 #ifndef HSR_BENCH_JUDGE_H
 #define HSR_BENCH_JUDGE_H
 
+#include "algorithms/setup.h"
+#include "algorithms/variant.h"
 #include "bench/judge/wanted.h"
 
 #include <semaphore.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/judge/judge_filtered.h"
+#include "bench/run/crew.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #ifndef HSR_BENCH_JUDGE_FILTERED_H
 #define HSR_BENCH_JUDGE_FILTERED_H
 
-#include "bench/command.h"
+#include "algorithms/setup.h"
 
 /* Finds the sums of the pixels k for which wanted[k] is set, of m * n; of all
  * pixels if `wanted` is NULL. The sums of other pixels are not defined. `oracle`

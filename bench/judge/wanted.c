@@ -5,6 +5,7 @@
 #include "bench/judge/wanted.h"
 #include "bench/judge/judge.h"
 #include "bench/judge/judge_filtered.h"
+#include "bench/run/crew.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #ifndef HSR_BENCH_WANTED_H
 #define HSR_BENCH_WANTED_H
 
-#include "bench/command.h"
+#include "algorithms/setup.h"
 
 /* The oracle of a kind of answer; NULL if there is none. That of a kind which is
  * folded draws the pictures that its judge folds (bench/judge/folded.def). */

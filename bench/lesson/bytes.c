@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
-#include "bench/report/page.h"
+#include "bench/results/page.h"
 
 #include <stdlib.h>
 #include <string.h>

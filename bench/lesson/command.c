@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
+#include "config.h"
+
 #include "bench/lesson/lesson.h"
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -52,14 +56,6 @@ static error_t add_algorithms(struct options *o, const char *names) {
   return error;
 }
 
-/* The scene, and where to look from. */
-static error_t parse_place_option(struct options *o, int key, char *arg) {
-  error_t error = parse_scene_option(&o->scene, key, arg, "lesson", &o->base);
-  return error == ARGP_ERR_UNKNOWN
-             ? parse_view_option(&o->view, key, arg, &o->base)
-             : error;
-}
-
 static error_t check_output(struct options *o) {
   return o->output || (o->frames && !o->survey)
              ? 0
@@ -98,7 +94,8 @@ static error_t parse_frame_option(struct options *o, int key, char *arg) {
     o->png = true;
     return 0;
   default:
-    return parse_place_option(o, key, arg);
+    return parse_place_option(&o->scene, &o->view, key, arg, "lesson",
+                              &o->base);
   }
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
+#include "bench/run/table1.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -25,9 +25,9 @@
 #ifndef HSR_BENCH_LESSON_H
 #define HSR_BENCH_LESSON_H
 
-#include "bench/command.h"
-#include "bench/results/json.h"
 #include "bench/trace/trace.h"
+
+#include <jansson.h>
 
 /* --- Bytes ---------------------------------------------------------------- */
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
-#include "bench/list.h"
-#include "bench/report/page.h"
+#include "bench/results/descriptor.h"
+#include "bench/results/page.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/json.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Other people's renderers for hsr bench, built by configure --with-peers.
 # Nothing else needs them.
-EXTRA_DIST += %D%/README.md %D%/scenes/make \
-  %D%/scenes/edge-rays.scene.json %D%/scenes/grazing-slivers.scene.json \
+EXTRA_DIST += \
+  %D%/README.md \
+  %D%/scenes/make \
+  %D%/scenes/edge-rays.scene.json \
+  %D%/scenes/grazing-slivers.scene.json \
   %D%/scenes/vertex-rays.scene.json
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
@@ -10,57 +13,85 @@ hsrlibexec_PROGRAMS = %D%/hsr-peers
 if WITH_VOLUMES
 hsrlibexec_PROGRAMS += %D%/hsr-volumes
 endif
-%C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h %D%/lines.c \
-  %D%/lines.h %D%/line_pixels.c %D%/line_pixels.h %D%/clipped.cc %D%/clipped.h
+%C%_hsr_peers_SOURCES = \
+  %D%/main.c \
+  %D%/surfaces/own.c \
+  %D%/shared/peers.h \
+  %D%/lines/lines.c \
+  %D%/lines/lines.h \
+  %D%/lines/line_pixels.c \
+  %D%/lines/line_pixels.h \
+  %D%/lines/clipped.cc \
+  %D%/lines/clipped.h
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
-libembreepeer_a_SOURCES = %D%/embree.c
+libembreepeer_a_SOURCES = %D%/surfaces/embree.c
 libembreepeer_a_CFLAGS = $(AM_CFLAGS) $(OPENMP_CFLAGS)
 %C%_hsr_peers_LDADD += libembreepeer.a $(EMBREE_LIBS) $(OPENMP_CFLAGS)
 endif
 if WITH_OFFSCREEN
-%C%_hsr_peers_SOURCES += %D%/llvmpipe.c %D%/offscreen.c %D%/offscreen.h \
-  %D%/projection.c %D%/projection.h
+%C%_hsr_peers_SOURCES += \
+  %D%/surfaces/llvmpipe.c \
+  %D%/shared/offscreen.c \
+  %D%/shared/offscreen.h \
+  %D%/shared/projection.c \
+  %D%/shared/projection.h
 %C%_hsr_peers_LDADD += $(OFFSCREEN_LIBS)
 endif
 if WITH_GL2PS
-%C%_hsr_peers_SOURCES += %D%/gl2ps.c
+%C%_hsr_peers_SOURCES += %D%/lines/gl2ps.c
 %C%_hsr_peers_LDADD += -lgl2ps
 endif
 if WITH_SKETCH
-%C%_hsr_peers_SOURCES += %D%/sketch.cc %D%/painted.cc %D%/painted.h
+%C%_hsr_peers_SOURCES += \
+  %D%/surfaces/sketch.cc \
+  %D%/surfaces/painted.cc \
+  %D%/surfaces/painted.h
 endif
 if WITH_OCCT
 noinst_LIBRARIES += libocctpeer.a
-libocctpeer_a_SOURCES = %D%/occt.cc
+libocctpeer_a_SOURCES = %D%/lines/occt.cc
 libocctpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(OCCT_CPPFLAGS)
 %C%_hsr_peers_LDADD += libocctpeer.a $(OCCT_LIBS)
 endif
 if WITH_VTK_RENDERER
 noinst_LIBRARIES += libvtkpeer.a
-libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_lines.cc %D%/vtk_window.cc \
-  %D%/vtk_window.h %D%/vtk_cast.cc %D%/vtk_cast.h \
-  %D%/vtk_volume.cc %D%/volumes_vtk.cc
+libvtkpeer_a_SOURCES = \
+  %D%/surfaces/vtk.cc \
+  %D%/lines/vtk.cc \
+  %D%/shared/vtk.cc \
+  %D%/shared/vtk.h \
+  %D%/shared/vtk_window.cc \
+  %D%/shared/vtk_window.h \
+  %D%/shared/vtk_cast.cc \
+  %D%/shared/vtk_cast.h \
+  %D%/surfaces/vtk_volume.cc \
+  %D%/volumes/vtk.cc
 libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_hsr_peers_SOURCES += %D%/samples.c %D%/samples.h
+%C%_hsr_peers_SOURCES += %D%/shared/samples.c %D%/shared/samples.h
 %C%_hsr_peers_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
 endif
 %C%_hsr_peers_LDADD += $(BENCH_LIBS)
 
 # Renderers of volumes, beside our splats.
-%C%_hsr_volumes_SOURCES = %D%/volumes.c %D%/volumes.h %D%/samples.c \
-  %D%/samples.h %D%/projection.c %D%/projection.h
+%C%_hsr_volumes_SOURCES = \
+  %D%/volumes/volumes.c \
+  %D%/volumes/volumes.h \
+  %D%/shared/samples.c \
+  %D%/shared/samples.h \
+  %D%/shared/projection.c \
+  %D%/shared/projection.h
 %C%_hsr_volumes_LDADD =
 if WITH_VTK_RENDERER
 %C%_hsr_volumes_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
 endif
 if WITH_VOLPACK
-%C%_hsr_volumes_SOURCES += %D%/volumes_volpack.c
+%C%_hsr_volumes_SOURCES += %D%/volumes/volpack.c
 %C%_hsr_volumes_LDADD += -lvolpack
 endif
 if WITH_TEEM
-%C%_hsr_volumes_SOURCES += %D%/volumes_teem.c
+%C%_hsr_volumes_SOURCES += %D%/volumes/teem.c
 %C%_hsr_volumes_LDADD += -lteem
 endif
 %C%_hsr_volumes_LDADD += $(BENCH_LIBS)

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr-peers: other people's renderers, for hsr bench. See peers.h. */
-#include "bench/peers/peers.h"
+/* hsr-peers: other people's renderers, for hsr bench. See shared/peers.h. */
+#include "config.h"
 
-#include "bench/command.h"
+#include "bench/options/command.h"
+#include "bench/options/words.h"
+#include "bench/peers/shared/peers.h"
+
 #include "bench/results/json.h"
 #include "bench/run/serve.h"
 #include "bench/run/terminate.h"
+#include "common/base/clock.h"
+#include "common/files/json.h"
 
 #include <malloc.h>
 #include <stdlib.h>
@@ -138,7 +143,7 @@ static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
 /* Lays out every object once, in its own coordinates. */
 static enum hsr_status lay_out_objects(struct run *run, struct hsr_error *err) {
   const struct hsr_scene *scene = run->stage.scene;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   run->once = (struct hsr_scene){
       .name = scene->name,
       .objects = scene->objects,
@@ -151,7 +156,7 @@ static enum hsr_status lay_out_objects(struct run *run, struct hsr_error *err) {
     run->once.instances[o] = (struct hsr_instance){
         .object = o, .m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
   enum hsr_status status = hsr_world_init(&run->objects, &run->once, err);
-  run->stage.import_seconds += seconds_now() - begin;
+  run->stage.import_seconds += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -185,10 +190,10 @@ static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
       hsr_setup_init(&run->setup, run->peer->demands, NULL, world, err);
   if (!status)
     status = make_canvas(run, err);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   if (!status)
     status = run->peer->setup(run->peer, &run->canvas, &run->state, err);
-  run->prepare_seconds = run->setup.prepare_seconds + seconds_now() - begin;
+  run->prepare_seconds = run->setup.prepare_seconds + hsr_seconds_now() - begin;
   return status;
 }
 

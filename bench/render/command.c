@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: pictures, or line drawings, by one algorithm. */
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/lines/crease.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
@@ -14,13 +18,13 @@
 static enum hsr_status open_named(struct render *r, struct hsr_scene **scene,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   char frame[MOST_FILE_NAME];
   const char *name = o->scene.name;
   if (o->last_frame >= 0 && series_name(name, r->frame, frame))
     name = frame;
   enum hsr_status status = open_scene(name, o->scene.import, scene, err);
-  r->import += seconds_now() - begin;
+  r->import += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -43,14 +47,14 @@ static enum hsr_status open_place(struct render *r,
                                   const struct hsr_choice *choice,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = choose_place(r, r->scene, err);
   if (!status && o->orbit)
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, choice, r->scene, err);
-  r->build += seconds_now() - begin;
+  r->build += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -211,13 +215,14 @@ static enum hsr_status print_ranks(const struct render *r,
   return HSR_OK;
 }
 
-/* Makes the pictures of views first to last, from 1. */
-static enum hsr_status make_series(struct render *r, long first, long last,
-                                   struct hsr_error *err) {
+/* Makes the pictures of several views, or of a turn. */
+static enum hsr_status make_series(struct render *r, struct hsr_error *err) {
   const struct render_options *o = r->options;
+  const long first = o->orbit ? 1 : o->first,
+             last = o->orbit ? o->orbit : o->last;
   struct view_options place = o->view;
   struct progress progress = progress_begin(stderr);
-  enum hsr_status status = HSR_OK;
+  enum hsr_status status = check_view(r->scene, last, err);
   for (long k = first; k <= last && !status; k++) {
     progress_tell(&progress, (size_t)(k - first), (size_t)(last - first + 1),
                   "pictures", o->scene.name);
@@ -228,20 +233,6 @@ static enum hsr_status make_series(struct render *r, long first, long last,
   }
   progress_end(&progress);
   return status;
-}
-
-static enum hsr_status make_all(struct render *r, struct hsr_error *err) {
-  const struct render_options *o = r->options;
-  if (o->tile)
-    return make_tiles(r, err);
-  if (!is_series(o))
-    return make_picture(r, err);
-  if (o->orbit)
-    return make_series(r, 1, o->orbit, err);
-  if (o->last > (long)r->scene->n_views)
-    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
-                    r->scene->name, r->scene->n_views, o->last);
-  return make_series(r, o->first, o->last, err);
 }
 
 /* A scene with transparent faces is drawn transparent, if the algorithm can do
@@ -292,7 +283,7 @@ static enum hsr_status follow(struct render *r, const struct hsr_scene *then,
 static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
                                struct hsr_scene *then, bool *kept,
                                struct hsr_error *err) {
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   hsr_world_free(&r->world);
   r->world = (struct hsr_world){.n_faces = 0};
   hsr_scene_delete(r->scene);
@@ -300,7 +291,7 @@ static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
   enum hsr_status status = choose_place(r, then, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, &r->setup.choice, then, err);
-  r->build += seconds_now() - begin;
+  r->build += hsr_seconds_now() - begin;
   return status ? status : hsr_setup_follow(&r->setup, &r->world, kept, err);
 }
 
@@ -375,15 +366,16 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
   if (!status && !options.tile && !options.sort_last)
     crew_join_ranks(r.crew);
-  if (!status && options.sort_last) {
-    status = make_sort_last(&r, a, &variant, err);
-  } else if (!status && options.last_frame >= 0) {
-    status = make_frames(&r, a, &variant, err);
-  } else if (!status) {
+  /* Parts and frames are opened one by one, as they are drawn. */
+  bool one_by_one = options.sort_last || options.last_frame >= 0;
+  if (!status && !one_by_one)
     status = open_and_prepare(&r, a, &variant, err);
-    if (!status)
-      status = make_all(&r, err);
-  }
+  if (!status)
+    status = options.sort_last         ? make_sort_last(&r, a, &variant, err)
+             : options.last_frame >= 0 ? make_frames(&r, a, &variant, err)
+             : options.tile            ? make_tiles(&r, err)
+             : is_series(&options)     ? make_series(&r, err)
+                                       : make_picture(&r, err);
   if (!status && !ranks_own())
     print_report(&r, a);
   if (!status && !ranks_own())

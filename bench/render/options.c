@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
+#include "bench/options/picture.h"
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 #include "common/files/srgb.h"
 #include "common/files/suffix.h"
 
@@ -178,15 +180,6 @@ static error_t parse_parts(struct render_options *o, const char *arg) {
   return 0;
 }
 
-/* The scene, and where to look from. */
-static error_t parse_place_option(struct render_options *o, int key,
-                                  char *arg) {
-  error_t error = parse_scene_option(&o->scene, key, arg, "render", &o->base);
-  return error == ARGP_ERR_UNKNOWN
-             ? parse_view_option(&o->view, key, arg, &o->base)
-             : error;
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct render_options *o = state->input;
   switch (key) {
@@ -200,10 +193,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->output[o->n_outputs++] = arg;
     return 0;
   case 'J':
-    if (!parse_count(arg, 1, 64, &o->threads))
-      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
-    o->scene.import.threads = (int)o->threads;
-    return 0;
+    return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case 'S':
   case SHADE:
   case WORK:
@@ -233,7 +223,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case SORT_LAST:
     return parse_parts(o, arg);
   default:
-    return parse_place_option(o, key, arg);
+    return parse_place_option(&o->scene, &o->view, key, arg, "render",
+                              &o->base);
   }
 }
 
@@ -247,7 +238,7 @@ static const struct argp_option entries[] = {
      "views, FILE has %d in "
      "the place of the number: f%03d.png",
      0},
-    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    THREADS_ARGP_OPTION,
     SCENE_ARGP_OPTIONS,
     VIEW_ARGP_OPTIONS,
     {"tiles", TILES, "N", 0,

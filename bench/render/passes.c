@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An answer while it becomes better: what hsr render writes after each pass. */
+#include "bench/options/words.h"
 #include "bench/render/render.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
 
 #include <stdlib.h>
@@ -105,11 +107,11 @@ static enum hsr_status write_files(const struct render *r,
 void write_pass(void *whom, const struct hsr_answer *answer, int pass) {
   struct render *r = whom;
   struct hsr_showing showing = showing_of(r);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   printf("pass %d: ", pass);
   answer->form.type->print(answer, &showing, stdout);
   if (!r->pass_status)
     r->pass_status = write_files(r, answer, pass, &r->pass_err);
-  r->write += seconds_now() - begin;
-  r->draw -= seconds_now() - begin;
+  r->write += hsr_seconds_now() - begin;
+  r->draw -= hsr_seconds_now() - begin;
 }

@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawing, showing and writing one picture of hsr render. */
+#include "config.h"
+
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
+#include "bench/run/crew.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
 
 #include <stdlib.h>
@@ -34,10 +39,10 @@ enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
     r->passes = (struct hsr_passes){write_pass, r};
     r->setup.passes = &r->passes;
   }
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   status =
       crew_render(r->crew, &r->setup, &r->view, &r->answer, &r->tally, err);
-  r->draw += seconds_now() - begin;
+  r->draw += hsr_seconds_now() - begin;
   if (status || !r->pass_status)
     return status;
   *err = r->pass_err;
@@ -66,12 +71,12 @@ struct hsr_showing showing_of(const struct render *r) {
 /* Does what comes between drawing and writing. */
 enum hsr_status shade_picture(struct render *r, struct hsr_error *err) {
   struct hsr_showing showing = showing_of(r);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status =
       r->kind->trim ? r->kind->trim(&r->answer, &showing, err) : HSR_OK;
   if (!status && r->kind->shade && (r->options->n_outputs || r->options->work))
     status = r->kind->shade(&r->answer, &showing, &r->shaded, err);
-  r->shade += seconds_now() - begin;
+  r->shade += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -96,7 +101,7 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   showing.text = text;
   showing.title = title;
   showing.description = description;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_outputs && !status; k++)
     status = r->kind->write(&r->answer, &showing, &r->shaded,
@@ -104,7 +109,7 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   if (o->work && !status)
     status = hsr_image_write_work(file_name(r, o->work, name), r->view.m,
                                   r->view.n, r->work, err);
-  r->write += seconds_now() - begin;
+  r->write += hsr_seconds_now() - begin;
   return status;
 }
 

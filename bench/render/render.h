@@ -3,7 +3,9 @@
 #ifndef HSR_BENCH_RENDER_H
 #define HSR_BENCH_RENDER_H
 
-#include "bench/command.h"
+#include "algorithms/setup.h"
+#include "algorithms/variant.h"
+#include "bench/options/view.h"
 
 enum { MOST_OUTPUTS = 16 };
 

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render --sort-last: a scene larger than memory, part by part. Each rank
  * opens and draws one part after the other, and keeps only what is seen; at last
- * the ranks put their pictures together (bench/run/composite.h). A kind that is
+ * the ranks put their pictures together (bench/ranks/composite.h). A kind that is
  * folded from pictures of ids is folded at last, by rank 0, from whole pictures.
  * Of a kind that is summed, the parts of a grid are drawn into the same sums, and
  * those of all ranks are added. */
 #include "bench/render/render.h"
-#include "bench/run/composite.h"
-#include "bench/run/ranks.h"
-#include "bench/run/sums.h"
+#include "bench/ranks/composite.h"
+#include "bench/ranks/ranks.h"
+#include "bench/ranks/sums.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 
 #include <stdlib.h>
 
@@ -45,21 +47,21 @@ static enum hsr_status draw_and_add(struct sorting *s, long k,
   enum hsr_status status = choose_picture(s, k, err);
   if (!status)
     status = draw_picture(r, err);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   if (!status)
     status = composite_add(&s->composite[k], &r->world, s->part.first,
                            hsr_answer_ids_of(&r->answer), err);
-  r->compose += seconds_now() - begin;
+  r->compose += hsr_seconds_now() - begin;
   return status;
 }
 
 /* Adds the part to the sums. */
 static enum hsr_status draw_and_sum(struct sorting *s, struct hsr_error *err) {
   struct render *r = s->render;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status =
       crew_render(r->crew, &r->setup, &s->view, &s->sums, &r->tally, err);
-  r->draw += seconds_now() - begin;
+  r->draw += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -67,10 +69,10 @@ static enum hsr_status draw_and_sum(struct sorting *s, struct hsr_error *err) {
 static enum hsr_status draw_open_part(struct sorting *s,
                                       struct hsr_error *err) {
   struct render *r = s->render;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status =
       hsr_setup_world(&r->world, s->algorithm, &s->choice, r->scene, err);
-  r->build += seconds_now() - begin;
+  r->build += hsr_seconds_now() - begin;
   if (!status)
     status =
         hsr_setup_init(&r->setup, s->algorithm, &s->choice, &r->world, err);
@@ -111,11 +113,11 @@ static enum hsr_status draw_part(struct sorting *s, uint32_t number,
   struct render *r = s->render;
   struct render_options const *o = r->options;
   struct hsr_import import = o->scene.import;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   s->part.number = number;
   enum hsr_status status =
       hsr_scene_open_part(o->scene.name, &import, &s->part, &r->scene, err);
-  r->import += seconds_now() - begin;
+  r->import += hsr_seconds_now() - begin;
   if (!status)
     status = begin_pictures(s, err);
   if (!status && s->part.n_faces)
@@ -216,9 +218,9 @@ static enum hsr_status gather_sums(struct sorting *s, struct hsr_error *err) {
   struct sums_sent sent;
   uint64_t *sums;
   size_t n = s->summing->sums(&s->sums, &sums);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = sums_gather(sums, n, &sent, err);
-  r->compose += seconds_now() - begin;
+  r->compose += hsr_seconds_now() - begin;
   r->sent_bytes += sent.bytes;
   r->sent_messages += sent.messages;
   r->n_faces = s->part.all;
@@ -230,9 +232,9 @@ static enum hsr_status gather(struct sorting *s, struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   for (long k = 0; k < s->n && !status; k++) {
     struct composite *composite = &s->composite[k];
-    double begin = seconds_now();
+    double begin = hsr_seconds_now();
     status = composite_gather(composite, err);
-    r->compose += seconds_now() - begin;
+    r->compose += hsr_seconds_now() - begin;
     r->sent_bytes += composite->bytes;
     r->sent_messages += composite->messages;
     r->compared += composite->compared;

@@ -9,9 +9,13 @@
  *
  * Several ranks take tiles from one queue, and each writes its own. They see
  * one folder. */
+#include "config.h"
+
+#include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/run/ranks.h"
+#include "bench/ranks/ranks.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/files/colour_tiles.h"
 #include "common/files/whole_file.h"
 
@@ -156,13 +160,13 @@ static enum hsr_status draw_tile(struct tiles *t, long k,
   if (r->view.m != m || r->view.n != n)
     hsr_answer_free(&r->answer);
   status = draw_picture(r, err);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   if (!status)
     status = r->kind->write_tile
                  ? r->kind->write_tile(&r->answer, &t->tiling, k, NULL,
                                        name_of_tile(t, k), err)
                  : write_colours(t, k, err);
-  r->write += seconds_now() - begin;
+  r->write += hsr_seconds_now() - begin;
   return status;
 }
 
@@ -194,14 +198,14 @@ static const char *tell_and_name(void *whom, long k) {
 
 static enum hsr_status join(struct tiles *t, struct hsr_error *err) {
   struct render *r = t->render;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   char text[300];
   snprintf(text, sizeof text, "Software=hsr\nScene=%.100s\nAlgorithm=%s\n",
            r->options->scene.name, r->setup.algorithm->name);
   enum hsr_status status =
       (r->kind->join_tiles ? r->kind->join_tiles : hsr_image_join_colour_tiles)(
           t->path, &t->tiling, tell_and_name, t, text, err);
-  r->write += seconds_now() - begin;
+  r->write += hsr_seconds_now() - begin;
   if (!status)
     remove_folder(t);
   return status;

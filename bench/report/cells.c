@@ -2,7 +2,9 @@
 #include "bench/report/data.h"
 #include "bench/results/json.h"
 #include "bench/results/times.h"
+#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/json.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

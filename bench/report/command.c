@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr report: the results of hsr bench as a folder of pages, to be opened from
  * disk. */
-#include "bench/report/page.h"
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/options/parser.h"
+#include "bench/options/words.h"
+#include "bench/results/page.h"
 #include "bench/report/report.h"
 
-#include "bench/results/json.h"
-
 #include <errno.h>
+#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

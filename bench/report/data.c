@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers of the report: the records of hsr bench and their statistics. */
 #include "bench/report/data.h"
-#include "bench/list.h"
+#include "bench/results/descriptor.h"
 #include "bench/results/json.h"
 #include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
 
 #include "common/answers/answer.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <stdlib.h>

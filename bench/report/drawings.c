@@ -5,10 +5,13 @@
 #include "bench/judge/judge.h"
 #include "bench/report/pictures.h"
 #include "bench/results/json.h"
+#include "bench/run/crew.h"
 #include "bench/run/terminate.h"
 
 #include "common/answers/answer.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
+#include "common/files/json.h"
 #include "common/view/picture.h"
 
 #include <errno.h>
@@ -216,7 +219,7 @@ static enum hsr_status draw_file(const struct sheet *s, const struct drawing *d,
 
 /* The whole seconds that a drawing which begins now may take; 0: none. */
 static unsigned time_left(const struct sheet *s) {
-  double left = fmin(s->end - seconds_now(), (double)s->report->timeout);
+  double left = fmin(s->end - hsr_seconds_now(), (double)s->report->timeout);
   return left > 0 ? (unsigned)ceil(left) : 0;
 }
 
@@ -596,7 +599,7 @@ enum hsr_status subject_draw(const struct report *report,
                              FILE *out, struct hsr_error *err) {
   struct sheet sheet = {.report = report,
                         .subject = subject,
-                        .end = seconds_now() + seconds,
+                        .end = hsr_seconds_now() + seconds,
                         .out = out};
   alarm((unsigned)ceil(seconds)); /* a name may open what never ends */
   enum hsr_status status = open_sheet(&sheet, err);

@@ -4,7 +4,7 @@
  * are taken only from the folder that it is in. */
 #include "bench/report/report.h"
 
-#include "bench/results/json.h"
+#include "common/files/json.h"
 #include "common/files/json_read.h"
 
 #include <errno.h>

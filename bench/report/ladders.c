@@ -6,6 +6,7 @@
 #include "bench/results/json.h"
 #include "bench/tables/growth.h"
 #include "bench/tables/tables.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <string.h>

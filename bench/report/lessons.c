@@ -4,6 +4,8 @@
 #include "bench/lesson/lesson.h"
 #include "bench/report/report.h"
 #include "bench/run/terminate.h"
+#include "common/base/clock.h"
+#include "common/files/json.h"
 #include "common/files/whole_file.h"
 
 #include <errno.h>
@@ -155,11 +157,11 @@ enum hsr_status report_lessons(const struct report *report, json_t *data,
   json_t *pages = json_array();
   hsr_json_append(&pages, json_pack("{ss sn so}", "file", survey, "scene",
                                     "names", lesson_survey_names()));
-  double end = seconds_now() + (double)report->budget;
+  double end = hsr_seconds_now() + (double)report->budget;
   size_t k;
   const json_t *view;
   json_array_foreach(report->results->views, k, view) {
-    double left = end - seconds_now();
+    double left = end - hsr_seconds_now();
     if (left > 0 && json_array_size(pages) <= MOST_SCENES && is_small(view) &&
         !is_in(pages, results_text(view, "scene")))
       add_page(report, view, left / 2, &pages);

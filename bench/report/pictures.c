@@ -4,10 +4,13 @@
  *
  * Each scene and view is drawn by another process. A scene is a name out of a
  * file of results: opening it may take long, or never end. */
+#include "config.h"
+
 #include "bench/report/pictures.h"
-#include "bench/results/json.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
+#include "common/files/json.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -142,7 +145,7 @@ static void leave_out(struct gallery *g, const struct subject *s, size_t n,
 /* A scene gets half of the time that is left, so that all get some; the last
  * one gets all. */
 static double share_of(const struct gallery *g, const struct subject *s) {
-  double left = fmax(0, g->end - seconds_now());
+  double left = fmax(0, g->end - hsr_seconds_now());
   return s == &g->subject[g->n - 1] ? left : left / 2;
 }
 
@@ -259,7 +262,7 @@ static enum hsr_status draw_subjects(struct gallery *g, struct hsr_error *err) {
   g->progress = progress_begin(stderr);
   for (size_t k = 0; k < g->n && !status; k++) {
     const struct subject *s = &g->subject[k];
-    if (seconds_now() < g->end) {
+    if (hsr_seconds_now() < g->end) {
       status = draw_subject(g, s, err);
     } else {
       g->done += json_object_size(s->cells);
@@ -285,7 +288,7 @@ static void say_what_is_missing(const struct gallery *g) {
 enum hsr_status report_pictures(const struct report *report, json_t *data,
                                 struct hsr_error *err) {
   struct gallery g = {.report = report,
-                      .end = seconds_now() + (double)report->budget,
+                      .end = hsr_seconds_now() + (double)report->budget,
                       .slow = json_object(),
                       .pictures = json_array(),
                       .left_out = json_array()};

@@ -4,6 +4,7 @@
 #ifndef HSR_BENCH_REPORT_PICTURES_H
 #define HSR_BENCH_REPORT_PICTURES_H
 
+#include "algorithms/algorithm.h"
 #include "bench/report/report.h"
 #include "bench/run/stage.h"
 

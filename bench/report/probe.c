@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pixels of one scene and view, for the page's probe. */
-#include "bench/report/page.h"
+#include "bench/results/page.h"
 #include "bench/report/pictures.h"
-#include "bench/results/json.h"
+#include "common/files/json.h"
 
 #include <stdlib.h>
 

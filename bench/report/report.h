@@ -6,7 +6,6 @@
 #ifndef HSR_BENCH_REPORT_REPORT_H
 #define HSR_BENCH_REPORT_REPORT_H
 
-#include "bench/command.h"
 #include "bench/results/results.h"
 
 struct report {

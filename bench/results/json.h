@@ -4,7 +4,8 @@
 #define HSR_BENCH_JSON_H
 
 #include "common/base/status.h"
-#include "common/files/json.h"
+
+#include <jansson.h>
 
 struct cell;
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/run/serve.h"
 
-#include "bench/command.h"
+#include "bench/options/words.h"
+#include "common/base/clock.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,14 +79,14 @@ struct pace {
 /* Draws until all is warm. */
 static enum hsr_status warm_up(const struct served *served, struct pace *pace,
                                struct hsr_error *err) {
-  double begin = seconds_now(), last = begin, least = -1;
+  double begin = hsr_seconds_now(), last = begin, least = -1;
   for (long k = 0;
        k < WARM_ROUNDS || (last - begin < WARM_SECONDS && k < MOST_ROUNDS);
        k++) {
     enum hsr_status status = served->round(served->state, err);
     if (status)
       return status;
-    double now = seconds_now();
+    double now = hsr_seconds_now();
     if (least < 0 || now - last < least)
       least = now - last;
     last = now;
@@ -106,10 +107,11 @@ static enum hsr_status draw_sample(const struct served *served,
   enum hsr_status status = HSR_OK;
   if (pace->has_runner)
     status = served->round(served->state, err);
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   for (long k = 0; k < pace->rounds && !status; k++)
     status = served->round(served->state, err);
-  double seconds = (seconds_now() - begin) / (double)frames_of(served, pace);
+  double seconds =
+      (hsr_seconds_now() - begin) / (double)frames_of(served, pace);
   if (!status)
     printf("{\"seconds\": %.9g}\n", seconds);
   return status;
@@ -151,17 +153,17 @@ static enum hsr_status shade_and_write(const struct served *served,
   struct hsr_showing showing = {.world = &served->stage->world,
                                 .view = &served->stage->view,
                                 .supersamples = 1};
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = kind->shade(served->answer, &showing, shaded, err);
   if (status)
     return status;
-  printf("{\"shade\": %.9g, \"write\": ", seconds_now() - begin);
+  printf("{\"shade\": %.9g, \"write\": ", hsr_seconds_now() - begin);
   char path[4096];
   status = HSR_E_INPUT;
   if (make_file(path, sizeof path)) {
-    begin = seconds_now();
+    begin = hsr_seconds_now();
     status = kind->write(served->answer, &showing, shaded, path, err);
-    double seconds = seconds_now() - begin;
+    double seconds = hsr_seconds_now() - begin;
     unlink(path);
     if (!status)
       printf("%.9g}\n", seconds);

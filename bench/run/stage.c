@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/run/stage.h"
 
-#include "bench/command.h"
+#include "common/base/clock.h"
 #include "common/base/share.h"
 
 enum hsr_status stage_open(struct stage *stage, const char *scene,
@@ -9,11 +9,11 @@ enum hsr_status stage_open(struct stage *stage, const char *scene,
                            struct hsr_error *err) {
   *stage = (struct stage){.scene = NULL};
   struct hsr_import import = {.threads = hsr_threads(threads)};
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = hsr_scene_open(scene, &import, &stage->scene, err);
   if (!status)
     status = hsr_world_open(&stage->world, stage->scene, most, err);
-  stage->import_seconds = seconds_now() - begin;
+  stage->import_seconds = hsr_seconds_now() - begin;
   if (status)
     return status;
   if (stage->scene->n_views < view &&

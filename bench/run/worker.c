@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr worker: an algorithm that draws frames for hsr bench (bench/run/serve.h).
  */
-#include "bench/command.h"
+#include "algorithms/variant.h"
+#include "bench/options/command.h"
+#include "bench/run/crew.h"
 #include "bench/run/serve.h"
 
 #include <stdlib.h>

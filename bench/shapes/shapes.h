@@ -5,7 +5,7 @@
 #ifndef HSR_BENCH_SHAPES_H
 #define HSR_BENCH_SHAPES_H
 
-#include "bench/command.h"
+#include "algorithms/setup.h"
 #include "common/files/cells/cells.h"
 
 /* --- Lists of cells ------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shapes of a view: its frustum, and the spans of a run. */
+#include "bench/run/crew.h"
 #include "bench/shapes/shapes.h"
 
 #include <math.h>

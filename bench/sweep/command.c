@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr bench: timings of the algorithms that are right, and the counts of their
  * work, as lines of JSON. */
+#include "bench/options/words.h"
 #include "bench/sweep/journal.h"
 #include "bench/times/rows.h"
+#include "common/base/clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -246,7 +248,7 @@ static const struct argp argp = {
         CAMERA_ARGP_OPTIONS,
         {0}},
     parse,
-    "SCENE...",
+    "SCENE...\nmerge FILE... -o FILE",
     "Times every algorithm on every scene (a name or a pattern, as 'mesh:*'), "
     "view and size. An algorithm is timed only if its picture equals the "
     "oracle's; one that is wrong, refuses, crashes, takes too long or too much "
@@ -359,7 +361,7 @@ static void print_list(const struct plan *plan) {
 }
 
 static enum hsr_status sweep_all(struct sweep *sweep, struct hsr_error *err) {
-  sweep->begin = seconds_now();
+  sweep->begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
   size_t all = plan_places(sweep->plan);
   for (size_t k = 0; k < all && !status; k++)

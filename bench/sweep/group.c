@@ -2,9 +2,11 @@
 /* The cells of one scene, view and size: judged, timed, recorded. */
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
+#include "bench/run/table1.h"
 #include "bench/run/terminate.h"
 #include "bench/sweep/journal.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/json.h"
 
 #include <errno.h>
 #include <gsl/gsl_rng.h>

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The header of a run: what was run, and on which machine. */
-#include "bench/commit.h"
-#include "bench/results/json.h"
+#include "config.h"
+
+#include "bench/sweep/commit.h"
 #include "bench/sweep/sweep.h"
+#include "common/files/json.h"
 
 #include <hwloc.h>
 #include <stdlib.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a sweep asks hsr-peers (bench/peers/peers.h). That is a separate
+/* What a sweep asks hsr-peers (bench/peers/shared/peers.h). That is a separate
  * program, so that hsr needs none of the peers' libraries. */
+#include "config.h"
+
 #include "bench/sweep/sweep.h"
 
 #include <errno.h>

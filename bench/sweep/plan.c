@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which cells a sweep has: scenes x views x sizes x algorithms x threads. */
 #include "bench/sweep/sweep.h"
+#include "scenes/scenes.h"
 
 #include <ctype.h>
 #include <fnmatch.h>

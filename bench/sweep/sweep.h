@@ -7,8 +7,9 @@
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
 
-#include "bench/command.h"
 #include "bench/judge/judge.h"
+#include "bench/options/camera.h"
+#include "bench/options/command.h"
 #include "bench/results/results.h"
 
 enum {
@@ -197,7 +198,7 @@ struct sweep {
   char code[17];          /* hash_program */
   struct results results; /* earlier ones, and those of this run */
   int file;               /* -1: none */
-  double begin;           /* seconds_now() */
+  double begin;           /* hsr_seconds_now() */
 };
 
 /* Judges, times and records those cells of a place that are wanted and have no

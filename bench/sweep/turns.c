@@ -2,10 +2,13 @@
 /* Timing in turn: every entrant is a process that draws when it is told to, and
  * only one draws at a time. So whatever disturbs the machine for a while
  * disturbs all alike. */
+#include "config.h"
+
 #include "bench/sweep/sweep.h"
 #include "bench/results/figures.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/files/json_read.h"
 
 #include <errno.h>
@@ -90,10 +93,10 @@ static bool open_process(struct process *process, const struct plan *plan,
 }
 
 /* Waits until there is more of its output to read, or its output has ended.
- * False if neither happens before seconds_now() reaches `end`. */
+ * False if neither happens before hsr_seconds_now() reaches `end`. */
 static bool is_ready(const struct process *process, double end) {
   for (;;) {
-    double left = end - seconds_now();
+    double left = end - hsr_seconds_now();
     struct pollfd ready = {.fd = process->out, .events = POLLIN};
     int n = left > 0 ? poll(&ready, 1, (int)(left * 1e3) + 1) : 0;
     if (n >= 0 || errno != EINTR)
@@ -104,7 +107,7 @@ static bool is_ready(const struct process *process, double end) {
 /* Waits until the process has closed its output: it does so when it ends. */
 static bool ends_in_time(const struct process *process, double seconds) {
   char rest[LINE];
-  double end = seconds_now() + seconds;
+  double end = hsr_seconds_now() + seconds;
   while (is_ready(process, end))
     if (read(process->out, rest, sizeof rest) <= 0)
       return true;
@@ -142,7 +145,7 @@ static void give_up(struct process *process, enum verdict verdict) {
 static json_t *read_answer(struct process *process, double seconds) {
   char line[LINE];
   size_t length = 0;
-  double end = seconds_now() + seconds;
+  double end = hsr_seconds_now() + seconds;
   while (length < sizeof line) {
     if (!is_ready(process, end)) {
       give_up(process, TIMEOUT);
@@ -372,7 +375,7 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                        &progress, err);
     bool good = true;
     if (!status && start > 0 && isfinite(listener->end))
-      enough = seconds_now() > listener->end ||
+      enough = hsr_seconds_now() > listener->end ||
                is_enough(taker, n, start + 1, &good);
     if (!good)
       status = hsr_fail_nomem(err);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr tables: the tables of Sutherland et al. 1974, measured; and Greene's. */
+#include "bench/options/words.h"
 #include "bench/tables/greene.h"
 #include "bench/tables/sorts.h"
 #include "bench/tables/tables.h"
@@ -62,7 +63,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 static const struct argp argp = {
     (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        JSON_ARGP_OPTION,
         {"greene", GREENE, NULL, 0,
          "instead, print Greene's figures on hierarchical visibility beside "
          "ours, from results that reports/greene/make makes",

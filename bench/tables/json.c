@@ -3,7 +3,8 @@
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/results/json.h"
-#include "bench/list.h"
+#include "bench/results/descriptor.h"
+#include "common/files/json.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  */
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
-#include "bench/list.h"
+#include "bench/results/descriptor.h"
 #include "bench/terminal/terminal.h"
 
 #include <math.h>

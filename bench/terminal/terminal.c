@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/terminal/terminal.h"
-#include "bench/command.h"
+#include "bench/options/words.h"
+#include "common/base/clock.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -101,7 +102,7 @@ void terminal_wrap(FILE *out, int used, int indent, const char *text) {
 /* --- Progress ------------------------------------------------------------- */
 
 struct progress progress_begin(FILE *out) {
-  double now = seconds_now();
+  double now = hsr_seconds_now();
   bool terminal = isatty(fileno(out));
   return (struct progress){out, terminal || getenv("HSR_PROGRESS"), terminal,
                            now, now};
@@ -109,7 +110,7 @@ struct progress progress_begin(FILE *out) {
 
 /* A terminal is told at most ten times a second. */
 static bool is_time(struct progress *p) {
-  double now = seconds_now();
+  double now = hsr_seconds_now();
   if (now - p->last < (p->rewrites ? .1 : 8) && p->last > p->begin)
     return false;
   if (!p->rewrites && now - p->begin < 8)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr times: the table of a results file again, or its figures for other
  * programs. */
-#include "bench/command.h"
+#include "bench/options/command.h"
+#include "bench/options/parser.h"
 #include "bench/times/rows.h"
 
 #include <string.h>

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr trace: every step of one algorithm on one view, as lines of JSON. */
+#include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/trace/trace.h"
 #include "bench/terminal/terminal.h"
 
@@ -76,14 +78,6 @@ static error_t parse_filter_option(struct options *o, int key, char *arg) {
   }
 }
 
-/* The scene, and where to look from. */
-static error_t parse_place_option(struct options *o, int key, char *arg) {
-  error_t error = parse_scene_option(&o->scene, key, arg, "trace", &o->base);
-  return error == ARGP_ERR_UNKNOWN
-             ? parse_view_option(&o->view, key, arg, &o->base)
-             : error;
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   long threads;
@@ -115,7 +109,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   default:
     error = parse_filter_option(o, key, arg);
-    return error == ARGP_ERR_UNKNOWN ? parse_place_option(o, key, arg) : error;
+    return error == ARGP_ERR_UNKNOWN
+               ? parse_place_option(&o->scene, &o->view, key, arg, "trace",
+                                    &o->base)
+               : error;
   }
 }
 

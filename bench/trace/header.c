@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
 #include "bench/trace/trace.h"
 #include "common/answers/coded.h"
+#include "common/files/json.h"
 #include "common/view/picture.h"
 #include "common/files/srgb.h"
 #include "common/view/clip.h"

@@ -13,10 +13,12 @@
 #ifndef HSR_BENCH_TRACE_H
 #define HSR_BENCH_TRACE_H
 
-#include "bench/command.h"
-#include "bench/results/json.h"
+#include "algorithms/setup.h"
+#include "algorithms/variant.h"
+#include "bench/options/view.h"
 #include "common/files/whole_file.h"
 
+#include <jansson.h>
 #include <zlib.h>
 
 /* --- Output --------------------------------------------------------------- */

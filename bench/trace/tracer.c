@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/trace/trace.h"
 #include "common/answers/coded.h"
+#include "common/base/clock.h"
+#include "common/files/json.h"
 
 #include <unistd.h>
 
@@ -77,7 +79,7 @@ static json_t *event_json(const struct tracer *tracer,
 }
 
 static void show_progress(struct tracer *tracer) {
-  double now = seconds_now();
+  double now = hsr_seconds_now();
   if (tracer->shown <= 0)
     tracer->shown = now;
   if (now - tracer->shown < 0.5)

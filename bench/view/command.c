@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr view: look around in a scene, as algorithms draw it. */
+#include "config.h"
+
+#include "bench/options/command.h"
+#include "bench/options/picture.h"
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"
+#include "common/base/clock.h"
 #include "common/files/image.h"
 #include "common/files/library.h"
 #include "common/files/srgb.h"
@@ -30,10 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->algorithms = arg;
     return 0;
   case 'J':
-    if (!parse_count(arg, 1, 64, &o->threads))
-      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
-    o->scene.import.threads = (int)o->threads;
-    return 0;
+    return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case CREASE:
     o->crease_word = arg;
     return parse_crease(&o->crease, arg, &o->base);
@@ -44,9 +46,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->screenshot = arg;
     return 0;
   default:
-    unknown = parse_scene_option(&o->scene, key, arg, "view", &o->base);
-    if (unknown == ARGP_ERR_UNKNOWN)
-      unknown = parse_view_option(&o->view, key, arg, &o->base);
+    unknown =
+        parse_place_option(&o->scene, &o->view, key, arg, "view", &o->base);
     return !unknown && light_option(&o->view.camera)
                ? option_fail(&o->base,
                              "%s: shadows are drawn by hsr render, not by view",
@@ -60,7 +61,7 @@ static const struct argp_option entries[] = {
      "the algorithm, and another to compare it with (standard: "
      "zbuffer,watkins)",
      0},
-    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    THREADS_ARGP_OPTION,
     {"crease", CREASE, "DEG", 0,
      "leave out edges of line drawings whose two faces turn by at most DEG "
      "degrees, except contour edges",
@@ -113,14 +114,14 @@ void viewer_show_panel(struct viewer *v) {
 
 /* What the frame took beside drawing and shading. */
 static void note_times(struct viewer *v, double begin) {
-  const double all = 1e3 * (seconds_now() - begin);
+  const double all = 1e3 * (hsr_seconds_now() - begin);
   double inside = 0;
   for (int k = 0; k < 2; k++)
     if (k == 0 ? v->comparison != COMPARE_BLINK || !v->blink : v->comparison)
       inside += v->player[k]->draw_ms + v->player[k]->shade_ms;
   v->outside_ms = all - inside;
   if (!v->n_frames++)
-    v->first_ms = 1e3 * (seconds_now() - v->begin);
+    v->first_ms = 1e3 * (hsr_seconds_now() - v->begin);
   if (!v->moving)
     return;
   v->n_moving++;
@@ -138,7 +139,7 @@ static void note_times(struct viewer *v, double begin) {
 
 void viewer_show(struct viewer *v) {
   struct hsr_error err = {HSR_OK, ""};
-  const double begin = seconds_now();
+  const double begin = hsr_seconds_now();
   if (!v->frozen && frame_draw(v, &err))
     viewer_say(v, "%s", err.text);
   if (!v->frozen)
@@ -374,7 +375,7 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   struct viewer *v = calloc(1, sizeof *v);
   if (!v)
     return hsr_fail_nomem(err);
-  v->begin = seconds_now();
+  v->begin = hsr_seconds_now();
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
   if (!status)
     status = name_players(v, o.algorithms, err);

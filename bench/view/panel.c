@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/run/table1.h"
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"

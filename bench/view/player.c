@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/run/crew.h"
 #include "bench/view/view.h"
 
+#include "common/base/clock.h"
 #include "common/files/plot.h"
 #include "common/files/srgb.h"
 
@@ -49,11 +51,11 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
                        .scene = scene,
                        .kind = p->variant.choice.form.type,
                        .crew = crew_new(p->options.threads)};
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status =
       r->crew ? hsr_setup_world(&r->world, a, &p->variant.choice, scene, err)
               : hsr_fail_nomem(err);
-  r->build = seconds_now() - begin;
+  r->build = hsr_seconds_now() - begin;
   if (!status)
     status = hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);
   if (!status && hsr_is_outline(&r->world) && !scene->grid &&
@@ -213,12 +215,12 @@ enum hsr_status player_draw(struct player *p, const struct hsr_view *view,
   r->view = *view;
   r->tally = (struct hsr_tally){.out_of_memory = false};
   p->n_pictures++;
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   enum hsr_status status = draw_picture(r, err);
-  double end = seconds_now();
+  double end = hsr_seconds_now();
   p->draw_ms = 1e3 * (end - begin);
   if (!status)
     status = shade(p, view, rgb, err);
-  p->shade_ms = 1e3 * (seconds_now() - end);
+  p->shade_ms = 1e3 * (hsr_seconds_now() - end);
   return status;
 }

@@ -9,6 +9,8 @@ nobase_pkginclude_HEADERS += \
 libhsr_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \
+  %D%/clock.c \
+  %D%/clock.h \
   %D%/count.c \
   %D%/exact.h \
   %D%/names.c \

@@ -105,7 +105,7 @@ struct hsr_eb_tree {
   struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
   uint32_t in_order; /* polygons from this one on came in strict order, from
                         front to back; HSR_EB_NONE: none did */
-  double until;      /* by hsr_bounded_now; INFINITY: any time */
+  double until;      /* by hsr_seconds_now; INFINITY: any time */
   bool late;         /* it is past that */
   unsigned asked;
   double background[3];
@@ -262,9 +262,6 @@ enum hsr_status hsr_bounded_refine(struct hsr_eb_tree *tree,
 
 /* How many pixels to either side of a point's own the filter reaches. */
 int hsr_bounded_reach(enum hsr_area_filter filter);
-
-/* Seconds, by a clock that is never set. */
-double hsr_bounded_now(void);
 
 #ifdef __cplusplus
 }

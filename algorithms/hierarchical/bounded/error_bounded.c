@@ -28,6 +28,7 @@
 #include "algorithms/hierarchical/bounded/bounded.h"
 #include "algorithms/hierarchical/bounded/strict.h"
 #include "algorithms/engines/cubes/cube_frame.h"
+#include "common/base/clock.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -331,7 +332,7 @@ static enum hsr_status render(const struct hsr_job *job,
       .exact = (uint32_t)job->option[EXACT],
       .cells = (uint32_t)job->option[CELLS] << 20};
   double seconds = job->real[SECONDS];
-  double until = seconds > 0 ? hsr_bounded_now() + seconds : INFINITY;
+  double until = seconds > 0 ? hsr_seconds_now() + seconds : INFINITY;
   widen(&view, limits.form.filter);
   wide.view = &view;
   w.met = HSR_NEW_ZEROED(job->scratch, uint32_t,

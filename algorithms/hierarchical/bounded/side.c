@@ -2,9 +2,9 @@
 /* Cubes against the quadtree: CouldCubeFaceBeVisible of the thesis, 5.4.2; and
  * what is not known of cells if the time ends before the tiling pass. */
 #include "algorithms/hierarchical/bounded/bounded.h"
+#include "common/base/clock.h"
 
 #include <math.h>
-#include <time.h>
 
 /* --- Cubes ---------------------------------------------------------------- */
 
@@ -93,16 +93,10 @@ bool hsr_bounded_could_be_seen(struct hsr_eb_tree *t,
 
 /* --- When the time ends --------------------------------------------------- */
 
-double hsr_bounded_now(void) {
-  struct timespec time;
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
 /* The clock is looked at now and then. */
 bool hsr_bounded_is_late(struct hsr_eb_tree *t) {
   if (!t->late && t->until < INFINITY && t->asked++ % 16 == 0)
-    t->late = hsr_bounded_now() > t->until;
+    t->late = hsr_seconds_now() > t->until;
   return t->late;
 }
 

@@ -2,9 +2,9 @@
 /* Is a cube visible? cube_visible of the thesis, and the sides of cubes as in
  * 1993. See hzbuffer.c for the sources, and walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
+#include "common/base/clock.h"
 
 #include <math.h>
-#include <time.h>
 
 /* The columns of row j, within HSR_CUBE_MARGIN, of a convex polygon's. */
 static bool row_of_side(const struct hsr_cube_image *image,
@@ -160,12 +160,6 @@ static bool is_any_side_visible(struct hsr_hz_walk *w,
   return false;
 }
 
-static double seconds_now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* What a machine answers: whether a sample of the cube's front sides is
  * visible, as the z-buffer is now. In the build that is timed, it takes the
  * time that the option says, or longer if the sides take longer. */
@@ -173,11 +167,11 @@ static bool ask(struct hsr_hz_walk *w, const struct hsr_placing *placing,
                 const struct hsr_octree_box *cube,
                 const struct hsr_cube_image *image,
                 struct hsr_subject subject) {
-  double begin = w->option[LATENCY] && !HSR_COUNTING ? seconds_now() : 0;
+  double begin = w->option[LATENCY] && !HSR_COUNTING ? hsr_seconds_now() : 0;
   bool visible = is_any_side_visible(w, placing, cube, image, subject);
   HSR_STEP(w->tally, QUERIES, subject, HSR_NOTHING, HSR_NOWHERE, visible);
   while (w->option[LATENCY] && !HSR_COUNTING &&
-         seconds_now() - begin < 1e-6 * (double)w->option[LATENCY])
+         hsr_seconds_now() - begin < 1e-6 * (double)w->option[LATENCY])
     ;
   return visible;
 }

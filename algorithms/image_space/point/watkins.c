@@ -475,10 +475,10 @@ static void release(void *prepared) {
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_use uses[] = {{&hsr_scan_part},
-                                      {&hsr_x_list_part},
-                                      {&hsr_spans_part},
-                                      {&hsr_depth_search_part},
-                                      {NULL}};
+                                       {&hsr_spans_part},
+                                       {&hsr_depth_search_part},
+                                       {&hsr_x_list_part},
+                                       {NULL}};
 
 static const struct hsr_counter counters[] = {
     [Z_SORT] = {"Z sort", "faces put into Z buckets", HSR_SORT, HSR_OF_FACE,

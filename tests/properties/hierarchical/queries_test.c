@@ -8,12 +8,12 @@
  * Pyramid     None is read.
  * Latency     A query takes as long as the option says. */
 #include "algorithms/variant.h"
+#include "common/base/clock.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { M = 128, N = 128 };
 
@@ -61,12 +61,6 @@ static void check_thresholds(struct tap *tap, const char *name) {
   claim_close(&scene);
 }
 
-static double seconds_now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void check_latency(struct tap *tap) {
   struct claim_scene scene;
   struct claim_counts counts;
@@ -90,10 +84,10 @@ static void check_latency(struct tap *tap) {
                         .tally = &tally,
                         .ids = ids,
                         .ids_stride = M};
-  double begin = seconds_now();
+  double begin = hsr_seconds_now();
   if (hsr_setup_render(&setup, &job, &err))
     abort();
-  double took = seconds_now() - begin;
+  double took = hsr_seconds_now() - begin;
   ok(tap, asked > 0 && took >= 0.002 * asked,
      "%.0f queries of 2 ms each take %.3f s with all else", asked, took);
   hsr_arena_free(&arena);

@@ -9,13 +9,13 @@
  * Nearly      With less disorder fewer pixels are z-buffered.
  * Worst       From back to front it does little more than a z-buffer. */
 #include "algorithms/variant.h"
+#include "common/base/clock.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { LARGEST = 512, M = 75, N = 50, LATTICES = 300 };
 
@@ -90,7 +90,6 @@ static struct drawn draw(const char *name, bool counting,
   struct hsr_filtering own = hsr_form_filtering(&variant.choice.form);
   const struct hsr_filtering *filtering = sums ? &own : NULL;
   for (int time = 0; time < 2 - counting; time++) {
-    struct timespec from, to;
     struct hsr_job job = {.view = view,
                           .scratch = &scratch,
                           .tally = &drawn.tally,
@@ -103,12 +102,10 @@ static struct drawn draw(const char *name, bool counting,
     if (sums)
       memset(sums, 0, 3 * n * sizeof *sums);
     hsr_arena_reset(&scratch);
-    clock_gettime(CLOCK_MONOTONIC, &from);
+    double begin = hsr_seconds_now();
     if (hsr_setup_render(&setup, &job, &err))
       stop(name, err.text);
-    clock_gettime(CLOCK_MONOTONIC, &to);
-    drawn.seconds = (double)(to.tv_sec - from.tv_sec) +
-                    1e-9 * (double)(to.tv_nsec - from.tv_nsec);
+    drawn.seconds = hsr_seconds_now() - begin;
   }
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);

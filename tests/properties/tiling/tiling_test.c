@@ -11,6 +11,7 @@
  */
 #include "algorithms/variant.h"
 #include "bench/judge/judge_filtered.h"
+#include "bench/run/crew.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

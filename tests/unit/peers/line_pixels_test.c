@@ -5,8 +5,8 @@
  * In 48 x 48 pixels, 6 of which are one unit, a square of side 2 hangs before a
  * strip of 6 x 1, and hides the middle third of it. The square's sides are at
  * 18 and 30; the strip's ends at 6 and 42, its long sides at 21 and 27. */
-#include "bench/peers/line_pixels.h"
-#include "bench/peers/lines.h"
+#include "bench/peers/lines/line_pixels.h"
+#include "bench/peers/lines/lines.h"
 
 #include "tests/tap.h"
 

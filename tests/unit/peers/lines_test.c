@@ -4,7 +4,7 @@
  * A square of side 2 hangs before a strip of 6 x 1, so that the middle thirds
  * of the strip's long edges are hidden. 60 pixels are one unit: the long edges
  * are 360 pixels, all that is visible 1080. */
-#include "bench/peers/lines.h"
+#include "bench/peers/lines/lines.h"
 
 #include "tests/tap.h"
 

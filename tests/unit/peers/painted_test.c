@@ -3,7 +3,7 @@
  * samples. A pixel is 100 units, so sample (i, j) is at 100 i + 50, -100 j -
  * 50.
  */
-#include "bench/peers/painted.h"
+#include "bench/peers/surfaces/painted.h"
 
 #include "common/view/view.h"
 #include "tests/tap.h"

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where to look from, and how samples of a grid look. */
+#ifndef HSR_BENCH_OPTIONS_CAMERA_H
+#define HSR_BENCH_OPTIONS_CAMERA_H
+
+#include "bench/options/parser.h"
+
+/* The cameras that the options describe, and the palette. They become a part of
+ * the scene's name (scenes/cameras.h), so that whoever gets the name looks from
+ * there, and sees samples as splats like that. */
+enum { CAMERA_WORDS = 8, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
+struct camera_options {
+  const char *file;               /* of --camera, or NULL */
+  const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near,
+                                     --parallel, --light, --sun */
+  const char *palette;            /* of --palette, or NULL */
+};
+
+/* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
+ * is none of them. */
+enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS, PALETTE };
+#define CAMERA_ARGP_OPTIONS                                                     \
+  {NULL, 0, NULL, 0, "Where to look from:", 10},                                \
+      {"eye", CAMERA_EYE, "X,Y,Z", 0, "look from here", 10},                    \
+      {"at", CAMERA_EYE + 1, "X,Y,Z", 0, "look at this point", 10},             \
+      {"up", CAMERA_EYE + 2, "X,Y,Z", 0, "this direction is up", 10},           \
+      {"fov", CAMERA_EYE + 3, "DEG", 0, "vertical angle of view, degrees", 10}, \
+      {"near", CAMERA_EYE + 4, "T", 0, "nothing exists up to this distance",    \
+       10},                                                                     \
+      {"parallel",                                                              \
+       CAMERA_EYE + 5,                                                          \
+       "HEIGHT",                                                                \
+       0,                                                                       \
+       "in parallel projection, the picture so high; fit: as high as what is "  \
+       "in perspective around the point looked at",                             \
+       10},                                                                     \
+      {"light",                                                                 \
+       CAMERA_EYE + 6,                                                          \
+       "X,Y,Z",                                                                 \
+       0,                                                                       \
+       "shadows are cast by a light at this point",                             \
+       10},                                                                     \
+      {"sun",                                                                   \
+       CAMERA_EYE + 7,                                                          \
+       "X,Y,Z",                                                                 \
+       0,                                                                       \
+       "shadows are cast by a sun in this direction",                           \
+       10},                                                                     \
+      {"camera",                                                                \
+       CAMERA_FILE,                                                             \
+       "FILE",                                                                  \
+       0,                                                                       \
+       "look from the views of this file, not from those of the scene",         \
+       10},                                                                     \
+  {                                                                             \
+    "palette", PALETTE, "NAME|FILE.json", 0,                                    \
+        "how samples of a grid look as splats: a palette of hsr list or a "     \
+        "file",                                                                 \
+        11                                                                      \
+  }
+error_t parse_camera_option(struct camera_options *options, int key, char *arg,
+                            struct option_base *base);
+
+/* Whether there is any word; and one that says where to look from, to, or what
+ * is up: then the scene has one view. */
+bool has_camera_words(const struct camera_options *options);
+bool names_a_place(const struct camera_options *options);
+
+/* The option that gives a light, "--light" or "--sun"; NULL: none does. */
+const char *light_option(const struct camera_options *options);
+
+/* How many views are meant if --views does not say so: one if a place is named,
+ * those of the file of --camera, or else `standard`; `most` at most.
+ * HSR_E_INPUT, HSR_E_NOMEM: the file cannot be read. */
+enum hsr_status count_views(const struct camera_options *options, long standard,
+                            long most, long *n, struct hsr_error *err);
+
+/* Adds the cameras and the palette to a scene's name. Words change the scene's
+ * view number `view`, from 1. HSR_E_USAGE if the name becomes too long, or
+ * there is no such palette; HSR_E_INPUT, HSR_E_NOMEM: its file cannot be
+ * read. */
+enum hsr_status aim_name(const struct camera_options *options, long view,
+                         const char *scene, char aimed[MOST_AIMED_NAME],
+                         struct hsr_error *err);
+
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/options/picture.h"
+#include "bench/options/words.h"
+
+#include <string.h>
+
+error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
+                          struct option_base *base) {
+  for (int k = 0; hsr_area_filters[k].name; k++)
+    if (!strcmp(hsr_area_filters[k].name, arg)) {
+      *filter = (enum hsr_area_filter)k;
+      return 0;
+    }
+  return option_fail(base, "--filter %s: must be box, tent, quadratic or cubic",
+                     arg);
+}
+
+error_t parse_crease(double *degrees, const char *arg,
+                     struct option_base *base) {
+  return parse_number(arg, degrees) && *degrees >= 0 && *degrees <= 180
+             ? 0
+             : option_fail(base, "--crease %s: must be degrees, 0 to 180", arg);
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/options/scene.h"
+#include "bench/options/words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+bool parse_import_option(struct hsr_import *import, int key) {
+  import->drop_degenerate |= key == DROP_DEGENERATE;
+  import->two_sided |= key == TWO_SIDED;
+  return key == DROP_DEGENERATE || key == TWO_SIDED;
+}
+
+error_t parse_scene_option(struct scene_options *o, int key, char *arg,
+                           const char *command, struct option_base *base) {
+  switch (key) {
+  case DROP_DEGENERATE:
+  case TWO_SIDED:
+    parse_import_option(&o->import, key);
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->name)
+      return option_fail(base, "%s: one scene at a time, not also '%s'",
+                         command, arg);
+    o->name = arg;
+    return 0;
+  case ARGP_KEY_END:
+    if (!o->name)
+      return option_fail(base, "%s: which scene? (see hsr %s --help)", command,
+                         command);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+error_t parse_threads(struct scene_options *options, long *threads,
+                      const char *arg, struct option_base *base) {
+  if (!parse_count(arg, 1, 64, threads))
+    return option_fail(base, "--jobs %s: must be 1 to 64", arg);
+  options->import.threads = (int)*threads;
+  return 0;
+}
+
+enum hsr_status open_scene(const char *name, struct hsr_import import,
+                           struct hsr_scene **scene, struct hsr_error *err) {
+  enum hsr_status status = hsr_scene_open(name, &import, scene, err);
+  for (const char *note = import.notes; !status && *note;) {
+    const int length = (int)strcspn(note, "\n");
+    fprintf(stderr, "hsr: %.*s\n", length, note);
+    note += length + (note[length] == '\n');
+  }
+  if (!status && import.n_dropped)
+    fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
+            (unsigned long long)import.n_dropped);
+  if (!status && (*scene)->enlarged)
+    fprintf(stderr,
+            "hsr: %s: too small to compute with, so it is drawn 2^%d times as "
+            "large; depths and coordinates are those of the larger scene\n",
+            name, (*scene)->enlarged);
+  return status;
+}

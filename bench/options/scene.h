@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The scene of a command, and opening it. */
+#ifndef HSR_BENCH_OPTIONS_SCENE_H
+#define HSR_BENCH_OPTIONS_SCENE_H
+
+#include "bench/options/camera.h"
+#include "scenes/scenes.h"
+
+/* The one scene of a subcommand. */
+struct scene_options {
+  const char *name;
+  struct hsr_import import;
+  char aimed[MOST_AIMED_NAME]; /* the name with its cameras and palette, once
+                                  aim_scene has added them */
+};
+
+/* An entry for an argp option array, and the parser of that option and of the
+ * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
+ * of the subcommand: "render", ... */
+enum { DROP_DEGENERATE = 0x180, TWO_SIDED };
+#define SCENE_ARGP_OPTIONS                                                     \
+  {"drop-degenerate",                                                          \
+   DROP_DEGENERATE,                                                            \
+   NULL,                                                                       \
+   0,                                                                          \
+   "leave out faces of a mesh file that have no area or repeat a vertex, "     \
+   "instead of refusing the file",                                             \
+   0},                                                                         \
+  {                                                                            \
+    "two-sided", TWO_SIDED, NULL, 0,                                           \
+        "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
+        "without it, faces that turn their backs to the eye do not exist",     \
+        0                                                                      \
+  }
+/* The same options, into a struct hsr_import. False if `key` is none. */
+bool parse_import_option(struct hsr_import *import, int key);
+error_t parse_scene_option(struct scene_options *options, int key, char *arg,
+                           const char *command, struct option_base *base);
+
+/* --jobs of subcommands that draw on so many threads. */
+#define THREADS_ARGP_OPTION                                                    \
+  { "jobs", 'J', "N", 0, "threads (standard: 1)", 0 }
+error_t parse_threads(struct scene_options *options, long *threads,
+                      const char *arg, struct option_base *base);
+
+/* Opens a scene, which the caller deletes, and says on stderr how many faces
+ * were left out of it, and what else was passed over. The errors are those of
+ * hsr_scene_open. */
+enum hsr_status open_scene(const char *name, struct hsr_import import,
+                           struct hsr_scene **scene, struct hsr_error *err);
+
+enum { MOST_PARTS = 1 << 20 }; /* of a scene, by --sort-last */
+
+#endif

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/results/descriptor.h"
+#include "common/files/json.h"
+
+struct taxonomy taxonomy(enum hsr_branch branch) {
+  static const struct taxonomy place[] = {
+      [HSR_OBJECT_SPACE_VOLUMES] = {"object space", "edges against volumes"},
+      [HSR_OBJECT_SPACE_EDGES] = {"object space", "edges against edges"},
+      [HSR_LIST_PRIORITY_FIXED] = {"list priority", "a priori"},
+      [HSR_LIST_PRIORITY_PER_FRAME] = {"list priority", "per frame"},
+      [HSR_IMAGE_SPACE_AREA] = {"image space", "area sampling"},
+      [HSR_IMAGE_SPACE_POINT] = {"image space", "point sampling"},
+      [HSR_BRUTE_FORCE] = {"brute force", NULL},
+      [HSR_HIERARCHICAL] = {"hierarchical", NULL},
+      [HSR_VOLUME_SPACE] = {"volume", NULL},
+      [HSR_YARDSTICK] = {"yardstick", NULL}};
+  return place[branch];
+}
+
+json_t *restrictions_json(const struct hsr_algorithm *a) {
+  json_t *codes = json_array();
+  for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
+    if (a->restrictions & 1u << k)
+      hsr_json_append(&codes, json_string(hsr_restriction_code(1u << k)));
+  return codes;
+}
+
+json_t *sorts_json(const struct hsr_algorithm *a) {
+  json_t *sorts = json_array();
+  for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
+    hsr_json_append(&sorts,
+                    json_pack("{ss ss ss ss}", "what", s->what, "key", s->key,
+                              "method", s->method, "often", s->often));
+  return sorts;
+}
+
+static json_t *subjects_json(const struct hsr_algorithm *a) {
+  json_t *subjects = json_array();
+  for (int k = 0; k < HSR_N_SCENE_SUBJECTS; k++)
+    if (a->subjects & 1u << k)
+      hsr_json_append(&subjects, json_string(hsr_scene_subject_name[k]));
+  return subjects;
+}
+
+static json_t *counters_json(const struct hsr_algorithm *a) {
+  json_t *counters = json_array();
+  for (const struct hsr_counter *c = a->counters; c && c->name; c++)
+    hsr_json_append(&counters, json_pack("{ss ss}", "name", c->name, "meaning",
+                                         c->meaning));
+  return counters;
+}
+
+static json_t *steps_json(const struct hsr_algorithm *a) {
+  json_t *steps = json_array();
+  for (const struct hsr_step *s = a->steps; s && s->label; s++)
+    hsr_json_append(&steps,
+                    json_pack("{ss ss sf ss?}", "label", s->label, "counter",
+                              a->counters[s->counter].name, "factor", s->factor,
+                              "formula", s->formula));
+  return steps;
+}
+
+static json_t *option_json(const struct hsr_option *o) {
+  if (o->real)
+    return json_pack("{ss ss sf sf sf}", "name", o->name, "meaning", o->meaning,
+                     "least", o->real_least, "most", o->real_most, "standard",
+                     o->real_standard);
+  if (!o->words)
+    return json_pack("{ss ss sI sI sI}", "name", o->name, "meaning", o->meaning,
+                     "least", (json_int_t)o->least, "most", (json_int_t)o->most,
+                     "standard", (json_int_t)o->standard);
+  json_t *words = json_array();
+  for (const struct hsr_word *w = o->words; w->name; w++)
+    hsr_json_append(
+        &words, json_pack("{ss ss}", "name", w->name, "meaning", w->meaning));
+  return json_pack("{ss ss so ss}", "name", o->name, "meaning", o->meaning,
+                   "words", words, "standard", o->words[o->standard].name);
+}
+
+static json_t *options_json(const struct hsr_algorithm *a) {
+  json_t *options = json_array();
+  for (const struct hsr_option *o = a->options; o && o->name; o++)
+    hsr_json_append(&options, option_json(o));
+  return options;
+}
+
+static json_t *year_json(const struct hsr_algorithm *a) {
+  return a->year ? json_integer(a->year) : json_null();
+}
+
+static json_t *algorithm_json(const struct hsr_algorithm *a) {
+  return json_pack(
+      "{ss ss ss so ss ss ss* ss* ss* ss so sb sb so so so so so}", "name",
+      a->name, "title", a->title, "authors", a->authors, "year", year_json(a),
+      "source", a->source, "taxonomy", taxonomy(a->taxonomy).class, "branch",
+      taxonomy(a->taxonomy).branch, "sort_order", a->sort_order, "coherence",
+      a->coherence, "kind", a->kind->name, "subjects", subjects_json(a),
+      "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
+      (a->flags & HSR_VISIBLE_ONLY) != 0, "restrictions", restrictions_json(a),
+      "sorts", sorts_json(a), "counters", counters_json(a), "steps",
+      steps_json(a), "options", options_json(a));
+}
+
+json_t *algorithms_json(void) {
+  json_t *all = json_array();
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
+    hsr_json_append(&all, algorithm_json(a->plain));
+  return all;
+}
