@@ -71,11 +71,7 @@ static void clear(const struct hsr_job *job) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame s = {.job = job, .tally = job->tally};
-  uint32_t most = 0;
-  for (uint32_t f = 0; f < job->world->n_faces; f++)
-    if (hsr_face_size(job->world, f) > most)
-      most = hsr_face_size(job->world, f);
-  s.columns = HSR_NEW(job->scratch, int, most + 4);
+  s.columns = HSR_NEW(job->scratch, int, hsr_most_corners(job->world) + 4);
   if (!s.columns || hsr_screen_make(&s.screen, job->world, job->view,
                                     job->scratch, job->tally))
     return hsr_fail_nomem(err);

@@ -121,8 +121,8 @@ static const struct argp argp = {
     "the pixel of the greatest; and the share of pixels that are wrong by more "
     "than 1/256.\v"
     "  hsr errors house\n"
-    "  hsr errors harbor -s 256x256 -a zbuffer -S 1,2,4,8,16,32\n"
-    "  hsr errors house -a zbuffer:filter=cosine --filter quadratic \\\n"
+    "  hsr errors harbor -s 256x256 -a zbuffer-fast -S 1,2,4,8,16,32\n"
+    "  hsr errors house -a zbuffer-fast:filter=cosine --filter quadratic \\\n"
     "    --where where.png\n"
     "  hsr errors house --where 'house-%d.png' --json >house.json\n"
     "  hsr report results.ndjson --errors house.json -o report",
@@ -387,14 +387,14 @@ static enum hsr_status find_exact(struct comparison *c, struct hsr_error *err) {
 }
 
 static enum hsr_status find(struct comparison *c, struct hsr_error *err) {
-  static const char *const usual[] = {"zbuffer",
-                                      "zbuffer:filter=box4x4",
-                                      "zbuffer:filter=box4x8",
-                                      "zbuffer:filter=box",
-                                      "zbuffer:filter=box:jitter=8",
-                                      "zbuffer:filter=cosine",
-                                      "zbuffer:filter=cosine:jitter=8",
-                                      "zbuffer:filter=field",
+  static const char *const usual[] = {"zbuffer-fast",
+                                      "zbuffer-fast:filter=box4x4",
+                                      "zbuffer-fast:filter=box4x8",
+                                      "zbuffer-fast:filter=box",
+                                      "zbuffer-fast:filter=box:jitter=8",
+                                      "zbuffer-fast:filter=cosine",
+                                      "zbuffer-fast:filter=cosine:jitter=8",
+                                      "zbuffer-fast:filter=field",
                                       "a-buffer",
                                       "error-bounded"};
   const struct options *o = c->options;

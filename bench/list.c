@@ -144,7 +144,7 @@ static void print_further_kind(const struct hsr_answer_type *type) {
 
 /* Prints, below the table, the options that NAME:OPTION=VALUE can choose. */
 static void print_options(void) {
-  puts("\nOptions, as in zbuffer:window=64:");
+  puts("\nOptions, as in zbuffer-fast:window=64:");
   for (int k = 0; hsr_answer_types[k]; k++)
     print_kind_options(hsr_answer_types[k]);
   for (int k = 0; hsr_answer_types[k]; k++)

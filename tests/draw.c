@@ -246,7 +246,7 @@ static const char *const proposals[] = {
 #define HSR_PROPOSED(variant) variant,
 #include "algorithms/proposals.def"
 #undef HSR_PROPOSED
-    "zbuffer:groups=cones", "hzbuffer:octree=lazy",
+    "zbuffer-fast:groups=cones", "hzbuffer:octree=lazy",
     "hzbuffer:pyramid=queries:threshold=20", "tiling:counts=on",
     "pvs:sets=cells"};
 enum { N_PROPOSALS = sizeof proposals / sizeof *proposals, MOST_LISTED = 200 };

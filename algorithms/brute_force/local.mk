@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
-  %D%/groups.c \
-  %D%/groups.h \
-  %D%/groups_make.c \
-  %D%/light_view.c \
-  %D%/light_view.h \
+  %D%/zbuffer_fast/groups.c \
+  %D%/zbuffer_fast/groups.h \
+  %D%/zbuffer_fast/groups_make.c \
+  %D%/zbuffer_fast/light_view.c \
+  %D%/zbuffer_fast/light_view.h \
   %D%/null.c \
-  %D%/peel.c \
-  %D%/peel.h \
+  %D%/zbuffer_fast/peel.c \
+  %D%/zbuffer_fast/peel.h \
   %D%/raycast.c \
-  %D%/stream.c \
-  %D%/stream.h \
-  %D%/zbuffer.c
+  %D%/zbuffer_fast/stream.c \
+  %D%/zbuffer_fast/stream.h \
+  %D%/zbuffer.c \
+  %D%/zbuffer_fast/zbuffer_fast.c

@@ -25,11 +25,11 @@ struct shape {
   const char *algorithm;    /* the standard one */
 };
 static const struct shape shapes[] = {
-    {"faces", NULL, HSR_CELL_POLYGON, "zbuffer"},
+    {"faces", NULL, HSR_CELL_POLYGON, "zbuffer-fast"},
     {"octree", shape_octree, HSR_CELL_BOX, "hzbuffer"},
     {"bsp", shape_bsp, HSR_CELL_POLYHEDRON, "bsp-painter"},
     {"separators", shape_separators, HSR_CELL_POLYHEDRON, "schumacker"},
-    {"frustum", shape_frustum, HSR_CELL_POLYHEDRON, "zbuffer"},
+    {"frustum", shape_frustum, HSR_CELL_POLYHEDRON, "zbuffer-fast"},
     {"spans", shape_spans, HSR_CELL_POLYGON, "watkins"}};
 enum { N_SHAPES = sizeof shapes / sizeof *shapes };
 

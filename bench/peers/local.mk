@@ -96,16 +96,16 @@ if WITH_TEEM
 endif
 %C%_hsr_volumes_LDADD += $(BENCH_LIBS)
 
-# zbuffer compiled again, without its exact fallback and under another name.
+# zbuffer-fast compiled again, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
 libinexact_a_SOURCES = algorithms/engines/tiler/tiler.c algorithms/engines/tiler/tiler.h \
-  algorithms/brute_force/groups.c algorithms/brute_force/groups.h \
-  algorithms/brute_force/groups_make.c \
-  algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/engines/light/glass.c \
-  algorithms/brute_force/light_view.c algorithms/brute_force/light_view.h \
-  algorithms/brute_force/stream.c algorithms/brute_force/stream.h \
+  algorithms/brute_force/zbuffer_fast/groups.c algorithms/brute_force/zbuffer_fast/groups.h \
+  algorithms/brute_force/zbuffer_fast/groups_make.c \
+  algorithms/brute_force/zbuffer_fast/peel.c algorithms/brute_force/zbuffer_fast/peel.h algorithms/engines/light/glass.c \
+  algorithms/brute_force/zbuffer_fast/light_view.c algorithms/brute_force/zbuffer_fast/light_view.h \
+  algorithms/brute_force/zbuffer_fast/stream.c algorithms/brute_force/zbuffer_fast/stream.h \
   algorithms/engines/light/glass.h algorithms/engines/light/shadow.c algorithms/engines/light/shadow.h \
-  algorithms/brute_force/zbuffer.c
+  algorithms/brute_force/zbuffer_fast/zbuffer_fast.c
 libinexact_a_CPPFLAGS = -include %D%/inexact-names.h $(AM_CPPFLAGS) \
   -DHSR_COUNTING=0 -DHSR_INEXACT=1
 %D%/inexact-names.h: $(libplain_a_OBJECTS)

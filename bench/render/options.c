@@ -229,7 +229,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 }
 
 static const struct argp_option entries[] = {
-    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer)", 0},
+    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer-fast)", 0},
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B and, unless it is "
      "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "
@@ -319,9 +319,9 @@ static const struct argp argp = {
     "SCENE is a built-in name with parameters (house, soup:1000:7), mesh:NAME, "
     "a mesh file, or a .scene.json; see hsr scenes.\n\n"
     "  hsr render house -a watkins -o house.png\n"
-    "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
+    "  hsr render mesh:elephant -a zbuffer-fast -s 1024x1024 -o elephant.exr\n"
     "  hsr render harbor -a watkins --work work.png\n"
-    "  hsr render house -a zbuffer:filter=cosine:jitter=4 -o house.png\n"
+    "  hsr render house -a zbuffer-fast:filter=cosine:jitter=4 -o house.png\n"
     "  hsr render house -a line-oracle --hidden dashed -o house.svg\n"
     "  hsr render mesh:elephant --orbit 72 -o turn%02d.png\n"
     "  hsr render traffic:20:%d --frames 0-99 -a hzbuffer -o t%02d.png",
@@ -492,7 +492,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
                              struct hsr_variant *variant,
                              struct hsr_error *err) {
   *o = (struct render_options){.view = VIEW_OPTIONS_STANDARD,
-                               .algorithm = "zbuffer",
+                               .algorithm = "zbuffer-fast",
                                .crease = -1,
                                .last_frame = -1,
                                .threads = 1,

@@ -78,7 +78,7 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"output", 'o', "DIR", 0, "the folder; it is made if need be", 0},
         {"reference", 'r', "A", 0,
-         "show times as ratios to A's (standard: zbuffer)", 0},
+         "show times as ratios to A's (standard: zbuffer-fast)", 0},
         {"pictures", 'p', "N", 0,
          "samples a row or column of a picture, at most (standard: 256)", 0},
         {"no-pictures", 'n', NULL, 0, "make no pictures", 0},
@@ -257,7 +257,7 @@ enum hsr_status command_report(int argc, char **argv, struct hsr_error *err) {
   if (!o)
     return hsr_fail_nomem(err);
   *o = (struct options){
-      .reference = "zbuffer", .most = 256, .timeout = 5, .budget = 20};
+      .reference = "zbuffer-fast", .most = 256, .timeout = 5, .budget = 20};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
   if (!status && !HSR_HAVE_REPORT)
     status = hsr_fail(err, HSR_E_USAGE,

@@ -10,7 +10,7 @@ enum hsr_status measure_table1(const struct hsr_world *world,
   struct hsr_answer answer = {.body = NULL};
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup = {.algorithm = NULL};
-  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
+  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer-fast");
   enum hsr_status status =
       hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
   if (!status)

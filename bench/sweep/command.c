@@ -242,7 +242,7 @@ static const struct argp argp = {
          "write the records to FILE, a line of JSON each", 3},
         {"resume", RESUME, NULL, 0, "go on where FILE ends", 3},
         {"reference", REFERENCE, "A", 0,
-         "print times as ratios to A's (standard: zbuffer)", 3},
+         "print times as ratios to A's (standard: zbuffer-fast)", 3},
         {"baseline", BASELINE, "FILE", 0,
          "print what is slower or faster than in these earlier results", 3},
         CAMERA_ARGP_OPTIONS,
@@ -259,7 +259,7 @@ static const struct argp argp = {
     "one is not.\n\n"
     "  hsr bench house harbor -o results.ndjson\n"
     "  hsr bench house --eye 9,5,9 --fov 30\n"
-    "  hsr bench 'mesh:*' -a 'zbuffer,*watkins*' --size 512x512,4096x4096",
+    "  hsr bench 'mesh:*' -a 'zbuffer-fast,*watkins*' --size 512x512,4096x4096",
     NULL,
     NULL,
     NULL};

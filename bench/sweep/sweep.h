@@ -49,7 +49,7 @@ struct sweep_options {
 #define SWEEP_OPTIONS_STANDARD                                                 \
   {                                                                            \
     .views = 1, .walk = 1, .starts = 5, .repetitions = 9, .seed = 1,           \
-    .timeout = 60, .shard = 1, .shards = 1, .reference = "zbuffer"             \
+    .timeout = 60, .shard = 1, .shards = 1, .reference = "zbuffer-fast"        \
   }
 
 /* What takes part in every group: an algorithm or a peer, on a number of

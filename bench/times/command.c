@@ -60,7 +60,7 @@ static const struct argp argp = {
         {"plot", PLOT, "FILE", 0,
          "write a plot of the times: .svg, .pdf or .png", 0},
         {"reference", REFERENCE, "A", 0,
-         "give times as ratios to A's (standard: zbuffer)", 0},
+         "give times as ratios to A's (standard: zbuffer-fast)", 0},
         {0}},
     parse,
     "FILE...",
@@ -115,8 +115,9 @@ enum hsr_status command_times(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = check_results(&options, &results, err);
   if (!status)
-    status = rows_make(&rows, &results,
-                       options.reference ? options.reference : "zbuffer", err);
+    status =
+        rows_make(&rows, &results,
+                  options.reference ? options.reference : "zbuffer-fast", err);
   if (!status)
     status = tell(&options, &rows, err);
   rows_free(&rows);

@@ -59,7 +59,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp_option entries[] = {
     {"algorithm", 'a', "A[,B]", 0,
      "the algorithm, and another to compare it with (standard: "
-     "zbuffer,watkins)",
+     "zbuffer-fast,watkins)",
      0},
     THREADS_ARGP_OPTION,
     {"crease", CREASE, "DEG", 0,
@@ -298,9 +298,10 @@ static void tick(void *viewer) {
 static enum hsr_status name_players(struct viewer *v, const char *algorithms,
                                     struct hsr_error *err) {
   const size_t n = strcspn(algorithms, ",");
-  const char *second = algorithms[n]                       ? algorithms + n + 1
-                       : strncmp(algorithms, "zbuffer", 7) ? "zbuffer"
-                                                           : "watkins";
+  const char *second = algorithms[n] ? algorithms + n + 1
+                       : strncmp(algorithms, "zbuffer-fast", 12)
+                           ? "zbuffer-fast"
+                           : "watkins";
   struct hsr_variant variant;
   if (strchr(second, ','))
     return hsr_fail(err, HSR_E_USAGE, "view: at most two algorithms");
@@ -369,7 +370,7 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
 
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   struct options o = {.view = {.view = 1, .m = 1280, .n = 720},
-                      .algorithms = "zbuffer",
+                      .algorithms = "zbuffer-fast",
                       .crease = -1,
                       .threads = 1};
   struct viewer *v = calloc(1, sizeof *v);

@@ -64,7 +64,7 @@ static enum hsr_status draw_numbers(struct viewer *v,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {
   const char *name =
-      v->overlay == OVERLAY_DEPTH ? "zbuffer" : v->player[0]->variant.name;
+      v->overlay == OVERLAY_DEPTH ? "zbuffer-fast" : v->player[0]->variant.name;
   struct player *counter = &v->counter;
   enum hsr_status status = HSR_OK;
   if (!counter->is_ready || counter->sort != PLAYER_WORKS ||

@@ -151,20 +151,28 @@ static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
  * exist; f != g. (sx, sy) is any point of the picture, 0 <= sx <= m and 0 <= sy
  * <= n: there the bound of the planes' errors is proved. Where a plane is met
  * behind the eye its q is compared all the same; 1/t is negative there. So the
- * order of two planes changes at most once along a row. */
-static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
-                                 uint32_t g, double sx, double sy,
+ * order of two planes changes at most once along a row.
+ *
+ * hsr_nearer_by is for those who know the depths, as hsr_depth gives them: `by` is
+ * that of f less that of g. */
+static inline bool hsr_nearer_by(const struct hsr_screen *screen, uint32_t f,
+                                 uint32_t g, double by, double sx, double sy,
                                  struct hsr_tally *tally) {
   HSR_COUNT_DEPTHS(tally, 1);
   if (screen->world->mesh.plane[f] == screen->world->mesh.plane[g])
     return f < g;
   double bound = screen->plane[f].error + screen->plane[g].error;
-  double by = hsr_depth_at(screen, f, sx, sy) - hsr_depth_at(screen, g, sx, sy);
   if (by > bound)
     return true;
   if (by < -bound)
     return false;
   return hsr_nearer_exact(screen, f, g, sx, sy, tally);
+}
+static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
+                                 uint32_t g, double sx, double sy,
+                                 struct hsr_tally *tally) {
+  double by = hsr_depth_at(screen, f, sx, sy) - hsr_depth_at(screen, g, sx, sy);
+  return hsr_nearer_by(screen, f, g, by, sx, sy, tally);
 }
 static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
                               uint32_t g, int i, int j,

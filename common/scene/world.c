@@ -163,6 +163,14 @@ enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
   return hsr_world_find_planes(world, err);
 }
 
+uint32_t hsr_most_corners(const struct hsr_world *world) {
+  uint32_t most = 0;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (most < hsr_face_size(world, f))
+      most = hsr_face_size(world, f);
+  return most;
+}
+
 void hsr_world_free(struct hsr_world *world) {
   hsr_arena_free(&world->arena);
 }

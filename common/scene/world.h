@@ -153,6 +153,9 @@ static inline uint32_t hsr_face_size(const struct hsr_world *world,
   return world->mesh.start[f + 1] - world->mesh.start[f];
 }
 
+/* The greatest number of vertices of a face; 0 if there is none. */
+uint32_t hsr_most_corners(const struct hsr_world *world);
+
 /* The corners of face f. */
 static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
                                             uint32_t f) {

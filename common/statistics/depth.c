@@ -44,12 +44,7 @@ enum hsr_status hsr_depth_complexity(const struct hsr_world *world,
                                      uint32_t *depth, struct hsr_error *err) {
   struct whole w;
   enum hsr_status status = open_whole(&w, world, view);
-  size_t most_corners = 0;
-  for (uint32_t f = 0; f < world->n_faces; f++) {
-    size_t n = hsr_face_size(world, f);
-    most_corners = n > most_corners ? n : most_corners;
-  }
-  int *columns = HSR_NEW(&w.arena, int, most_corners + 4);
+  int *columns = HSR_NEW(&w.arena, int, hsr_most_corners(world) + 4);
   if (!columns)
     status = HSR_E_NOMEM;
   memset(depth, 0, (size_t)view->m * (size_t)view->n * sizeof *depth);

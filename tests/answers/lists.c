@@ -5,8 +5,8 @@
 extern const struct hsr_answer_type hsr_answer_layers;
 extern const struct hsr_algorithm hsr_algorithm_layer_oracle,
     hsr_algorithm_layer_count, hsr_algorithm_layer_half;
-extern const struct hsr_algorithm hsr_counting_oracle, hsr_algorithm_zbuffer,
-    hsr_counting_zbuffer;
+extern const struct hsr_algorithm hsr_counting_oracle,
+    hsr_algorithm_zbuffer_fast, hsr_counting_zbuffer_fast;
 
 const struct hsr_answer_type *const hsr_answer_types[] = {
 #define HSR_ANSWER(id) &hsr_answer_##id,
@@ -19,7 +19,7 @@ const struct hsr_answer_type *const hsr_answer_types[] = {
   { &hsr_algorithm_layer_##id, &hsr_algorithm_layer_##id }
 const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
-    {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
+    {&hsr_algorithm_zbuffer_fast, &hsr_counting_zbuffer_fast},
     BOTH(oracle),
     BOTH(count),
     BOTH(half),

@@ -2,11 +2,12 @@
 /* The command's list with algorithms/EXAMPLE.c on it. */
 #include "algorithms/algorithm.h"
 
-extern const struct hsr_algorithm hsr_counting_oracle, hsr_algorithm_zbuffer,
-    hsr_counting_zbuffer, hsr_algorithm_example, hsr_counting_example;
+extern const struct hsr_algorithm hsr_counting_oracle,
+    hsr_algorithm_zbuffer_fast, hsr_counting_zbuffer_fast,
+    hsr_algorithm_example, hsr_counting_example;
 
 const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
-    {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
+    {&hsr_algorithm_zbuffer_fast, &hsr_counting_zbuffer_fast},
     {&hsr_algorithm_example, &hsr_counting_example},
     {NULL, NULL}};

@@ -129,14 +129,14 @@ async function sampled(folder) {
   });
 
   await test("Watkins beside two others: pictures, steps, counters", async () => {
-    await choose(page, "with-1", "zbuffer");
+    await choose(page, "with-1", "zbuffer-fast");
     assert.match(await hash(), /with=bouknight%2Czbuffer|with=bouknight,zbuffer/);
     await page.reload();
     assert.deepEqual(await page.evaluate(blemishes), []);
     assert.deepEqual(await serious(page), []);
     const heads = await page.$$eval(".beside thead th", (all) =>
       all.map((e) => e.textContent.trim()));
-    assert.deepEqual(heads.slice(1), ["watkins", "bouknight", "zbuffer"]);
+    assert.deepEqual(heads.slice(1), ["watkins", "bouknight", "zbuffer-fast"]);
     assert.equal(await page.locator(".scale").count(), 1);
     const columns = await page.$$eval(".row-of", (all) =>
       all.map((e) => e.children.length));
@@ -196,7 +196,7 @@ async function sampled(folder) {
     await go("");
     await follow("header nav a:text-is('Filters')");
     assert.deepEqual(await column(page, "errors-0", 0),
-      ["zbuffer, 4 × 4 samples", "a-buffer"]);
+      ["zbuffer-fast, 4 × 4 samples", "a-buffer"]);
     assert.deepEqual(await column(page, "errors-0", 2), ["0.0312", "0.0580"]);
     assert.deepEqual(await column(page, "errors-0", 3), ["1.25 %", "0.100 %"]);
     assert.deepEqual(await column(page, "errors-0", 4), ["(5, 7)", "(2, 9)"]);
@@ -214,7 +214,7 @@ async function sampled(folder) {
     assert.ok(Object.keys(before).length > 15);
     await page.click(".choice summary");
     await page.check("input[value=watkins]");
-    await page.check("input[value=zbuffer]");
+    await page.check("input[value=zbuffer-fast]");
     await settle(page);
     assert.match(await hash(), /algorithms=/);
     await page.reload();
@@ -280,7 +280,7 @@ async function sampled(folder) {
       assert.deepEqual(await seen("painter"),
         ["✓", "1", "3.500000", "box <A>, face 1"]);
       await pixel(96, 0);
-      assert.deepEqual(await seen("zbuffer"), ["✓", "none", "–", "background"]);
+      assert.deepEqual(await seen("zbuffer-fast"), ["✓", "none", "–", "background"]);
     });
 
   await test("keys, pointer and the next difference choose a pixel",
@@ -379,10 +379,10 @@ async function sampled(folder) {
 
   await test("the timings' rows are sorted, and their marks are of scenes",
     async () => {
-      await go("#/timings?view=house%2C+view+1&algorithms=watkins,zbuffer,yzx");
+      await go("#/timings?view=house%2C+view+1&algorithms=watkins,zbuffer-fast,yzx");
       const rows = await (await page.$("figure .plot")).$$eval("text", (all) =>
         all.map((e) => e.textContent));
-      const named = rows.filter((r) => ["watkins", "zbuffer", "yzx"].includes(r));
+      const named = rows.filter((r) => ["watkins", "zbuffer-fast", "yzx"].includes(r));
       const median = await page.evaluate(() => {
         const { cells } = window.hsr;
         return Object.fromEntries(cells.filter((c) => c.place === 0 && c.seconds)

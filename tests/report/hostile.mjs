@@ -50,7 +50,7 @@ const cell = (scene, algorithm, k) => ({ record: "cell", run: "0",
 // A line of JSON escapes all that would end it.
 const records = [...NAMES.map((_, k) => header(k)),
   ...NAMES.flatMap((scene, k) => [view(scene, k % 3),
-    ...["watkins", "zbuffer", ...NAMES.filter((name) => name.length < 99)]
+    ...["watkins", "zbuffer-fast", ...NAMES.filter((name) => name.length < 99)]
       .map((name, i) => cell(scene, name, k + i))]),
   { ...view("house", 0) }, { ...cell("house", "watkins", 1), status: "ok" }];
 writeFileSync(file, records.map((r) => `${JSON.stringify(r)}\n`).join(""));

@@ -26,7 +26,7 @@ static bool sums_up(long samples, long mismatches) {
 
 /* Some views are wrong: the third one drawn, and all later ones. */
 static void test_sequence(struct tap *tap) {
-  int status = check(SMALL "-a stale,zbuffer --views 4");
+  int status = check(SMALL "-a stale,zbuffer-fast --views 4");
   ok(tap, status == 1 && is_silent(), "what is wrong in the third frame fails");
   ok(tap,
      !is_wrong("stale", 1) && !is_wrong("stale", 2) && is_wrong("stale", 3) &&
@@ -97,7 +97,7 @@ static void test_frames(struct tap *tap) {
 
 /* `broken` is wrong at one sample, (0, 0). */
 static void test_samples(struct tap *tap) {
-  int status = check(SMALL "-a broken,zbuffer --views 1 --samples 20");
+  int status = check(SMALL "-a broken,zbuffer-fast --views 1 --samples 20");
   ok(tap, !status && sums_up(40, 0), "what is wrong elsewhere is not seen");
   ok(tap, printed("compared: 20 random samples"),
      "it is told how many there are");
@@ -109,7 +109,8 @@ static void test_samples(struct tap *tap) {
   status = check(SMALL "-a stale --views 4 --samples %d", 64 * 48 - 1);
   ok(tap, status == 1 && is_wrong("stale", 3), "and so of frames in a row");
 
-  status = bench(SMALL "-a broken,zbuffer --counts --samples 20 -o s.ndjson");
+  status =
+      bench(SMALL "-a broken,zbuffer-fast --counts --samples 20 -o s.ndjson");
   struct results r = read_results("s.ndjson");
   ok(tap,
      !status && !strcmp(verdict(&r, "broken"), "ok") &&
@@ -120,13 +121,13 @@ static void test_samples(struct tap *tap) {
 
 /* Filtered pictures are judged by their sums, each filter by itself. */
 static void test_filters(struct tap *tap) {
-  int status = check("house --size 24x16 --views 1 -a zbuffer,"
+  int status = check("house --size 24x16 --views 1 -a zbuffer-fast,"
                      "own-filter:filter=cosine:jitter=2,"
-                     "zbuffer:filter=cosine:jitter=2,"
+                     "zbuffer-fast:filter=cosine:jitter=2,"
                      "off-by-one:filter=cosine:jitter=2,"
                      "own-filter:filter=cosine,watkins:filter=cosine,"
-                     "own-filter:filter=box,zbuffer:filter=box,"
-                     "zbuffer:filter=box:jitter=16,off-by-one");
+                     "own-filter:filter=box,zbuffer-fast:filter=box,"
+                     "zbuffer-fast:filter=box:jitter=16,off-by-one");
   ok(tap,
      status == 1 && is_silent() &&
          printed("off-by-one:filter=cosine:jitter=2, view 1, 24x16: 1 "
@@ -137,7 +138,7 @@ static void test_filters(struct tap *tap) {
              "mismatch\n"),
      "and nothing else: whoever filters, with and without jitter, is right");
   status = check("house --size 24x16 --views 1 --samples 100 -a "
-                 "off-by-one:filter=box,zbuffer:filter=cosine:jitter=3,"
+                 "off-by-one:filter=box,zbuffer-fast:filter=cosine:jitter=3,"
                  "own-filter:filter=cosine");
   ok(tap,
      status == 1 && printed("1 pixel, (5, 0)") &&

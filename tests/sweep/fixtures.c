@@ -11,7 +11,8 @@
 
 extern const struct hsr_algorithm hsr_counting_oracle;
 extern const struct hsr_algorithm hsr_algorithm_null, hsr_counting_null;
-extern const struct hsr_algorithm hsr_algorithm_zbuffer, hsr_counting_zbuffer;
+extern const struct hsr_algorithm hsr_algorithm_zbuffer_fast,
+    hsr_counting_zbuffer_fast;
 extern const struct hsr_algorithm hsr_algorithm_watkins, hsr_counting_watkins;
 
 static int frames; /* drawn by this process */
@@ -24,7 +25,7 @@ static enum hsr_status zbuffer(const struct hsr_job *job,
                                struct hsr_error *err) {
   struct hsr_job own = *job;
   own.prepared = NULL; /* what a fixture prepared is not zbuffer's */
-  return hsr_algorithm_zbuffer.render(&own, err);
+  return hsr_algorithm_zbuffer_fast.render(&own, err);
 }
 
 /* --- Wrong ---------------------------------------------------------------- */
@@ -261,7 +262,7 @@ FIXTURE(same_4, "same-4", .render = zbuffer)
 const struct hsr_listed hsr_modules[] = {
     {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_null, &hsr_counting_null},
-    {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
+    {&hsr_algorithm_zbuffer_fast, &hsr_counting_zbuffer_fast},
     {&hsr_algorithm_watkins, &hsr_counting_watkins},
     BOTH(broken),
     BOTH(stale),

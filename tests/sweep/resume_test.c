@@ -14,7 +14,7 @@
 
 #define SWEEP                                                                  \
   "house penetration coplanar t-junction --views 2 --size 24x18 "              \
-  "-a zbuffer,watkins,broken,crasher --starts 2 --repetitions 2 "
+  "-a zbuffer-fast,watkins,broken,crasher --starts 2 --repetitions 2 "
 enum { CELLS = 32 };
 
 static void wait_ms(long ms) {
@@ -130,7 +130,7 @@ static void test_interrupt(struct tap *tap) {
 
 /* While the oracle draws, nobody reads a pipe that could show the end. */
 static void test_kill_while_judged(struct tap *tap) {
-  pid_t id = bench_begin("soup:20000:1 --size 2000x2000 -a zbuffer");
+  pid_t id = bench_begin("soup:20000:1 --size 2000x2000 -a zbuffer-fast");
   wait_ms(1500);
   kill(id, SIGKILL);
   bench_end(id);
@@ -187,7 +187,7 @@ static void test_shards(struct tap *tap) {
 
 /* --- The file ------------------------------------------------------------- */
 
-#define ONE "house --size 20x14 -a zbuffer --starts 2 --repetitions 1 "
+#define ONE "house --size 20x14 -a zbuffer-fast --starts 2 --repetitions 1 "
 
 static void test_existing(struct tap *tap) {
   char *text = read_text("whole.ndjson");
@@ -258,7 +258,8 @@ static void test_closed(struct tap *tap) {
 }
 
 static void test_limit(struct tap *tap) {
-#define MANY "house --size 20x14 -a 'zbuffer,watkins,null,same-*' --starts 2 "
+#define MANY                                                                   \
+  "house --size 20x14 -a 'zbuffer-fast,watkins,null,same-*' --starts 2 "
   struct rlimit limit, few;
   must(!getrlimit(RLIMIT_NOFILE, &limit));
   few = limit;
@@ -278,16 +279,17 @@ static void test_limit(struct tap *tap) {
 
 static void test_scene_files(struct tap *tap) {
   write_text("a b'\".off", "w", OFF("0"));
-  int status = bench("a\\ b\\'\\\".off --size 20x14 -a zbuffer --starts 2 "
+  int status = bench("a\\ b\\'\\\".off --size 20x14 -a zbuffer-fast --starts 2 "
                      "--repetitions 1 -o f.ndjson");
   ok(tap, !status && cells_in("f.ndjson") == 1,
      "a file's name may hold blanks and quotes");
   write_text("a b'\".off", "w", OFF("1"));
-  status = bench("a\\ b\\'\\\".off --size 20x14 -a zbuffer,watkins --starts 2 "
-                 "--repetitions 1 --resume -o f.ndjson");
+  status =
+      bench("a\\ b\\'\\\".off --size 20x14 -a zbuffer-fast,watkins --starts 2 "
+            "--repetitions 1 --resume -o f.ndjson");
   ok(tap, status == 3 && says("another"), "but not another scene meanwhile");
   write_text("x[1],y.off", "w", OFF("0"));
-  status = bench("'x[1],y.off' --size 20x14 -a zbuffer --counts");
+  status = bench("'x[1],y.off' --size 20x14 -a zbuffer-fast --counts");
   ok(tap, !status, "or look like a pattern");
   status = bench("$(printf '%%0400d' 0).off --list");
   ok(tap, status == 2 && says("longer"), "it is no longer than keys can tell");

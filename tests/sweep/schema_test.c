@@ -56,7 +56,7 @@ static json_t *find_record(const char *path, const char *kind,
 
 /* Whether a cell of this status may have times. */
 static bool may_have_times(const char *status, bool peer) {
-  json_t *cell = find_record("f.ndjson", "cell", "zbuffer");
+  json_t *cell = find_record("f.ndjson", "cell", "zbuffer-fast");
   json_object_set_new(cell, "status", json_string(status));
   json_object_set_new(cell, "peer", json_boolean(peer));
   bool valid = schema_admits(schema, cell);
@@ -84,7 +84,7 @@ int main(void) {
   schema = schema_open("bench.schema.json");
   enter_folder();
 
-  bench("house --size 64x48 -a 'null,zbuffer,broken,crasher,staller' -t 1 "
+  bench("house --size 64x48 -a 'null,zbuffer-fast,broken,crasher,staller' -t 1 "
         "-T 1,2 --starts 2 --repetitions 2 -o f.ndjson");
   long others, n = count_records("f.ndjson", "cell", &others);
   ok(&tap, n == 10 && !others, "timed and failed cells: %ld", n);
@@ -116,14 +116,16 @@ int main(void) {
      "every field of a header is needed");
   ok(&tap, schema_needs_all(schema, find_record("f.ndjson", "view", NULL)),
      "every field of a view");
-  ok(&tap, schema_needs_all(schema, find_record("f.ndjson", "cell", "zbuffer")),
+  ok(&tap,
+     schema_needs_all(schema, find_record("f.ndjson", "cell", "zbuffer-fast")),
      "every field of a cell");
   ok(&tap, may_have_times("ok", false), "what is right has times");
   ok(&tap, may_have_times("wrong", true), "a peer has, though it is wrong");
   ok(&tap, !may_have_times("wrong", false) && !may_have_times("crash", false),
      "nothing else has");
 
-  bench("house --size 64x48 -a zbuffer:window=20,zbuffer:filter=box,broken "
+  bench("house --size 64x48 -a "
+        "zbuffer-fast:window=20,zbuffer-fast:filter=box,broken "
         "--walk 2 --starts 2 --repetitions 1 -o w.ndjson");
   n = count_records("w.ndjson", "cell", &others);
   ok(&tap, n == 3 && !others, "cells of a walk, of an algorithm with options");

@@ -29,7 +29,7 @@ static const struct {
 enum { N_FAILING = sizeof failing / sizeof *failing };
 
 static void test_verdicts(struct tap *tap) {
-  int status = bench(SMALL "-a 'broken,crasher,staller,*la*,zbuffer,null,"
+  int status = bench(SMALL "-a 'broken,crasher,staller,*la*,zbuffer-fast,null,"
                            "watkins' -t 1 --repetitions 5 -o v.ndjson");
   ok(tap, status == 1, "failures are told by the exit status (%d)", status);
   ok(tap, is_silent(), "and not in words");
@@ -39,7 +39,7 @@ static void test_verdicts(struct tap *tap) {
     ok(tap, !strcmp(got, failing[k].verdict), "%s: %s", name, got);
     ok(tap, !has_times(&r, name), "%s has no time", name);
   }
-  static const char *const good[] = {"zbuffer", "watkins", "null"};
+  static const char *const good[] = {"zbuffer-fast", "watkins", "null"};
   for (int k = 0; k < 3; k++)
     ok(tap, !strcmp(verdict(&r, good[k]), "ok") && has_times(&r, good[k]),
        "%s is timed beside them", good[k]);
@@ -54,19 +54,20 @@ static void test_memory(struct tap *tap) {
     ok(tap, true, "too much memory # SKIP sanitized");
     return;
   }
-  int status = bench(SMALL "-a hog,zbuffer --memory 500 --repetitions 1 "
+  int status = bench(SMALL "-a hog,zbuffer-fast --memory 500 --repetitions 1 "
                            "-o m.ndjson");
   struct results r = read_results("m.ndjson");
   ok(tap, status == 1 && !strcmp(verdict(&r, "hog"), "memory"),
      "too much memory: %s", verdict(&r, "hog"));
-  ok(tap, !has_times(&r, "hog") && has_times(&r, "zbuffer"),
+  ok(tap, !has_times(&r, "hog") && has_times(&r, "zbuffer-fast"),
      "only what has enough is timed");
   results_free(&r);
 }
 
 /* Algorithms that are timed on two threads are judged on two. */
 static void test_threads(struct tap *tap) {
-  bench(SMALL "-a zbuffer,banded,still -T 1,2 --repetitions 1 -o t.ndjson");
+  bench(SMALL
+        "-a zbuffer-fast,banded,still -T 1,2 --repetitions 1 -o t.ndjson");
   struct results r = read_results("t.ndjson");
   ok(tap, json_array_size(r.cells) == 5,
      "threads are cells of their own, where there can be several");
@@ -81,24 +82,24 @@ static void test_threads(struct tap *tap) {
 
 /* Filtered pictures are timed with their filtering, in the same table. */
 static void test_filters(struct tap *tap) {
-  int status = bench(SMALL "-a zbuffer,zbuffer:filter=box:jitter=2,"
+  int status = bench(SMALL "-a zbuffer-fast,zbuffer-fast:filter=box:jitter=2,"
                            "own-filter:filter=cosine,off-by-one:filter=box "
                            "-T 1,2 --repetitions 1 -o f.ndjson");
   struct results r = read_results("f.ndjson");
   ok(tap,
      status == 1 && !strcmp(verdict(&r, "off-by-one:filter=box"), "wrong") &&
          !has_times(&r, "off-by-one:filter=box") &&
-         has_times(&r, "zbuffer:filter=box:jitter=2") &&
+         has_times(&r, "zbuffer-fast:filter=box:jitter=2") &&
          has_times(&r, "own-filter:filter=cosine"),
      "filtered pictures are judged and timed");
   const json_t *cell =
-      results_cell(&r, "house 1 64x48 zbuffer:filter=box:jitter=2 2");
+      results_cell(&r, "house 1 64x48 zbuffer-fast:filter=box:jitter=2 2");
   ok(tap,
      json_array_size(r.cells) == 6 &&
          !strcmp(results_text(cell, "kind"), "filtered"),
      "threads draw what is filtered; who filters itself takes one");
-  double one = median(&r, "zbuffer"),
-         all = median(&r, "zbuffer:filter=box:jitter=2");
+  double one = median(&r, "zbuffer-fast"),
+         all = median(&r, "zbuffer-fast:filter=box:jitter=2");
   ok(tap, all > 20 * one, "128 pictures take %.3g times as long", all / one);
   results_free(&r);
 }
@@ -146,15 +147,15 @@ static void test_walk(struct tap *tap) {
      "all of it judged, and timed in whole rounds");
   results_free(&r);
 
-  must(!bench(SMALL "-a zbuffer --counts --views 3 -o w.ndjson --resume"));
-  must(!bench(SMALL "-a zbuffer --counts --walk 3 -o w.ndjson --resume"));
+  must(!bench(SMALL "-a zbuffer-fast --counts --views 3 -o w.ndjson --resume"));
+  must(!bench(SMALL "-a zbuffer-fast --counts --walk 3 -o w.ndjson --resume"));
   r = read_results("w.ndjson");
   ok(tap,
-     depth_tests(&r, "house 1 64x48 zbuffer 1") > 0 &&
-         depth_tests(&r, "house 1-3 64x48 zbuffer 1") ==
-             depth_tests(&r, "house 1 64x48 zbuffer 1") +
-                 depth_tests(&r, "house 2 64x48 zbuffer 1") +
-                 depth_tests(&r, "house 3 64x48 zbuffer 1"),
+     depth_tests(&r, "house 1 64x48 zbuffer-fast 1") > 0 &&
+         depth_tests(&r, "house 1-3 64x48 zbuffer-fast 1") ==
+             depth_tests(&r, "house 1 64x48 zbuffer-fast 1") +
+                 depth_tests(&r, "house 2 64x48 zbuffer-fast 1") +
+                 depth_tests(&r, "house 3 64x48 zbuffer-fast 1"),
      "its counts are those of its views, which are cells beside it");
   results_free(&r);
 
@@ -178,22 +179,22 @@ static void test_walk(struct tap *tap) {
 /* Failures that are not the algorithms' fault. */
 static void test_surroundings(struct tap *tap) {
   setenv("TMPDIR", "/nowhere", 1);
-  int status = bench(SMALL "-a zbuffer --repetitions 1 -o n.ndjson");
+  int status = bench(SMALL "-a zbuffer-fast --repetitions 1 -o n.ndjson");
   unsetenv("TMPDIR");
   struct results r = read_results("n.ndjson");
-  ok(tap, !status && has_times(&r, "zbuffer"),
+  ok(tap, !status && has_times(&r, "zbuffer-fast"),
      "without TMPDIR nothing is written, but all is timed");
   results_free(&r);
-  status = bench(SMALL "-a zbuffer --counts -o c.ndjson");
+  status = bench(SMALL "-a zbuffer-fast --counts -o c.ndjson");
   r = read_results("c.ndjson");
   ok(tap,
-     !status && !strcmp(verdict(&r, "zbuffer"), "ok") &&
-         !has_times(&r, "zbuffer"),
+     !status && !strcmp(verdict(&r, "zbuffer-fast"), "ok") &&
+         !has_times(&r, "zbuffer-fast"),
      "--counts times nothing");
   results_free(&r);
-  status = bench(SMALL "-a zbuffer --repetitions 1 --resume -o c.ndjson");
+  status = bench(SMALL "-a zbuffer-fast --repetitions 1 --resume -o c.ndjson");
   r = read_results("c.ndjson");
-  ok(tap, !status && has_times(&r, "zbuffer"), "which can be made up for");
+  ok(tap, !status && has_times(&r, "zbuffer-fast"), "which can be made up for");
   results_free(&r);
 }
 
@@ -203,11 +204,11 @@ static void test_surroundings(struct tap *tap) {
 static void test_sleeper(struct tap *tap) {
   double slept = 0;
   for (int k = 0; k < 3 && fabs(slept - 20e-3) > .05 * 20e-3; k++) {
-    bench(SMALL "-a sleeper,zbuffer --repetitions 9 -o s%d.ndjson", k);
+    bench(SMALL "-a sleeper,zbuffer-fast --repetitions 9 -o s%d.ndjson", k);
     char path[32];
     snprintf(path, sizeof path, "s%d.ndjson", k);
     struct results r = read_results(path);
-    slept = median(&r, "sleeper") - median(&r, "zbuffer");
+    slept = median(&r, "sleeper") - median(&r, "zbuffer-fast");
     results_free(&r);
   }
   ok(tap, fabs(slept - 20e-3) <= .05 * 20e-3,
@@ -274,13 +275,14 @@ static void doctor(const char *from, const char *to, double factor,
 }
 
 static void test_baseline(struct tap *tap) {
-#define AGAIN SMALL "-a sleeper,zbuffer,null --resume -o b.ndjson --baseline "
-  must(!bench(SMALL "-a sleeper,zbuffer,null --starts 5 --repetitions 5 "
+#define AGAIN                                                                  \
+  SMALL "-a sleeper,zbuffer-fast,null --resume -o b.ndjson --baseline "
+  must(!bench(SMALL "-a sleeper,zbuffer-fast,null --starts 5 --repetitions 5 "
                     "-o b.ndjson"));
   int status = bench(AGAIN "b.ndjson");
   ok(tap,
      !status && printed("3 cells timed in both: 0 slower, 0 faster") &&
-         printed("2 ratios to zbuffer: 0 distinguishable"),
+         printed("2 ratios to zbuffer-fast: 0 distinguishable"),
      "nothing has changed from itself");
   doctor("b.ndjson", "faster.ndjson", 1 / 3.0, NULL, NULL);
   status = bench(AGAIN "faster.ndjson");
@@ -306,7 +308,7 @@ static void test_baseline(struct tap *tap) {
                        "right.ndjson");
   ok(tap, status == 1 && printed("1 no longer right"),
      "what is right no longer is one");
-  status = bench(SMALL "-a zbuffer -o e.ndjson --baseline none.ndjson");
+  status = bench(SMALL "-a zbuffer-fast -o e.ndjson --baseline none.ndjson");
   ok(tap, status == 3 && says("none.ndjson") && access("e.ndjson", F_OK),
      "a baseline that is not there is missed before all is timed");
 }

@@ -493,7 +493,7 @@ static void test_lines(struct tap *tap) {
   ok(tap, is_whole("s.ndjson"), "whole, with the channels of all pixels");
   ok(tap, is_whole_from("s.ndjson", 2), "from a keyframe on, too");
   ok(tap,
-     trace("greenhouse -a zbuffer:mix=newell -s 20x14 --keyframe 300 "
+     trace("greenhouse -a zbuffer-fast:mix=newell -s 20x14 --keyframe 300 "
            "-o g.ndjson") == 0,
      "transparent faces are traced");
   ok(tap, is_whole("g.ndjson"), "whole, with the colours of all samples");

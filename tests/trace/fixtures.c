@@ -8,7 +8,7 @@
 #include <string.h>
 
 extern const struct hsr_algorithm hsr_counting_oracle, hsr_counting_null,
-    hsr_counting_zbuffer, hsr_counting_raycast, hsr_counting_tiling_solids,
+    hsr_counting_zbuffer_fast, hsr_counting_raycast, hsr_counting_tiling_solids,
     hsr_counting_splat;
 
 /* --- Lines ---------------------------------------------------------------- */
@@ -198,7 +198,7 @@ FIXTURE(mute, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,
   { &id, &id }
 const struct hsr_listed hsr_modules[] = {BOTH(hsr_counting_oracle),
                                          BOTH(hsr_counting_null),
-                                         BOTH(hsr_counting_zbuffer),
+                                         BOTH(hsr_counting_zbuffer_fast),
                                          BOTH(hsr_counting_raycast),
                                          BOTH(hsr_counting_tiling_solids),
                                          BOTH(hsr_counting_splat),

@@ -255,15 +255,11 @@ static enum hsr_status begin(struct pvs *s) {
   const struct hsr_world *world = job->world;
   const struct hsr_window *w = &job->view->window;
   struct hsr_arena *arena = job->scratch;
-  size_t largest = 3;
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    if (largest < hsr_face_size(world, f))
-      largest = hsr_face_size(world, f);
   s->seen = HSR_NEW_ZEROED(arena, struct hsr_bounds, s->portals->n_cells);
   s->is_waiting = HSR_NEW_ZEROED(arena, bool, s->portals->n_cells);
   s->is_drawn = HSR_NEW_ZEROED(arena, bool, world->n_faces);
   s->known = HSR_NEW_ZEROED(arena, unsigned char, world->n_faces);
-  s->columns = HSR_NEW(arena, int, largest + 4);
+  s->columns = HSR_NEW(arena, int, hsr_most_corners(world) + 4);
   if (!s->seen || !s->is_waiting || !s->is_drawn || !s->known || !s->columns ||
       hsr_screen_init(&s->screen, world, job->view, arena))
     return HSR_E_NOMEM;

@@ -99,12 +99,7 @@ static enum hsr_status reserve(struct schumacker_watkins *s) {
       hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
       hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally))
     return HSR_E_NOMEM;
-  size_t most_corners = 0;
-  for (uint32_t f = 0; f < job->world->n_faces; f++) {
-    size_t n = hsr_face_size(job->world, f);
-    most_corners = n > most_corners ? n : most_corners;
-  }
-  s->columns = HSR_NEW(arena, int, most_corners + 4);
+  s->columns = HSR_NEW(arena, int, hsr_most_corners(job->world) + 4);
   return !s->columns ? HSR_E_NOMEM
                      : hsr_watkins_reserve(&s->watkins, job, &s->screen,
                                            hsr_scan_whole_room(&s->screen),

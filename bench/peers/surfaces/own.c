@@ -50,18 +50,18 @@ static void inexact_release(void *state) {
   free(inexact);
 }
 
-extern const struct hsr_algorithm hsr_algorithm_zbuffer_inexact;
+extern const struct hsr_algorithm hsr_algorithm_zbuffer_fast_inexact;
 
 const struct peer peer_zbuffer_inexact = {
     .name = "zbuffer-inexact",
-    .title = "zbuffer without its exact fallback",
-    .source = "hsr, algorithms/brute_force/zbuffer.c",
-    .what = "What exactness costs: our own zbuffer, but within the error "
+    .title = "zbuffer-fast without its exact fallback",
+    .source = "hsr, algorithms/brute_force/zbuffer_fast/zbuffer_fast.c",
+    .what = "What exactness costs: our own zbuffer-fast, but within the error "
             "bounds it decides by the rounded numbers. Frame and set-up are "
-            "those of zbuffer.",
+            "those of zbuffer-fast.",
     .kind = "ids",
     .many_threads = true,
-    .demands = &hsr_algorithm_zbuffer_inexact,
+    .demands = &hsr_algorithm_zbuffer_fast_inexact,
     .version = own_version,
     .setup = inexact_setup,
     .draw = inexact_draw,

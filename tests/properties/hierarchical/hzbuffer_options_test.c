@@ -35,7 +35,8 @@ struct known {
 
 static void know(struct known *k) {
   struct hsr_error err = {.text = "out of memory"};
-  const struct hsr_algorithm *zbuffer = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *zbuffer =
+      hsr_algorithm_find("zbuffer-fast")->plain;
   if (hsr_world_init(&k->world, k->scene, &err) ||
       hsr_world_outline(&k->outline, k->scene, &err))
     stop(k->scene->name, err.text);

@@ -98,7 +98,8 @@ static void draw_run(struct run *r) {
 /* Draws the scene, laid out, with the z-buffer. */
 static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
                        uint32_t *ids) {
-  draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, view, ids, NULL);
+  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->world, view, ids,
+           NULL);
 }
 
 /* --- A walk that takes notes ---------------------------------------------- */

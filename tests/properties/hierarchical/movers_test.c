@@ -100,7 +100,8 @@ static long carts_in(const struct hsr_world *world, const uint32_t *ids) {
 static void check(struct tap *tap, int per_cent, uint32_t of) {
   static struct ready ready[VARIANTS];
   static uint32_t right[M * N];
-  const struct hsr_algorithm *zbuffer = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *zbuffer =
+      hsr_algorithm_find("zbuffer-fast")->plain;
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = open_scene(per_cent, moment[0]);
   struct hsr_world outline;
@@ -215,7 +216,8 @@ static void check_knowing(struct tap *tap, int per_cent, int way, uint32_t of) {
     follow(scene, per_cent, at[f], way);
     if (hsr_world_init(&world, scene, &err))
       stop(err.text);
-    draw_ids(hsr_algorithm_find("zbuffer")->plain, &world, &view, right, NULL);
+    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &world, &view, right,
+             NULL);
     carts += carts_in(&world, right);
     for (int k = 0; k < KNOWING; k++)
       draw(&ready[k], &view, right);
@@ -294,7 +296,8 @@ static void check_emerging(struct tap *tap) {
     if (hsr_scene_follow(scene, then, &err) ||
         hsr_world_init(&world, scene, &err))
       stop(err.text);
-    draw_ids(hsr_algorithm_find("zbuffer")->plain, &world, &view, right, NULL);
+    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &world, &view, right,
+             NULL);
     seen[frame] = carts_in(&world, right);
     draw(&ready, &view, right);
     hsr_world_free(&world);

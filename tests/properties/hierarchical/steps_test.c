@@ -610,7 +610,7 @@ static void check_frame(struct frame *f, const char *text, bool again) {
 /* The picture equals the z-buffer's. */
 static void check_truth(struct frame *f) {
   static uint32_t right[M * N];
-  draw_ids(hsr_algorithm_find("zbuffer")->plain, f->world, &f->view, right,
+  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, f->world, &f->view, right,
            NULL);
   expect(f, !memcmp(right, f->ids, sizeof right), "the picture is wrong");
 }

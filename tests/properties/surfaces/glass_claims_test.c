@@ -74,7 +74,7 @@ static void check_pyramid(struct tap *tap) {
      "and combines all that are involved");
   ok(tap, counted(by.by, &by.tally, "span divisions") == 0,
      "where nothing penetrates, no span is divided");
-  by = draw(scene, M, N, "zbuffer");
+  by = draw(scene, M, N, "zbuffer-fast");
   ok(tap, counted(by.by, &by.tally, "layers") == SHEETS + 1,
      "the z-buffer makes a pass for each layer, and one that finds none");
   struct drawn few = draw(scene, M, N, "yzx"),
@@ -95,7 +95,7 @@ static void check_same_work(struct tap *tap, const char *name) {
   struct hsr_error err;
   if (hsr_scene_open(name, NULL, &scene, &err))
     exit(99);
-  struct drawn layers = draw(scene, 97, 61, "zbuffer"),
+  struct drawn layers = draw(scene, 97, 61, "zbuffer-fast"),
                list = draw(scene, 97, 61, "schumacker");
   uint64_t a = counted(layers.by, &layers.tally, "combined"),
            b = counted(list.by, &list.tally, "combined");

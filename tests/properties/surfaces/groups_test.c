@@ -12,7 +12,7 @@
  * Pictures    of real meshes and spheres, in whole and in windows of two threads.
  * Counts      the same triangles are tiled; and of a sphere about half of all are
  *             left out. */
-#include "algorithms/brute_force/groups.h"
+#include "algorithms/brute_force/zbuffer_fast/groups.h"
 #include "algorithms/variant.h"
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
@@ -265,7 +265,7 @@ static long compare_pictures(const struct mesh *m,
   if (!right || !ids)
     stop("pictures", "out of memory");
   if (!hsr_view_init(&view, camera, width, height, &err)) {
-    draw_ids(hsr_algorithm_find("zbuffer")->plain, &m->world, &view, right,
+    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &m->world, &view, right,
              NULL);
     draw_in_windows(setup, &view, 1 << 14, 1, ids);
     differ += count_differences(&view, ids, right);
@@ -291,7 +291,7 @@ static void test_pictures(struct tap *tap, const char *name, int pictures,
   struct mesh m;
   struct hsr_setup setup;
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_variant with = parse("zbuffer:groups=cones");
+  struct hsr_variant with = parse("zbuffer-fast:groups=cones");
   uint64_t seed = 11;
   long differ = 0;
   open_named(&m, name);
@@ -340,8 +340,8 @@ static void test_counts(struct tap *tap) {
   struct mesh m;
   struct hsr_view view;
   struct hsr_tally with, without;
-  struct hsr_variant cones = parse("zbuffer:groups=cones"),
-                     none = parse("zbuffer");
+  struct hsr_variant cones = parse("zbuffer-fast:groups=cones"),
+                     none = parse("zbuffer-fast");
   const struct hsr_algorithm *a = none.listed->counting;
   open_named(&m, "sphere:40000");
   if (hsr_view_init(&view, &m.scene->views[0], 200, 150, NULL))

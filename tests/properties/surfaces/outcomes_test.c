@@ -54,9 +54,9 @@ static const struct rule {
 } rules[] = {
     {"raycast", "surround tests", {NOT_COVERED, COVERED}},
     {"raycast", "depth tests", {NOT_NEARER, NEARER}},
-    {"zbuffer", "depth tests", {NOT_NEARER, NEARER}},
-    {"zbuffer", "unsure depths", {NOT_NEARER, NEARER}},
-    {"zbuffer", "unsure covers", {NOT_COVERED, COVERED}},
+    {"zbuffer-fast", "depth tests", {NOT_NEARER, NEARER}},
+    {"zbuffer-fast", "unsure depths", {NOT_NEARER, NEARER}},
+    {"zbuffer-fast", "unsure covers", {NOT_COVERED, COVERED}},
     {"watkins", "Y sort", {SORTED}},
     {"watkins", "X merge", {NOT_LEFT, LEFT}},
     {"watkins", "X sort", {NOT_LEFT, LEFT}},

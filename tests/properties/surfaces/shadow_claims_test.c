@@ -37,7 +37,7 @@ static void check(struct tap *tap, const char *scene) {
   open_worlds(&worlds, scene);
   struct drawn rays = draw(&worlds, "raycast"),
                pairs = draw(&worlds, "bouknight"),
-               view = draw(&worlds, "zbuffer");
+               view = draw(&worlds, "zbuffer-fast");
   ok(tap, rays.lit > 100 && pairs.lit == rays.lit && view.lit == rays.lit,
      "%s: %d samples are lit by all", scene, (int)rays.lit);
   ok(tap, 10 * pairs.tests < rays.tests, "%s: %d tests by pairs, %d by rays",

@@ -50,7 +50,7 @@ static long compare(const struct hsr_algorithm *a,
 /* The whole picture, a window of it, and with samples beside the grid. */
 static long compare_views(const struct both_worlds *worlds,
                           const struct hsr_camera *camera) {
-  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
+  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer-fast");
   struct hsr_view view;
   struct hsr_error err;
   long differ = 0;
@@ -87,14 +87,14 @@ static bool is_refused(const struct hsr_choice *choice,
   struct hsr_setup setup;
   struct hsr_error err;
   enum hsr_status status = hsr_setup_init(
-      &setup, hsr_algorithm_find("zbuffer")->plain, choice, world, &err);
+      &setup, hsr_algorithm_find("zbuffer-fast")->plain, choice, world, &err);
   hsr_setup_free(&setup);
   return status == HSR_E_REFUSED;
 }
 
 static void test_choice(struct tap *tap, const struct both_worlds *worlds,
                         const struct hsr_choice *choice, const char *what) {
-  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer-fast")->plain;
   ok(tap,
      is_refused(choice, &worlds->outline) &&
          !is_refused(choice, &worlds->world) &&
@@ -103,7 +103,7 @@ static void test_choice(struct tap *tap, const struct both_worlds *worlds,
 }
 
 static void test_choices(struct tap *tap) {
-  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer-fast")->plain;
   struct hsr_choice glass = choose_also(a, HSR_TRANSPARENT),
                     shadows = choose_also(a, HSR_SHADOWED),
                     groups = hsr_choice_standard(a);

@@ -73,7 +73,7 @@ static void test_raster(struct tap *tap) {
   static uint32_t ids[M * N], right[M * N];
   const struct hsr_algorithm *algorithm =
       find_counting("warnock:output=raster");
-  const struct hsr_algorithm *other = find_counting("zbuffer");
+  const struct hsr_algorithm *other = find_counting("zbuffer-fast");
   long n_amiss = 0, n_wrong = 0, n_rows = 0;
   for (int k = 0; k < N_SCENES; k++) {
     struct stage stage;
@@ -154,7 +154,7 @@ static void walk(const struct hsr_algorithm *algorithm, const char *name,
   struct stage stage;
   open_stage(&stage, name);
   begin(&film, algorithm, &stage);
-  begin(&other, find_counting("zbuffer"), &stage);
+  begin(&other, find_counting("zbuffer-fast"), &stage);
   long n_listed = 0;
   for (int k = 0; k < FRAMES; k++) {
     struct hsr_view view =

@@ -193,8 +193,8 @@ static void filter(const struct stage *stage, const struct hsr_view *view,
     for (int bit = 0; bit < 64; bit++) {
       struct hsr_view part =
           hsr_subsample_view(view, HSR_FILTER_BOX, pattern, bit);
-      draw_ids(hsr_algorithm_find("zbuffer")->plain, &stage->world, &part, ids,
-               NULL);
+      draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &stage->world, &part,
+               ids, NULL);
       hsr_filter_add_subsample(&kernel, filtering, &stage->world, view, pattern,
                                bit, ids, sums);
     }
@@ -303,7 +303,7 @@ static void check_worst(struct tap *tap, const char *name) {
   struct hsr_view view = view_of(&stage, 0, LARGEST, LARGEST);
   struct drawn lazy =
       draw("tiling-lazy:order=back", true, &stage, &view, large, NULL);
-  struct drawn zbuffer = draw("zbuffer", true, &stage, &view, large, NULL);
+  struct drawn zbuffer = draw("zbuffer-fast", true, &stage, &view, large, NULL);
   struct drawn hzbuffer = draw("hzbuffer", true, &stage, &view, large, NULL);
   uint64_t compared = of(&lazy, "samples compared");
   uint64_t cells = of(&lazy, "polygon cells");

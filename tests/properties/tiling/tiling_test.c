@@ -87,7 +87,7 @@ static struct hsr_view view_of(const struct both_worlds *s, uint32_t v, int m,
 
 /* The judge: the oracle; or the z-buffer if the oracle would be slow. */
 static const char *judge_of(const struct both_worlds *s) {
-  return s->world.n_faces < FEW_FACES ? "oracle" : "zbuffer";
+  return s->world.n_faces < FEW_FACES ? "oracle" : "zbuffer-fast";
 }
 
 static uint32_t *wanted_ids(const struct both_worlds *s, const char *judge,
@@ -201,7 +201,7 @@ static void find_sums(const struct both_worlds *s, const char *text,
   if (hsr_variant_parse(text, &variant, &err))
     stop(text, err.text);
   if (s->world.n_faces >= FEW_FACES) { /* from 64 pictures a pattern */
-    snprintf(other, sizeof other, "zbuffer%s", strchr(text, ':'));
+    snprintf(other, sizeof other, "zbuffer-fast%s", strchr(text, ':'));
     if (!begin_run(&r, &s->world, other, false) || !draw(&r, view, 1))
       stop(other, "is refused");
     memcpy(sums, hsr_answer_sums_of(&r.answer),
@@ -262,7 +262,8 @@ static void test_tables(struct tap *tap, struct both_worlds *s, int side,
                         const char *const noted[4]) {
   static const int intervals[4] = {16, 32, 64, 128};
   struct hsr_view view = view_of(s, 0, side, side);
-  uint32_t *wanted = wanted_ids(s, side > 1000 ? "tiling" : "zbuffer", &view);
+  uint32_t *wanted =
+      wanted_ids(s, side > 1000 ? "tiling" : "zbuffer-fast", &view);
   double share[4], before = 1;
   bool falls = true;
   for (int k = 0; k < 4; k++) {

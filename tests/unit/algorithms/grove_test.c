@@ -310,7 +310,8 @@ static long count_seen(const struct stage *s) {
     struct hsr_view view;
     if (hsr_view_init(&view, &s->scene->views[v], M, N, &err))
       stop(s->scene->name, err.text);
-    draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, &view, ids, NULL);
+    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->world, &view, ids,
+             NULL);
     for (int k = 0; k < M * N; k++)
       seen += ids[k] != HSR_BACKGROUND;
   }

@@ -379,7 +379,7 @@ int main(void) {
   test_frame(&tap, "sphere:30000", "hzbuffer");
   test_frame(&tap, "sphere:30000", "clark");
   test_frame(&tap, "soup:5000:3", "octree-raycast");
-  test_frame(&tap, "soup:5000:3", "zbuffer");
+  test_frame(&tap, "soup:5000:3", "zbuffer-fast");
   test_frame(&tap, "harbor", "hzbuffer");
   test_frame(&tap, "office:1", "clark");
   return finish(&tap);

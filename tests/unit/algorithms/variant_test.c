@@ -58,7 +58,7 @@ static bool all_parse(void) {
 
 static void test_good(struct tap *tap) {
   struct hsr_choice standard;
-  ok(tap, parses("zbuffer") && !variant.choice.window, "a name alone");
+  ok(tap, parses("zbuffer-fast") && !variant.choice.window, "a name alone");
   ok(tap, parses("hzbuffer"), "a name of one that has options");
   standard = hsr_choice_standard(variant.listed->plain);
   ok(tap, !memcmp(&standard, &variant.choice, sizeof standard),
@@ -72,7 +72,7 @@ static void test_good(struct tap *tap) {
   ok(tap, parses("watkins:window=16384") && variant.choice.window == 16384,
      "a window, of any algorithm that draws faces");
   ok(tap,
-     parses("zbuffer:filter=box") &&
+     parses("zbuffer-fast:filter=box") &&
          hsr_form_filtering(&variant.choice.form).filter == HSR_FILTER_BOX &&
          !hsr_form_filtering(&variant.choice.form).patterns &&
          variant.choice.form.type == &hsr_answer_filtered,
@@ -83,7 +83,7 @@ static void test_good(struct tap *tap) {
          hsr_form_filtering(&variant.choice.form).patterns == 16,
      "and jitter, in any order");
   ok(tap,
-     parses("zbuffer:jitter=0:filter=box") &&
+     parses("zbuffer-fast:jitter=0:filter=box") &&
          !hsr_form_filtering(&variant.choice.form).patterns &&
          parses("roberts") && variant.choice.form.type == HSR_SEGMENTS,
      "or none");
@@ -113,7 +113,7 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffer:=sides", "no option ''");
   bad(tap, "hzbuffer:cube=sides", "no option 'cube'");
   bad(tap, "hzbuffer:cubess=sides", "no option 'cubess'");
-  bad(tap, "zbuffer:cubes=sides", "no option 'cubes'");
+  bad(tap, "zbuffer-fast:cubes=sides", "no option 'cubes'");
   bad(tap, "hzbuffer:cubes", "cubes must be one of: rectangle, sides");
   bad(tap, "hzbuffer:cubes=", "cubes must be one of");
   bad(tap, "hzbuffer:cubes=side", "cubes must be one of");
@@ -134,19 +134,19 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffer:window=0", "window must be");
   bad(tap, "hzbuffer:window=16385", "window must be");
   bad(tap, "hzbuffer:least=3:least=3", "twice");
-  bad(tap, "zbuffer:filter", "filter must be one of: box, cosine");
-  bad(tap, "zbuffer:filter=boxes", "filter must be one of");
-  bad(tap, "zbuffer:filter=box:filter=cosine", "filter is given twice");
-  bad(tap, "zbuffer:filter=box:jitter=17", "jitter must be 0 to 16");
-  bad(tap, "zbuffer:filter=box:jitter=-1", "jitter must be");
-  bad(tap, "zbuffer:filter=box:jitter", "jitter must be");
-  bad(tap, "zbuffer:jitter=1", "jitter needs a filter");
-  bad(tap, "zbuffer:jitter=0", "jitter needs a filter");
-  bad(tap, "zbuffer:filter=box:window=8", "no windows");
-  bad(tap, "zbuffer:window=8:filter=box", "no windows");
+  bad(tap, "zbuffer-fast:filter", "filter must be one of: box, cosine");
+  bad(tap, "zbuffer-fast:filter=boxes", "filter must be one of");
+  bad(tap, "zbuffer-fast:filter=box:filter=cosine", "filter is given twice");
+  bad(tap, "zbuffer-fast:filter=box:jitter=17", "jitter must be 0 to 16");
+  bad(tap, "zbuffer-fast:filter=box:jitter=-1", "jitter must be");
+  bad(tap, "zbuffer-fast:filter=box:jitter", "jitter must be");
+  bad(tap, "zbuffer-fast:jitter=1", "jitter needs a filter");
+  bad(tap, "zbuffer-fast:jitter=0", "jitter needs a filter");
+  bad(tap, "zbuffer-fast:filter=box:window=8", "no windows");
+  bad(tap, "zbuffer-fast:window=8:filter=box", "no windows");
   bad(tap, "roberts:filter=box", "filter is an option of filtered");
   bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
-  bad(tap, "zbuffer:window=8:window=16", "twice");
+  bad(tap, "zbuffer-fast:window=8:window=16", "twice");
   bad(tap, "appel:window=16", "appel does not draw in windows");
   bad(tap, "hzbuffer:coherence=list:window=32", "no windows");
   bad(tap, "hzbuffer:window=32:coherence=passes", "no windows");

@@ -453,7 +453,7 @@ static void test_sums(struct tap *tap, const struct stage *stage,
                       enum hsr_filter filter, const char *name) {
   static uint32_t ids[64 * PIXELS], few[PIXELS], defined[3 * PIXELS],
       picture[3 * PIXELS], parts[3 * PIXELS];
-  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer-fast")->plain;
   struct hsr_filtering filtering = {filter, 0};
   struct hsr_kernel kernel;
   hsr_kernel_init(&kernel, filter);
@@ -487,7 +487,7 @@ static void test_cells(struct tap *tap, const struct stage *stage,
                        fine = {HSR_FILTER_BOX_64X64, patterns};
   struct hsr_kernel kernel[2];
   struct hsr_view view = hsr_view_finer(&stage->pixels, 8, 8);
-  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer-fast")->plain;
   hsr_kernel_init(&kernel[0], box.filter);
   hsr_kernel_init(&kernel[1], fine.filter);
   memset(cells, 0, sizeof cells);

@@ -33,8 +33,8 @@ static void open_stage(struct stage *s, const char *name, int view) {
     s->worlds.scene->objects[o].rgb = NULL;
   if (hsr_view_init(&s->view, &s->worlds.scene->views[view], M, N, NULL))
     exit(99);
-  draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->worlds.world, &s->view,
-           s->ids, NULL);
+  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->worlds.world,
+           &s->view, s->ids, NULL);
   finish_picture(s, &s->worlds.world, HSR_SHADE_GOURAUD, s->smooth);
   finish_picture(s, &s->worlds.world, HSR_SHADE_LAMBERT, s->flat);
 }
@@ -142,8 +142,8 @@ static void check_edge(struct tap *tap, struct stage *s) {
       hsr_world_init(&s->worlds.world, scene, &err) ||
       hsr_view_init(&s->view, &camera, M, N, &err))
     exit(99);
-  draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->worlds.world, &s->view,
-           s->ids, NULL);
+  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->worlds.world,
+           &s->view, s->ids, NULL);
   finish_picture(s, &s->worlds.world, HSR_SHADE_GOURAUD, s->smooth);
   finish_picture(s, &s->worlds.world, HSR_SHADE_LAMBERT, s->flat);
   double flat = 0, smooth = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/brute_force/peel.h"
+#include "algorithms/brute_force/zbuffer_fast/peel.h"
 
 struct peel {
   struct hsr_glass *glass;
@@ -131,22 +131,19 @@ enum hsr_status hsr_peel(struct hsr_glass *glass, struct hsr_tiler *tiler) {
 
 static const struct hsr_counter counters[] = {
     {"layer tests",
-                             "transparent faces compared in depth with what is "
-                             "combined at a sample",
-                             HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                             "farther|nearer"},
+     "transparent faces compared in depth with what is "
+     "combined at a sample",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {"farthest tests",
-                               "transparent faces compared in depth with the "
-                               "farthest of the layer so far",
-                               HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                               "nearer|farther"},
-    {"layers",
-                                      "passes over the transparent faces",
-                                      HSR_ACTIVATE, HSR_OF_WINDOW},
+     "transparent faces compared in depth with the "
+     "farthest of the layer so far",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "nearer|farther"},
+    {"layers", "passes over the transparent faces", HSR_ACTIVATE,
+     HSR_OF_WINDOW},
     {"combined",
-         "colours shown at samples: of opaque faces, and then of "
-         "layers over them",
-         HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     "colours shown at samples: of opaque faces, and then of "
+     "layers over them",
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_line lines[] = {

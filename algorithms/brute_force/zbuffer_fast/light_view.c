@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/brute_force/light_view.h"
+#include "algorithms/brute_force/zbuffer_fast/light_view.h"
 
 #include <math.h>
 
@@ -221,11 +221,10 @@ void hsr_light_view_show(struct hsr_light_view *view) {
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"light cells",
-                             "faces put into cells of the light's picture",
-                             HSR_SORT, HSR_OF_FACE, HSR_OF_CELL},
+    {"light cells", "faces put into cells of the light's picture", HSR_SORT,
+     HSR_OF_FACE, HSR_OF_CELL},
     {"wide faces", "faces kept for a whole side of the light's picture",
-         HSR_SORT, HSR_OF_FACE, HSR_OF_NOTHING},
+     HSR_SORT, HSR_OF_FACE, HSR_OF_NOTHING},
     {NULL}};
 
 static const struct hsr_line lines[] = {

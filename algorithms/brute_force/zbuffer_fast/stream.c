@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/brute_force/stream.h"
+#include "algorithms/brute_force/zbuffer_fast/stream.h"
 #include "common/base/numbers.h"
 #include "common/base/vector.h"
 

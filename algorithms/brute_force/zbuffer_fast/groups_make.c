@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Making groups. How far boxes, axes, angles and apexes must be rounded outward
  * is proved in groups.c; the names of numbers are those of the proof. */
-#include "algorithms/brute_force/groups.h"
+#include "algorithms/brute_force/zbuffer_fast/groups.h"
 #include "common/base/numbers.h"
 
 #include <float.h>

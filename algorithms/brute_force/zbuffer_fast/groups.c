@@ -39,7 +39,7 @@
  * Outside. The box holds the vertices, and so the triangles, exactly. It is
  * compared with the half spaces around the window's frustum as in
  * common/trees/box.c, with the same doubt for the largest of all coordinates. */
-#include "algorithms/brute_force/groups.h"
+#include "algorithms/brute_force/zbuffer_fast/groups.h"
 #include "common/base/numbers.h"
 #include "common/base/vector.h"
 
