@@ -33,7 +33,7 @@ static void show_span(struct frame *s, uint32_t f, int x0, int x1, int j) {
   const struct hsr_window *w = &s->job->view->window;
   x0 = x0 > w->x0 ? x0 : w->x0;
   x1 = x1 < w->x1 ? x1 : w->x1;
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+  uint32_t *row = hsr_job_row(s->job, j);
   HSR_STEP(s->tally, SPANS, HSR_FACE(f), HSR_THE_WINDOW, HSR_ON(x0, x1, j), 0);
   for (int i = x0; i < x1; i++) {
     HSR_TOUCH(s->tally, i, j);
@@ -65,7 +65,7 @@ static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
 }
 
 static enum hsr_status render(const struct hsr_job *job,

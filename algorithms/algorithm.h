@@ -129,6 +129,13 @@ struct hsr_job {
   const struct hsr_passes *passes;
 };
 
+/* Row j of the ids that a job asks for, from column 0 on. All samples of the
+ * window are written, HSR_BACKGROUND where there is no face; others are not
+ * touched. */
+static inline uint32_t *hsr_job_row(const struct hsr_job *job, int j) {
+  return job->answer->ids + (size_t)j * (size_t)job->answer->m;
+}
+
 #define HSR_MOST_ALSO 2
 struct hsr_algorithm {
   const char *name;    /* [a-z0-9-]+, "watkins" */

@@ -145,7 +145,7 @@ static void name_parents(const struct hsr_pieces *pieces,
                          const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++) {
-    uint32_t *row = job->ids + (size_t)j * job->ids_stride;
+    uint32_t *row = job->answer->ids + (size_t)j * (size_t)job->answer->m;
     for (int i = w->x0; i < w->x1; i++)
       if (row[i] != HSR_BACKGROUND)
         row[i] = pieces->parent[row[i]];
@@ -206,8 +206,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   job->real = setup->choice.values.real;
   if (!job->passes)
     job->passes = setup->passes;
-  if (job->answer)
-    open_answer(setup, job);
+  open_answer(setup, job);
   hsr_tally_begin(job->tally, setup->algorithm);
   if (job->tally->trace) {
     job->tally->trace->name = name_subjects;
@@ -216,7 +215,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)
     status = hsr_fail_nomem(err);
-  if (!status && setup->world->pieces && job->ids)
+  if (!status && setup->world->pieces && job->answer->ids)
     name_parents(setup->world->pieces, job);
   return status;
 }

@@ -76,11 +76,9 @@ void draw_ids(const struct hsr_algorithm *algorithm,
               const struct hsr_world *world, const struct hsr_view *view,
               uint32_t *ids, struct hsr_tally *tally) {
   memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
+  struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
   draw(algorithm, world,
-       (struct hsr_job){.view = view,
-                        .tally = tally,
-                        .ids = ids,
-                        .ids_stride = (size_t)view->m});
+       (struct hsr_job){.view = view, .tally = tally, .answer = &answer});
 }
 
 /* --- In windows, by several threads --------------------------------------- */
@@ -112,11 +110,9 @@ static void *draw_share(void *context) {
     int x = k % columns * s->side, y = k / columns * s->side;
     view.window = (struct hsr_window){x, y, smaller(x + s->side, view.m),
                                       smaller(y + s->side, view.n)};
-    struct hsr_job job = {.view = &view,
-                          .scratch = &scratch,
-                          .tally = &tally,
-                          .ids = s->ids,
-                          .ids_stride = (size_t)view.m};
+    struct hsr_answer answer = hsr_answer_of_ids(s->ids, view.m, view.n);
+    struct hsr_job job = {
+        .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     hsr_arena_reset(&scratch);
     s->status = hsr_setup_render(s->setup, &job, &s->err);
   }
@@ -157,8 +153,9 @@ void draw_lines(const struct hsr_algorithm *algorithm,
                 const struct hsr_world *world, const struct hsr_view *view,
                 struct hsr_drawing *drawing, struct hsr_tally *tally) {
   hsr_drawing_clear(drawing);
+  struct hsr_answer answer = hsr_answer_of_drawing(drawing, view->m, view->n);
   draw(algorithm, world,
-       (struct hsr_job){.view = view, .tally = tally, .drawing = drawing});
+       (struct hsr_job){.view = view, .tally = tally, .answer = &answer});
 }
 
 long compare_answers(const struct hsr_view *view, const struct hsr_answer *got,

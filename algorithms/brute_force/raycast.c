@@ -72,16 +72,17 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   struct hsr_shadow shadow;
   struct hsr_light_balls balls;
-  if (job->lit && (hsr_shadow_begin(&shadow, job, &screen) ||
-                   hsr_light_balls_make(&balls, job->world, shadow.blocker,
-                                        shadow.n_blockers, job->scratch)))
+  if (hsr_answer_lit_of(job->answer) &&
+      (hsr_shadow_begin(&shadow, job, &screen) ||
+       hsr_light_balls_make(&balls, job->world, shadow.blocker,
+                            shadow.n_blockers, job->scratch)))
     return hsr_fail_nomem(err);
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
       uint32_t f = visible_face(&screen, i, j, job->tally);
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = f;
-      if (job->lit && f != HSR_BACKGROUND)
+      hsr_job_row(job, j)[i] = f;
+      if (hsr_answer_lit_of(job->answer) && f != HSR_BACKGROUND)
         cast_shadow_ray(&shadow, &balls, f, i, j);
     }
   return HSR_OK;

@@ -60,7 +60,7 @@ static void record(const struct frame *s, uint32_t f, double q, uint32_t *held,
 static void tile_span(const struct frame *s, uint32_t f, int x0, int x1,
                       int j) {
   const struct hsr_window *w = &s->job->view->window;
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+  uint32_t *row = hsr_job_row(s->job, j);
   x0 = x0 > w->x0 ? x0 : w->x0;
   x1 = x1 < w->x1 ? x1 : w->x1;
   for (int i = x0; i < x1; i++) {
@@ -86,7 +86,7 @@ static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
 }
 
 static enum hsr_status render(const struct hsr_job *job,

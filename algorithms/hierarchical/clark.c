@@ -113,8 +113,8 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
     return HSR_E_NOMEM;
   t->z = HSR_NEW(job->scratch, float, width *(size_t)(window->y1 - window->y0));
   t->z_stride = width;
-  t->ids_stride = job->ids_stride;
-  t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
+  t->ids_stride = (size_t)job->answer->m;
+  t->ids = hsr_job_row(job, window->y0) + window->x0;
   if (!t->z)
     return HSR_E_NOMEM;
   hsr_tiler_begin_part(t, *window);

@@ -46,7 +46,9 @@ bool hsr_same_form(const struct hsr_form *a, const struct hsr_form *b);
 struct hsr_answer {
   struct hsr_form form;
   int m, n;
-  void *body; /* the contents, in the type's own form; owned by the type */
+  void *body;    /* the contents, in the type's own form; owned by the type */
+  uint32_t *ids; /* of the body: the visible face of each sample, m n of them by
+                    rows; NULL: it has none */
   struct hsr_answer *picture; /* if the kind is folded: the picture that is
                                  folded in next; NULL if the algorithm makes
                                  the kind itself */
@@ -317,6 +319,7 @@ uint16_t *hsr_answer_colours_of(const struct hsr_answer *answer);
 enum { HSR_SPLAT_SUMS = 5 };
 uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer);
 struct hsr_shadowed *hsr_answer_shadowed_of(const struct hsr_answer *answer);
+bool *hsr_answer_lit_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */
@@ -325,8 +328,11 @@ int hsr_form_voxels(const struct hsr_form *form);
 /* In the ids of an answer that is unset, where nothing is written. */
 #define HSR_NOT_WRITTEN 0xfefefefeu
 
-/* An answer around m x n ids that the caller owns; not to be freed. */
+/* An answer around m x n ids, or a drawing, that the caller owns; not to be
+ * freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
+struct hsr_answer hsr_answer_of_drawing(struct hsr_drawing *drawing, int m,
+                                        int n);
 
 /* How a picture of this form is filtered; the filter is HSR_FILTER_NONE if the
  * form is of another kind. */

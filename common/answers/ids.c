@@ -18,8 +18,11 @@ uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer) {
 }
 
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n) {
-  return (struct hsr_answer){
-      .form = hsr_form_standard(&hsr_answer_ids), .m = m, .n = n, .body = ids};
+  return (struct hsr_answer){.form = hsr_form_standard(&hsr_answer_ids),
+                             .m = m,
+                             .n = n,
+                             .body = ids,
+                             .ids = ids};
 }
 
 static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
@@ -27,7 +30,7 @@ static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
   uint32_t *ids = malloc(n * sizeof *ids);
   for (size_t k = 0; ids && k < n; k++)
     ids[k] = HSR_BACKGROUND;
-  answer->body = ids;
+  answer->body = answer->ids = ids;
   return ids ? HSR_OK : hsr_fail_nomem(err);
 }
 

@@ -16,6 +16,14 @@ struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer) {
   return answer->form.type == &hsr_answer_segments ? answer->body : NULL;
 }
 
+struct hsr_answer hsr_answer_of_drawing(struct hsr_drawing *drawing, int m,
+                                        int n) {
+  return (struct hsr_answer){.form = hsr_form_standard(&hsr_answer_segments),
+                             .m = m,
+                             .n = n,
+                             .body = drawing};
+}
+
 static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
   answer->body = calloc(1, sizeof(struct hsr_drawing));
   return answer->body ? HSR_OK : hsr_fail_nomem(err);

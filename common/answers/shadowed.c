@@ -27,6 +27,11 @@ struct hsr_shadowed *hsr_answer_shadowed_of(const struct hsr_answer *answer) {
   return answer->form.type == &hsr_answer_shadowed ? answer->body : NULL;
 }
 
+bool *hsr_answer_lit_of(const struct hsr_answer *answer) {
+  struct hsr_shadowed *body = hsr_answer_shadowed_of(answer);
+  return body ? body->lit : NULL;
+}
+
 static void free_body(struct hsr_answer *answer) {
   struct hsr_shadowed *body = answer->body;
   free(body->ids);
@@ -44,6 +49,7 @@ static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
   body->lit = calloc(n, sizeof *body->lit);
   if (!body->ids || !body->lit)
     return hsr_fail_nomem(err);
+  answer->ids = body->ids;
   for (size_t k = 0; k < n; k++)
     body->ids[k] = HSR_BACKGROUND;
   return HSR_OK;

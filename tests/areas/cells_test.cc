@@ -116,8 +116,8 @@ public:
     job.view = &view;
     job.scratch = &scratch_;
     job.tally = &tally;
-    job.ids = ids.data();
-    job.ids_stride = size_t(view.m);
+    hsr_answer answer = hsr_answer_of_ids(ids.data(), view.m, view.n);
+    job.answer = &answer;
     if (hsr_setup_render(&setup_, &job, &err))
       stop(err.text);
     return ids[size_t(j) * size_t(view.m) + size_t(i)];

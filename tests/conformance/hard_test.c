@@ -184,15 +184,15 @@ static bool draw(struct comparison *c, const struct hsr_algorithm *a,
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup;
-  struct hsr_job job = {.view = c->view, .scratch = &scratch, .tally = &tally};
-  if (lines) {
+  struct hsr_answer answer =
+      lines ? hsr_answer_of_drawing(drawing, c->view->m, c->view->n)
+            : hsr_answer_of_ids(ids, c->view->m, c->view->n);
+  struct hsr_job job = {
+      .view = c->view, .scratch = &scratch, .tally = &tally, .answer = &answer};
+  if (lines)
     hsr_drawing_clear(drawing);
-    job.drawing = drawing;
-  } else {
+  else
     memset(ids, 0xfe, sizeof c->got);
-    job.ids = ids;
-    job.ids_stride = (size_t)c->view->m;
-  }
   snprintf(at_work, sizeof at_work, "%s, %s\n", c->name, a->name);
   limit(6L * MOST_SECONDS);
   clock_t from = clock();

@@ -34,7 +34,7 @@ static enum hsr_status broken(const struct hsr_job *job,
                               struct hsr_error *err) {
   enum hsr_status status = zbuffer(job, err);
   const struct hsr_window *w = &job->view->window;
-  job->ids[(size_t)w->y0 * job->ids_stride + (size_t)w->x0] ^= 1;
+  job->answer->ids[(size_t)w->y0 * (size_t)job->answer->m + (size_t)w->x0] ^= 1;
   return status;
 }
 
@@ -181,27 +181,27 @@ static enum hsr_status witness_c(const struct hsr_job *job,
 /* Filters its picture itself if asked to, sub-sample by sub-sample. */
 static enum hsr_status own_filter(const struct hsr_job *job,
                                   struct hsr_error *err) {
-  if (!job->sums)
+  uint32_t *sums = hsr_answer_sums_of(job->answer);
+  if (!sums)
     return zbuffer(job, err);
   static uint32_t ids[64 * 48];
-  const struct hsr_filtering *filtering = job->filtering;
+  const struct hsr_filtering filtering = hsr_form_filtering(&job->answer->form);
   struct hsr_kernel kernel;
-  hsr_kernel_init(&kernel, filtering->filter);
-  enum hsr_status status = job->ids || job->view->m > 64 || job->view->n > 48
-                               ? HSR_E_INTERNAL
-                               : HSR_OK;
-  for (int p = filtering->patterns ? 0 : -1;
-       p < (filtering->patterns ? filtering->patterns : 0); p++)
+  hsr_kernel_init(&kernel, filtering.filter);
+  enum hsr_status status =
+      job->view->m > 64 || job->view->n > 48 ? HSR_E_INTERNAL : HSR_OK;
+  for (int p = filtering.patterns ? 0 : -1;
+       p < (filtering.patterns ? filtering.patterns : 0); p++)
     for (int bit = 0; bit < 64 && !status; bit++) {
       struct hsr_view view =
           hsr_subsample_view(job->view, HSR_FILTER_BOX, p, bit);
+      struct hsr_answer picture = hsr_answer_of_ids(ids, view.m, view.n);
       struct hsr_job part = *job;
       part.view = &view;
-      part.ids = ids;
-      part.sums = NULL;
+      part.answer = &picture;
       status = zbuffer(&part, err);
-      hsr_filter_add_subsample(&kernel, filtering, job->world, job->view, p,
-                               bit, ids, job->sums);
+      hsr_filter_add_subsample(&kernel, &filtering, job->world, job->view, p,
+                               bit, ids, sums);
     }
   return status;
 }
@@ -210,8 +210,9 @@ static enum hsr_status own_filter(const struct hsr_job *job,
 static enum hsr_status off_by_one(const struct hsr_job *job,
                                   struct hsr_error *err) {
   enum hsr_status status = own_filter(job, err);
-  if (job->sums)
-    job->sums[3 * 5 + 1]++;
+  uint32_t *sums = hsr_answer_sums_of(job->answer);
+  if (sums)
+    sums[3 * 5 + 1]++;
   return status;
 }
 

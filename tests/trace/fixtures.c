@@ -80,7 +80,7 @@ static enum hsr_status draw_edge(const struct hsr_job *job, uint32_t f,
     place(job->world, a, b, s.t1, s.to);
     HSR_ACCEPTED(job->tally, DRAWN, HSR_EDGE(a, b, f), HSR_NOTHING,
                  HSR_AT(k, 40), &s);
-    status = hsr_drawing_add(job->drawing, &s);
+    status = hsr_drawing_add(hsr_answer_drawing_of(job->answer), &s);
   }
   return status;
 }
@@ -94,7 +94,7 @@ static enum hsr_status plot(const struct hsr_job *job, struct hsr_error *err) {
     status = draw_edge(job, f, vertex[0], vertex[1]);
   }
   if (!status)
-    status = hsr_drawing_sort(job->drawing);
+    status = hsr_drawing_sort(hsr_answer_drawing_of(job->answer));
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
@@ -103,9 +103,10 @@ static enum hsr_status plot_more(const struct hsr_job *job,
                                  struct hsr_error *err) {
   const struct hsr_segment one = {.edge = {true, 0, 1, 0}, .t1 = 1};
   enum hsr_status status = plot(job, err);
-  return status                                ? status
-         : hsr_drawing_add(job->drawing, &one) ? hsr_fail_nomem(err)
-                                               : HSR_OK;
+  return status ? status
+         : hsr_drawing_add(hsr_answer_drawing_of(job->answer), &one)
+             ? hsr_fail_nomem(err)
+             : HSR_OK;
 }
 
 /* --- Faces ---------------------------------------------------------------- */
@@ -126,7 +127,7 @@ static enum hsr_status paint(const struct hsr_job *job, struct hsr_error *err) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = 3;
+      job->answer->ids[(size_t)j * (size_t)job->answer->m + (size_t)i] = 3;
   HSR_STEP(job->tally, SHOWN, HSR_FACE(3), HSR_THE_WINDOW, *w, 0);
   return HSR_OK;
 }
@@ -134,7 +135,7 @@ static enum hsr_status paint(const struct hsr_job *job, struct hsr_error *err) {
 /* Paints a sample without an event. */
 static enum hsr_status liar(const struct hsr_job *job, struct hsr_error *err) {
   enum hsr_status status = paint(job, err);
-  job->ids[job->ids_stride + 1] = 4;
+  job->answer->ids[(size_t)job->answer->m + 1] = 4;
   return status;
 }
 

@@ -207,7 +207,7 @@ void hsr_light_view_show(struct hsr_light_view *view) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
-      uint32_t f = job->ids[(size_t)j * job->ids_stride + (size_t)i];
+      uint32_t f = hsr_job_row(job, j)[i];
       struct hsr_lit_point point;
       if (f == HSR_BACKGROUND ||
           !hsr_shadow_faces(&view->shadow, f, HSR_AT(i, j)))

@@ -175,8 +175,8 @@ static enum hsr_status make_memory(struct frame *t) {
   if (!t->fast || t->stream || width * height <= ONE_PART) {
     tiler->z_stride = width;
     tiler->z = HSR_NEW(arena, float, width *height);
-    tiler->ids_stride = job->ids_stride;
-    tiler->ids = job->ids + (size_t)w->y0 * job->ids_stride + (size_t)w->x0;
+    tiler->ids_stride = (size_t)job->answer->m;
+    tiler->ids = hsr_job_row(job, w->y0) + (size_t)w->x0;
     return tiler->z ? HSR_OK : HSR_E_NOMEM;
   }
   tiler->z_stride = tiler->ids_stride = PART_WIDTH + PAD;
@@ -285,7 +285,7 @@ static enum hsr_status begin_frame(struct frame *t) {
   if (!tiler->corner || !tiler->columns || make_memory(t) ||
       hsr_screen_init(&tiler->screen, world, job->view, arena))
     return HSR_E_NOMEM;
-  if (t->fast && !t->glass && !job->lit)
+  if (t->fast && !t->glass && !hsr_answer_lit_of(job->answer))
     t->groups = job->prepared;
   if (t->groups)
     return look_at_groups(t);
@@ -404,11 +404,11 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame t = {.job = job};
   struct hsr_glass glass;
-  if (job->colours && hsr_glass_begin(&glass, job))
+  if (hsr_answer_colours_of(job->answer) && hsr_glass_begin(&glass, job))
     return hsr_fail_nomem(err);
-  t.glass = job->colours ? &glass : NULL;
+  t.glass = hsr_answer_colours_of(job->answer) ? &glass : NULL;
   if (begin_frame(&t) || tile(&t) || (t.glass && show_glass(&t)) ||
-      (job->lit && cast_shadows(&t)))
+      (hsr_answer_lit_of(job->answer) && cast_shadows(&t)))
     return hsr_fail_nomem(err);
   return HSR_OK;
 }

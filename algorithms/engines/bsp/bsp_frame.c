@@ -102,9 +102,9 @@ enum hsr_status hsr_bsp_prepare_bounded(const struct hsr_world *world,
 
 static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
-  for (int j = w->y0; job->ids && j < w->y1; j++)
+  for (int j = w->y0; job->answer->ids && j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
 }
 
 /* Divides the relevant faces into placed and loose ones. */
@@ -315,15 +315,14 @@ void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame) {
 
 static const struct hsr_counter counters[] = {
     {"pieces",
-                            "pieces of faces in the order of the tree, with a "
-                            "sample in their box",
-                            HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
-    {"samples", "samples written", HSR_ACCEPT,
-                                      HSR_OF_FACE, HSR_OF_WINDOW},
+     "pieces of faces in the order of the tree, with a "
+     "sample in their box",
+     HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {"thickness checks",
-         "comparisons in depth with faces that are not flat and have no place "
-         "in the tree",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+     "comparisons in depth with faces that are not flat and have no place "
+     "in the tree",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {NULL}};
 
 const struct hsr_part hsr_bsp_part = {

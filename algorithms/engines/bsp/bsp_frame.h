@@ -128,7 +128,7 @@ void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame);
 
 static inline uint32_t *hsr_bsp_frame_row(const struct hsr_bsp_frame *frame,
                                           int j) {
-  return frame->job->ids + (size_t)j * frame->job->ids_stride;
+  return hsr_job_row(frame->job, j);
 }
 
 #ifdef __cplusplus

@@ -98,8 +98,8 @@ static void clear_ids(const struct hsr_cells *cells) {
   const struct hsr_job *job = cells->job;
   const struct hsr_window *w = &cells->window;
   for (int j = w->y0; j < w->y1; j++)
-    memset(job->ids + (size_t)j * job->ids_stride + (size_t)w->x0, 0xff,
-           (size_t)(w->x1 - w->x0) * sizeof *job->ids);
+    memset(hsr_job_row(job, j) + (size_t)w->x0, 0xff,
+           (size_t)(w->x1 - w->x0) * sizeof *job->answer->ids);
 }
 
 enum hsr_status hsr_cells_begin(struct hsr_cells *cells,

@@ -19,7 +19,7 @@
 
 static void paint_word(struct hsr_cells *cells, uint32_t face, int first, int j,
                        uint64_t vacant) {
-  uint32_t *row = cells->job->ids + (size_t)j * cells->job->ids_stride;
+  uint32_t *row = hsr_job_row(cells->job, j);
   for (; vacant; vacant &= vacant - 1) {
     int i = first + hsr_first_bit(vacant);
     HSR_TOUCH(cells->tally, i, j);
@@ -33,7 +33,7 @@ static void paint_word(struct hsr_cells *cells, uint32_t face, int first, int j,
 /* Samples of a word that are asked for and not vacant. */
 static void pass_over(struct hsr_cells *cells, uint32_t face, int first, int j,
                       uint64_t taken) {
-  const uint32_t *row = cells->job->ids + (size_t)j * cells->job->ids_stride;
+  const uint32_t *row = hsr_job_row(cells->job, j);
   for (; HSR_COUNTING && taken; taken &= taken - 1) {
     int i = first + hsr_first_bit(taken);
     HSR_TOUCH(cells->tally, i, j);
@@ -63,7 +63,7 @@ static void fill_span(struct hsr_cells *cells, uint32_t face, int x0, int x1,
 
 static void paint_span(struct hsr_cells *cells, uint32_t face, int x0, int x1,
                        int j) {
-  uint32_t *row = cells->job->ids + (size_t)j * cells->job->ids_stride;
+  uint32_t *row = hsr_job_row(cells->job, j);
   for (int i = x0; i < x1; i++) {
     HSR_TOUCH(cells->tally, i, j);
     HSR_STEP(cells->tally, HSR_CELLS_WRITES, HSR_FACE(face), HSR_THE_WINDOW,

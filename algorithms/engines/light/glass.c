@@ -9,6 +9,7 @@ enum hsr_status hsr_glass_begin(struct hsr_glass *glass,
   const struct hsr_window *w = &job->view->window;
   *glass = (struct hsr_glass){
       .job = job,
+      .colours = hsr_answer_colours_of(job->answer),
       .mix = hsr_form_mix(&job->answer->form),
       .background = hsr_tint_of(world, job->view, HSR_BACKGROUND),
       .tint = HSR_NEW(job->scratch, struct hsr_tint, world->n_faces),

@@ -26,6 +26,7 @@ extern "C" {
 
 struct hsr_glass {
   const struct hsr_job *job;
+  uint16_t *colours; /* of the answer */
   enum hsr_mix mix;
   struct hsr_tint *tint; /* a face of the job's world, if known */
   bool *known;
@@ -50,7 +51,7 @@ enum hsr_status hsr_glass_allow_disputes(struct hsr_glass *glass,
 static inline uint16_t *hsr_glass_at(const struct hsr_glass *glass, int i,
                                      int j) {
   size_t k = (size_t)j * (size_t)glass->job->view->m + (size_t)i;
-  return glass->job->colours + 3 * k;
+  return glass->colours + 3 * k;
 }
 
 /* The tint of a face of the job's world, found when it is first asked for. */

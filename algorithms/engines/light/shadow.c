@@ -16,7 +16,7 @@ enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
       shadow->blocker[shadow->n_blockers++] = f;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->lit[(size_t)j * job->ids_stride + (size_t)i] = false;
+      shadow->lit[(size_t)j * (size_t)job->answer->m + (size_t)i] = false;
   return HSR_OK;
 }
 
@@ -80,19 +80,19 @@ void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,
   HSR_ACCEPTED(job->tally, HSR_LIT, HSR_FACE(f), HSR_THE_WINDOW,
                HSR_ON(x0, x1, j), &lit);
   for (int i = x0; i < x1; i++)
-    job->lit[(size_t)j * job->ids_stride + (size_t)i] = true;
+    shadow->lit[(size_t)j * (size_t)job->answer->m + (size_t)i] = true;
 }
 
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
     {"light facings", "visible faces tested for being turned to the light",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "turned away|turned to it"},
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "turned away|turned to it"},
     {"shadow tests",
-         "faces tested for blocking the light from what is seen of a face",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "does not block|blocks"},
-    {"lit", "stretches of samples shown lit",
-                              HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     "faces tested for blocking the light from what is seen of a face",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "does not block|blocks"},
+    {"lit", "stretches of samples shown lit", HSR_ACCEPT, HSR_OF_FACE,
+     HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_line facing_lines[] = {

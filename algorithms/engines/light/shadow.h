@@ -20,6 +20,7 @@ extern "C" {
 
 struct hsr_shadow {
   const struct hsr_job *job;
+  bool *lit; /* of the answer */
   struct hsr_lighting lighting;
   uint32_t *blocker; /* the faces that may block, by ascending number */
   uint32_t n_blockers;

@@ -30,9 +30,9 @@ static void count_square(const struct hsr_canvas *c, int x, int y, int size) {
 
 static void put_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
-  uint32_t *row = c->job->ids + (size_t)y * c->job->ids_stride + x;
+  uint32_t *row = hsr_job_row(c->job, y) + x;
   count_samples(c, x, y, mask);
-  for (; mask; mask >>= 8, row += c->job->ids_stride) {
+  for (; mask; mask >>= 8, row += (size_t)c->job->answer->m) {
     unsigned eight = mask & 0xff;
     if (eight == 0xff)
       for (int i = 0; i < 8; i++)
@@ -48,7 +48,7 @@ static void put_square(void *context, int x, int y, int size) {
   int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
   count_square(c, x, y, size);
   for (int j = y; j < y1; j++) {
-    uint32_t *row = c->job->ids + (size_t)j * c->job->ids_stride;
+    uint32_t *row = hsr_job_row(c->job, j);
     for (int i = x; i < x1; i++)
       row[i] = c->id;
   }
@@ -68,7 +68,7 @@ static void shade(struct hsr_canvas *c) {
 }
 
 static uint32_t *pixel(const struct hsr_canvas *c, int i, int j) {
-  return c->job->sums + 3 * ((size_t)j * (size_t)c->job->view->m + (size_t)i);
+  return c->sums + 3 * ((size_t)j * (size_t)c->job->view->m + (size_t)i);
 }
 
 static void add(const struct hsr_canvas *c, int i, int j, uint32_t weight) {
@@ -149,8 +149,10 @@ void hsr_canvas_begin(struct hsr_canvas *c, const struct hsr_job *job,
                       int counter) {
   *c = (struct hsr_canvas){
       .job = job, .window = window, .kernel = wide, .counter = counter};
-  if (job->filtering)
-    c->side = HSR_SUB * hsr_filter_cells(job->filtering->filter);
+  c->filtering = hsr_form_filtering(&job->answer->form);
+  c->sums = hsr_answer_sums_of(job->answer);
+  if (c->sums)
+    c->side = HSR_SUB * hsr_filter_cells(c->filtering.filter);
   for (int k = 0; k < 9; k++)
     for (int byte = 0; byte < 8; byte++)
       c->whole[k / 3][k % 3] += wide->row[k / 3][k % 3][byte][255];
@@ -175,6 +177,5 @@ struct hsr_mask_sink hsr_canvas_sink(struct hsr_canvas *c) {
   struct hsr_mask_sink ids = {put_samples, put_square, c};
   struct hsr_mask_sink box = {box_samples, box_square, c};
   struct hsr_mask_sink wide = {wide_samples, wide_square, c};
-  const struct hsr_filtering *filtering = c->job->filtering;
-  return !filtering ? ids : is_box(filtering->filter) ? box : wide;
+  return !c->sums ? ids : is_box(c->filtering.filter) ? box : wide;
 }

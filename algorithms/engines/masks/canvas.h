@@ -23,7 +23,9 @@ struct hsr_canvas {
   uint32_t id;              /* of the face in hand: of job->world */
   int counter;              /* raised for each sample that is written */
 
-  /* Of a filtered picture. */
+  /* Of a filtered picture; or all 0. */
+  struct hsr_filtering filtering;
+  uint32_t *sums;  /* of the answer */
   int side;        /* samples along a side of a pixel */
   bool has_colour; /* rgb is that of the face in hand */
   uint16_t rgb[3];

@@ -615,7 +615,7 @@ static void write_back_portable(const struct hsr_tiler *t,
                                 const struct hsr_job *job) {
   const struct hsr_window *p = &t->part;
   for (int j = p->y0; j < p->y1; j++)
-    memcpy(job->ids + (size_t)j * job->ids_stride + (size_t)p->x0,
+    memcpy(hsr_job_row(job, j) + (size_t)p->x0,
            t->ids + (size_t)(j - p->y0) * t->ids_stride,
            (size_t)(p->x1 - p->x0) * sizeof *t->ids);
 }
@@ -853,27 +853,18 @@ void hsr_tiler_write_back(const struct hsr_tiler *t,
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"depth tests",
-                                      "depths compared with the recorded ones",
-                                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                                      "farther|nearer"},
-    {"writes",
-                        "samples written, overwrites counted each time",
-                        HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
-    {"overwrites",
-                                     "writes where there was a face already",
-                                     HSR_RETIRE, HSR_OF_FACE, HSR_OF_FACE},
-    {"fast triangles", "tiled in floats",
-                               HSR_ACTIVATE, HSR_OF_FACE},
-    {"general faces",
-                                  "tiled row by row in doubles", HSR_ACTIVATE,
-                                  HSR_OF_FACE},
+    {"depth tests", "depths compared with the recorded ones", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {"writes", "samples written, overwrites counted each time", HSR_ACCEPT,
+     HSR_OF_FACE, HSR_OF_FACE},
+    {"overwrites", "writes where there was a face already", HSR_RETIRE,
+     HSR_OF_FACE, HSR_OF_FACE},
+    {"fast triangles", "tiled in floats", HSR_ACTIVATE, HSR_OF_FACE},
+    {"general faces", "tiled row by row in doubles", HSR_ACTIVATE, HSR_OF_FACE},
     {"unsure covers", "samples closer to an edge than floats can tell",
-         HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
-    {"unsure depths",
-                                       "depths closer than floats can tell",
-                                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                                       "farther|nearer"},
+     HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
+    {"unsure depths", "depths closer than floats can tell", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {NULL}};
 
 static const struct hsr_line lines[] = {

@@ -415,7 +415,7 @@ AVX512 static void write_back_avx512(const struct hsr_tiler *t,
   int width = p->x1 - p->x0;
   for (int j = p->y0; j < p->y1; j++) {
     const uint32_t *from = t->ids + (size_t)(j - p->y0) * t->ids_stride;
-    uint32_t *to = job->ids + (size_t)j * job->ids_stride + (size_t)p->x0;
+    uint32_t *to = hsr_job_row(job, j) + (size_t)p->x0;
     int i = 0;
     for (; i < width && (uintptr_t)(to + i) % 64; i++)
       to[i] = from[i];

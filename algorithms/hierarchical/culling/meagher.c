@@ -302,7 +302,7 @@ static void write_samples(const struct frame *f, const struct hsr_bounds *b) {
       HSR_TOUCH(f->tally, i, j);
       HSR_STEP(f->tally, SAMPLES, HSR_FACE(f->face), HSR_THE_WINDOW,
                HSR_AT(i, j), 0);
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = f->face;
+      hsr_job_row(job, j)[i] = f->face;
     }
 }
 

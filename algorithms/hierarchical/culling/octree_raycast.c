@@ -251,7 +251,7 @@ static enum hsr_status render(const struct hsr_job *job,
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = cast(&c, i, j);
+      hsr_job_row(job, j)[i] = cast(&c, i, j);
   return HSR_OK;
 }
 

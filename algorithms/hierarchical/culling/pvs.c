@@ -212,7 +212,7 @@ static void draw(struct pvs *s, uint32_t f) {
   HSR_STEP(s->tally, DRAWN, HSR_FACE(f), HSR_NOTHING, HSR_NOWHERE, 0);
   s->is_drawn[f] = true;
   for (int j = b->y0; j < b->y1; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+    uint32_t *row = hsr_job_row(s->job, j);
     int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
     for (int c = 0; c < n; c += 2)
       for (int i = s->columns[c] > b->x0 ? s->columns[c] : b->x0;
@@ -266,7 +266,7 @@ static enum hsr_status begin(struct pvs *s) {
   hsr_screen_vertices(&s->screen);
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
   return HSR_OK;
 }
 

@@ -173,8 +173,8 @@ static enum hsr_status begin(struct hsr_hz_walk *w, const struct hsr_job *job) {
                                  .work = job->tally->work,
                                  .work_stride = job->tally->work_stride};
   t->z = w->pyramid.far[0];
-  t->ids_stride = job->ids_stride;
-  t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
+  t->ids_stride = (size_t)job->answer->m;
+  t->ids = hsr_job_row(job, window->y0) + window->x0;
   hsr_tiler_begin_part(t, *window);
   hsr_pyramid_clear(&w->pyramid);
   return HSR_OK;

@@ -217,7 +217,7 @@ static void render_cell(struct zz *z, int x, int y) {
   collect(z, x, y, &area);
   for (int j = area.y0; j < area.y1; j++)
     for (int i = area.x0; i < area.x1; i++)
-      z->job->ids[(size_t)j * z->job->ids_stride + (size_t)i] = cast(z, i, j);
+      hsr_job_row(z->job, j)[i] = cast(z, i, j);
 }
 
 /* --- The algorithm -------------------------------------------------------- */

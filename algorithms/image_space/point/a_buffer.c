@@ -73,6 +73,7 @@ struct state {
   struct hsr_view finer;
   struct hsr_screen screen;
   struct hsr_kernel kernel;
+  uint32_t *sums;               /* of the answer */
   struct pixel *pixel;          /* m */
   struct hsr_growing fragments; /* struct fragment; of the row */
   struct hsr_growing packing;   /* struct packed; of a pixel */
@@ -170,7 +171,7 @@ static void add_colour(struct state *s, uint32_t face, uint64_t mask, int i,
     return;
   uint32_t part[3] = {0, 0, 0};
   uint32_t *sums =
-      s->job->sums + 3 * ((size_t)j * (size_t)s->job->view->m + (size_t)i);
+      s->sums + 3 * ((size_t)j * (size_t)s->job->view->m + (size_t)i);
   hsr_filter_add(&s->kernel, 1, 1, 0, 0, mask, colour_of(s, face), part);
   for (int c = 0; c < 3; c++)
     sums[c] += part[c];
@@ -315,10 +316,11 @@ static enum hsr_status render(const struct hsr_job *job,
   if (view->m > HSR_MAX_SIZE / COLUMNS || view->n > HSR_MAX_SIZE / ROWS)
     return hsr_fail(err, HSR_E_REFUSED, "a-buffer: more than %d x %d pixels",
                     HSR_MAX_SIZE / COLUMNS, HSR_MAX_SIZE / ROWS);
-  if (job->filtering->patterns)
+  if (hsr_form_filtering(&job->answer->form).patterns)
     return hsr_fail(err, HSR_E_REFUSED, "a-buffer: its masks have no jitter");
   struct state s = {.job = job,
                     .tally = job->tally,
+                    .sums = hsr_answer_sums_of(job->answer),
                     .finer = hsr_view_finer(view, COLUMNS, ROWS)};
   hsr_kernel_init(&s.kernel, HSR_FILTER_BOX_4X8);
   if (hsr_screen_make(&s.screen, job->world, &s.finer, job->scratch,

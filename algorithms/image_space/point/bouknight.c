@@ -254,17 +254,18 @@ static enum hsr_status render(const struct hsr_job *job,
   struct hsr_glass glass;
   struct hsr_shadow_pairs pairs;
   if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
-      (job->colours && hsr_glass_begin(&glass, job)) ||
-      (job->lit && hsr_shadow_pairs_begin(&pairs, job, &scan.edges.screen)))
+      (hsr_answer_colours_of(job->answer) && hsr_glass_begin(&glass, job)) ||
+      (hsr_answer_lit_of(job->answer) &&
+       hsr_shadow_pairs_begin(&pairs, job, &scan.edges.screen)))
     return hsr_fail_nomem(err);
-  scan.glass = job->colours ? &glass : NULL;
-  scan.pairs = job->lit ? &pairs : NULL;
+  scan.glass = hsr_answer_colours_of(job->answer) ? &glass : NULL;
+  scan.pairs = hsr_answer_lit_of(job->answer) ? &pairs : NULL;
 
   const struct hsr_window *w = &job->view->window;
   for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
     hsr_scan_advance(&scan.edges, scan.j);
-    if (job->ids)
-      scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
+    if (job->answer->ids)
+      scan.ids = hsr_job_row(job, scan.j);
     scan_row(&scan);
   }
   return HSR_OK;

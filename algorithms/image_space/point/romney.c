@@ -357,7 +357,7 @@ static int check_thickness(struct scan *s, uint32_t visible, int left,
 }
 
 static void show(struct scan *s, uint32_t id, int left, int right, int j) {
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+  uint32_t *row = hsr_job_row(s->job, j);
   HSR_STEP(s->tally, SPANS, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_ON(left, right, j), 0);
   HSR_TOUCH_SPAN(s->tally, left, right, j);

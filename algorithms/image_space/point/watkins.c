@@ -349,7 +349,7 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
 
 static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
                       int j) {
-  uint32_t *row = s->edges.job->ids + (size_t)j * s->edges.job->ids_stride;
+  uint32_t *row = hsr_job_row(s->edges.job, j);
   HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_ON(left, right, j), 0);
   HSR_TOUCH_SPAN(s->tally, left, right, j);
@@ -475,10 +475,10 @@ static void release(void *prepared) {
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_use uses[] = {{&hsr_scan_part},
-                                       {&hsr_spans_part},
-                                       {&hsr_depth_search_part},
-                                       {&hsr_x_list_part},
-                                       {NULL}};
+                                      {&hsr_spans_part},
+                                      {&hsr_depth_search_part},
+                                      {&hsr_x_list_part},
+                                      {NULL}};
 
 static const struct hsr_counter counters[] = {
     [Z_SORT] = {"Z sort", "faces put into Z buckets", HSR_SORT, HSR_OF_FACE,

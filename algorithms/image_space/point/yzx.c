@@ -763,14 +763,14 @@ static enum hsr_status render(const struct hsr_job *job,
   struct scan scan = {.screen = &scan.edges.screen, .tally = job->tally};
   struct hsr_glass glass;
   if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
-      (job->colours && hsr_glass_begin(&glass, job)))
+      (hsr_answer_colours_of(job->answer) && hsr_glass_begin(&glass, job)))
     return hsr_fail_nomem(err);
-  scan.glass = job->colours ? &glass : NULL;
+  scan.glass = hsr_answer_colours_of(job->answer) ? &glass : NULL;
 
   const struct hsr_window *w = &job->view->window;
   for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
-    if (job->ids)
-      scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
+    if (job->answer->ids)
+      scan.ids = hsr_job_row(job, scan.j);
     hsr_scan_advance(&scan.edges, scan.j);
     find_crossings(&scan);
     find_segments(&scan);

@@ -128,7 +128,7 @@ static enum hsr_status render_painter(const struct hsr_job *job,
   struct hsr_bsp_frame frame;
   if (hsr_bsp_frame_begin(&frame, job))
     return hsr_fail_nomem(err);
-  if (job->colours)
+  if (hsr_answer_colours_of(job->answer))
     return render_glass(&frame, err);
   hsr_bsp_frame_walk(&frame, true, &frame, paint_piece);
   hsr_bsp_frame_finish(&frame);

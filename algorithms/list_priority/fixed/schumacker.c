@@ -447,7 +447,7 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
 
 /* The elements [i, end), at most ELEMENTS of them, of scan line j. */
 static void search(struct schumacker *s, int i, int end, int j) {
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+  uint32_t *row = hsr_job_row(s->job, j);
   uint32_t n_ordered = s->pairs.n - s->n_thick_pairs, visible[ELEMENTS];
   int at = (i - s->window->x0) % STRIP;
   if (at == 0)
@@ -571,9 +571,9 @@ static enum hsr_status render(const struct hsr_job *job,
   HSR_COMPUTED(s->tally, INTRA_CLUSTER, s->clusters->pair_tests);
   struct hsr_glass glass;
   if (make_list(s) || make_edges(s) || allocate_counters(s) ||
-      (job->colours && hsr_glass_begin(&glass, job)))
+      (hsr_answer_colours_of(job->answer) && hsr_glass_begin(&glass, job)))
     return hsr_fail_nomem(err);
-  s->glass = job->colours ? &glass : NULL;
+  s->glass = hsr_answer_colours_of(job->answer) ? &glass : NULL;
   for (int j = s->window->y0; j < s->window->y1; j++) {
     if ((j - s->window->y0) % BAND == 0)
       begin_band(s, j);

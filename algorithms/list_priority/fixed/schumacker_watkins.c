@@ -74,7 +74,7 @@ static void paint_loose(struct schumacker_watkins *s, uint32_t f) {
   const struct hsr_bounds *b = &s->screen.bounds[f];
   struct hsr_tally *tally = s->job->tally;
   for (int j = b->y0; j < b->y1; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+    uint32_t *row = hsr_job_row(s->job, j);
     int n = hsr_face_spans(&s->screen, f, j, s->columns, tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = s->columns[k] > w->x0 ? s->columns[k] : w->x0;

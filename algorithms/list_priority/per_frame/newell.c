@@ -318,8 +318,8 @@ enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
   const struct hsr_window *w = &job->view->window;
   *s = (struct hsr_newell){.job = job,
                            .tally = job->tally,
-                           .ids = job->ids,
-                           .ids_stride = job->ids_stride};
+                           .ids = job->answer->ids,
+                           .ids_stride = (size_t)job->answer->m};
   s->row = HSR_NEW(job->scratch, uint32_t, (size_t)(w->y1 - w->y0));
   return s->row ? hsr_list_reserve(&s->list, job, screen, previous, most_faces)
                 : HSR_E_NOMEM;
@@ -391,11 +391,12 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
     return hsr_fail_nomem(err);
   newell.frame_buffer = frame_buffer;
   newell.list.index = index;
-  if (job->colours && reserve_glass(&newell, &glass, &screen))
+  if (hsr_answer_colours_of(job->answer) &&
+      reserve_glass(&newell, &glass, &screen))
     return hsr_fail_nomem(err);
   hsr_newell_solve(&newell, &job->view->window, screen.relevant,
                    screen.n_relevant);
-  if (job->colours)
+  if (hsr_answer_colours_of(job->answer))
     hsr_glass_settle(&glass, HSR_NEWELL_THICKNESS, HSR_NEWELL_WRITTEN);
   return newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }

@@ -63,7 +63,7 @@ static void paint(struct painter *s, uint32_t f) {
   struct hsr_face_rows rows;
   hsr_face_rows_begin(&rows, &s->screen, f, s->job->tally);
   for (int j = b->y0; j < b->y1; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+    uint32_t *row = hsr_job_row(s->job, j);
     int n = hsr_face_rows_spans(&rows, j, s->columns, s->job->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = s->columns[k] > b->x0 ? s->columns[k] : b->x0;
@@ -82,7 +82,7 @@ static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
 }
 
 static enum hsr_status render(const struct hsr_job *job,

@@ -275,7 +275,7 @@ enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
   hsr_edge_point(network->edges, e, segment.t1, segment.to);
   HSR_ACCEPTED(network->tally, HSR_DRAWN, hsr_edge_subject(network->edges, e),
                HSR_NOTHING, HSR_NOWHERE, &segment);
-  return hsr_drawing_add(network->job->drawing, &segment);
+  return hsr_drawing_add(hsr_answer_drawing_of(network->job->answer), &segment);
 }
 
 static enum hsr_status add_interval(struct hsr_network *network, uint32_t e,
@@ -486,7 +486,7 @@ enum hsr_status hsr_network_promote(struct hsr_network *network,
   for (uint32_t e = 0; e < network->edges->n; e++)
     if (!network->drawn[e] && draw_cluster(network, promotion, e))
       return HSR_E_NOMEM;
-  return hsr_drawing_sort(network->job->drawing) ||
+  return hsr_drawing_sort(hsr_answer_drawing_of(network->job->answer)) ||
                  network->tally->out_of_memory
              ? HSR_E_NOMEM
              : HSR_OK;
@@ -570,46 +570,32 @@ enum hsr_status hsr_network_render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     {"edge cull",
-                           "sides of faces looked at for relevant and contour "
-                           "edges",
-                           HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
-                           "does not exist|exists"},
-    {"initial visibility",
-                                  "faces put to a vertex in the searches",
-                                  HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,
-                                  "does not hide|hides"},
-    {"edge intersection",
-                                    "pairs of edges that were compared",
-                                    HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
-                                    HSR_CROSSING_OUTCOMES},
+     "sides of faces looked at for relevant and contour "
+     "edges",
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists"},
+    {"initial visibility", "faces put to a vertex in the searches", HSR_COMPARE,
+     HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides"},
+    {"edge intersection", "pairs of edges that were compared", HSR_COMPARE,
+     HSR_OF_EDGE, HSR_OF_EDGE, HSR_CROSSING_OUTCOMES},
     {"correction", "faces with a corner at an edge's end put to the edge",
-         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not hide|hides"},
-    {"sort along edge",
-                                     "comparisons of places along an edge",
-                                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
-                                     "not before|before"},
-    {"searches",
-                                   "searches of all faces: clusters",
-                                   HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_VERTEX},
-    {"crossings",
-                                    "nearer contour edges that an edge crosses",
-                                    HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_EDGE},
-    {"pierced faces",
-                                  "faces put to an edge that touches them",
-                                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
-                                  "does not pierce|pierces"},
-    {"sorts to save",
-                                "edges that cannot be visible anywhere",
-                                HSR_REJECT, HSR_OF_EDGE, HSR_OF_NOTHING},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not hide|hides"},
+    {"sort along edge", "comparisons of places along an edge", HSR_COMPARE,
+     HSR_OF_EDGE, HSR_OF_EDGE, "not before|before"},
+    {"searches", "searches of all faces: clusters", HSR_ACTIVATE, HSR_OF_EDGE,
+     HSR_OF_VERTEX},
+    {"crossings", "nearer contour edges that an edge crosses", HSR_ACTIVATE,
+     HSR_OF_EDGE, HSR_OF_EDGE},
+    {"pierced faces", "faces put to an edge that touches them", HSR_COMPARE,
+     HSR_OF_EDGE, HSR_OF_FACE, "does not pierce|pierces"},
+    {"sorts to save", "edges that cannot be visible anywhere", HSR_REJECT,
+     HSR_OF_EDGE, HSR_OF_NOTHING},
     {"faces apart", "faces in whose plane an edge lies, and loose ones",
-         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|added"},
-    {"promoted",
-                                   "vertices to which visibility is promoted",
-                                   HSR_ACTIVATE, HSR_OF_VERTEX, HSR_OF_EDGE},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|added"},
+    {"promoted", "vertices to which visibility is promoted", HSR_ACTIVATE,
+     HSR_OF_VERTEX, HSR_OF_EDGE},
 
-    {"intervals drawn",
-                                "intervals of edges added to the drawing",
-                                HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"intervals drawn", "intervals of edges added to the drawing", HSR_ACCEPT,
+     HSR_OF_EDGE, HSR_OF_NOTHING},
     {NULL}};
 
 static double predict_edge_cull(const struct hsr_table1 *t) {

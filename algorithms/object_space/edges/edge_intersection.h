@@ -148,7 +148,7 @@ static inline bool hsr_network_wants(const struct hsr_network *network,
  * last to wait is the first to be taken. */
 void hsr_network_wait(struct hsr_network *network, uint32_t p, uint32_t e);
 
-/* Draws all relevant edges into job->drawing. HSR_E_NOMEM. */
+/* Draws all relevant edges into the job's drawing. HSR_E_NOMEM. */
 enum hsr_status hsr_network_promote(struct hsr_network *network,
                                     const struct hsr_promotion *promotion);
 

@@ -695,7 +695,7 @@ static enum hsr_status add_interval(const struct frame *frame, uint32_t e,
   hsr_edge_point(frame->edges, e, segment.t1, segment.to);
   HSR_ACCEPTED(frame->tally, DRAWN, hsr_edge_subject(frame->edges, e),
                HSR_NOTHING, HSR_NOWHERE, &segment);
-  return hsr_drawing_add(frame->job->drawing, &segment);
+  return hsr_drawing_add(hsr_answer_drawing_of(frame->job->answer), &segment);
 }
 
 /* Draws the visible parts, and the hidden parts between them. */

@@ -23,8 +23,9 @@ enum hsr_status lines_draw_right(const struct hsr_world *world,
   struct hsr_setup setup;
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_answer answer = hsr_answer_of_drawing(drawing, view->m, view->n);
   struct hsr_job job = {
-      .view = view, .scratch = &scratch, .tally = &tally, .drawing = drawing};
+      .view = view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   enum hsr_status status = hsr_setup_init(
       &setup, hsr_algorithm_find("line-oracle")->plain, NULL, world, err);
   if (!status)

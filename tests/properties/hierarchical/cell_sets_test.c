@@ -191,11 +191,9 @@ static void ask_oracle(const struct building *b, const struct hsr_view *view,
                        struct hsr_arena *scratch, uint32_t ids[M * N]) {
   struct hsr_error err;
   struct hsr_tally tally = {.trace = NULL};
-  struct hsr_job job = {.view = view,
-                        .scratch = scratch,
-                        .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = M};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+  struct hsr_job job = {
+      .view = view, .scratch = scratch, .tally = &tally, .answer = &answer};
   hsr_arena_reset(scratch);
   memset(ids, 0xfe, M * N * sizeof *ids);
   if (hsr_setup_render(&b->oracle, &job, &err))

@@ -41,11 +41,11 @@ void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
     stop(algorithm, "out of memory");
   memset(counts->ids, 0xfe, size);
   counts->tally.trace = listen ? &trace : NULL;
+  struct hsr_answer answer = hsr_answer_of_ids(counts->ids, view->m, view->n);
   struct hsr_job job = {.view = view,
                         .scratch = &scratch,
                         .tally = &counts->tally,
-                        .ids = counts->ids,
-                        .ids_stride = (size_t)view->m};
+                        .answer = &answer};
   if (hsr_variant_parse(algorithm, &variant, &err))
     stop(algorithm, err.text);
   counts->algorithm = variant.listed->counting;

@@ -93,11 +93,11 @@ static long try_choice(const struct known *k, const struct hsr_algorithm *a,
     stop(k->scene->name, err.text);
   for (int f = 0; f < (setup.flags & HSR_FRAME_STATE ? FRAMES : VIEWS); f++) {
     int v = f % VIEWS;
+    struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
     struct hsr_job job = {.view = &k->view[v],
                           .scratch = &scratch,
                           .tally = &tally,
-                          .ids = ids,
-                          .ids_stride = M};
+                          .answer = &answer};
     memset(ids, 0xfe, sizeof ids);
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))

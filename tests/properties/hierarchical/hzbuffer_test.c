@@ -49,6 +49,7 @@ struct run {
   struct hsr_arena scratch;
   struct hsr_tally tally;
   struct hsr_view view;
+  struct hsr_answer answer;
   struct hsr_job job;
   uint32_t ids[SAMPLES];
 };
@@ -79,14 +80,14 @@ static void set_view(struct run *r, const struct both_worlds *s,
   memset(&r->tally, 0, sizeof r->tally);
   hsr_tally_begin(&r->tally, r->setup.algorithm);
   memset(r->ids, 0xfe, sizeof r->ids);
+  r->answer = hsr_answer_of_ids(r->ids, M, N);
   r->job = (struct hsr_job){.world = r->setup.world,
                             .view = &r->view,
                             .prepared = r->setup.prepared,
                             .option = r->setup.choice.values.option,
                             .scratch = &r->scratch,
                             .tally = &r->tally,
-                            .ids = r->ids,
-                            .ids_stride = M};
+                            .answer = &r->answer};
 }
 
 static void draw_run(struct run *r) {

@@ -88,11 +88,11 @@ static uint64_t divided_again(const struct claim_scene *scene,
                      &scene->worlds.outline, &err))
     abort();
   for (int k = 0; k < 2; k++) {
+    struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
     struct hsr_job job = {.view = &scene->view,
                           .scratch = &scratch,
                           .tally = &tally,
-                          .ids = ids,
-                          .ids_stride = M};
+                          .answer = &answer};
     tally = (struct hsr_tally){.work = NULL};
     memset(ids, 0xfe, sizeof ids);
     hsr_arena_reset(&scratch);
@@ -184,11 +184,9 @@ static void check_walk(struct tap *tap, const char *way) {
   for (uint32_t v = 0; v < 40; v += 2, views++) {
     struct hsr_view view;
     struct hsr_tally tally = {.work = NULL};
-    struct hsr_job job = {.view = &view,
-                          .scratch = &scratch,
-                          .tally = &tally,
-                          .ids = ids,
-                          .ids_stride = M};
+    struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+    struct hsr_job job = {
+        .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     if (hsr_view_init(&view, &worlds.scene->views[v], M, N, &err))
       abort();
     draw_ids(hsr_algorithm_find("clark")->plain, &worlds.outline, &view, right,

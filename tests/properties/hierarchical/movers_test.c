@@ -78,11 +78,11 @@ static void draw(struct ready *r, const struct hsr_view *view,
   static uint32_t ids[M * N];
   struct hsr_error err = {.text = "out of memory"};
   hsr_arena_reset(&r->scratch);
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
   struct hsr_job job = {.view = view,
                         .scratch = &r->scratch,
                         .tally = &r->tally,
-                        .ids = ids,
-                        .ids_stride = M};
+                        .answer = &answer};
   memset(ids, 0xfe, sizeof ids);
   if (hsr_setup_render(&r->setup, &job, &err))
     stop(err.text);

@@ -79,11 +79,11 @@ static void check_latency(struct tap *tap) {
     abort();
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.work = NULL};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
   struct hsr_job job = {.view = &scene.view,
                         .scratch = &arena,
                         .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = M};
+                        .answer = &answer};
   double begin = hsr_seconds_now();
   if (hsr_setup_render(&setup, &job, &err))
     abort();

@@ -628,7 +628,6 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
                      &worlds->world, &err))
     stop(text, err.text);
   f = (struct frame){.algorithm = setup.algorithm, .world = &worlds->world};
-  struct hsr_filtering filtering = hsr_form_filtering(&variant.choice.form);
   f.filtered = strstr(text, "filter");
   f.m = f.filtered ? SUB * M : M;
   f.n = f.filtered ? SUB * N : N;
@@ -638,20 +637,22 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
     struct hsr_trace trace = {.listen = listen, .context = &f};
     f.tally = (struct hsr_tally){.trace = &trace};
     f.n_events = 0;
-    memset(f.sums, 0, sizeof f.sums);
     memset(f.ids, 0xfe, sizeof f.ids);
+    struct hsr_answer answer = hsr_answer_of_ids(f.ids, M, N);
+    if (f.filtered &&
+        hsr_answer_make(&answer, &variant.choice.form, &f.view, false, &err))
+      stop(text, err.text);
     struct hsr_job job = {.view = &f.view,
                           .scratch = &scratch,
                           .tally = &f.tally,
-                          .ids = f.filtered ? NULL : f.ids,
-                          .ids_stride = M};
-    if (f.filtered) {
-      job.filtering = &filtering;
-      job.sums = f.sums;
-    }
+                          .answer = &answer};
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
       stop(text, err.text);
+    if (f.filtered) {
+      memcpy(f.sums, hsr_answer_sums_of(&answer), sizeof f.sums);
+      hsr_answer_free(&answer);
+    }
     check_frame(&f, text, v > 0);
     if (!f.filtered && !strstr(text, "table"))
       check_truth(&f);

@@ -67,11 +67,11 @@ static uint32_t look(struct asked *q, double sx, double sy) {
   view.offset_y = sy - (j + 0.5);
   view.window = (struct hsr_window){i, j, i + 1, j + 1};
   hsr_arena_reset(&q->scratch);
+  struct hsr_answer answer = hsr_answer_of_ids(q->ids, M, N);
   struct hsr_job job = {.view = &view,
                         .scratch = &q->scratch,
                         .tally = &q->tally,
-                        .ids = q->ids,
-                        .ids_stride = M};
+                        .answer = &answer};
   if (hsr_setup_render(q->oracle, &job, &err)) {
     printf("Bail out! %s\n", err.text);
     exit(99);
@@ -180,10 +180,11 @@ static void ask_view(struct asked *q, const struct hsr_setup *lines) {
   struct hsr_drawing drawing = {.n = 0};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_error err;
+  struct hsr_answer answer = hsr_answer_of_drawing(&drawing, M, N);
   struct hsr_job job = {.view = &q->view,
                         .scratch = &scratch,
                         .tally = &q->tally,
-                        .drawing = &drawing};
+                        .answer = &answer};
   if (hsr_setup_render(lines, &job, &err)) {
     printf("Bail out! %s\n", err.text);
     exit(99);

@@ -82,8 +82,9 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
                  const struct hsr_view *view, struct hsr_drawing *drawing,
                  struct hsr_tally *tally) {
   struct hsr_error err = {.text = ""};
+  struct hsr_answer answer = hsr_answer_of_drawing(drawing, view->m, view->n);
   struct hsr_job job = {
-      .view = view, .scratch = &x->scratch, .tally = tally, .drawing = drawing};
+      .view = view, .scratch = &x->scratch, .tally = tally, .answer = &answer};
   hsr_arena_reset(&x->scratch);
   hsr_drawing_clear(drawing);
   if (hsr_setup_render(setup, &job, &err))

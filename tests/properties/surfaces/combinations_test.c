@@ -151,14 +151,14 @@ static void check_clusters(struct tap *tap, const char *algorithm,
   count.tally.trace = &trace;
   /* Not by hsr_setup_render, which names the scene's faces: clusters are of the
    * faces after the cuts. */
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
   struct hsr_job job = {.world = setup.world,
                         .view = &view,
                         .prepared = setup.prepared,
                         .option = setup.choice.values.option,
                         .scratch = &scratch,
                         .tally = &count.tally,
-                        .ids = ids,
-                        .ids_stride = M};
+                        .answer = &answer};
   hsr_tally_begin(&count.tally, count.algorithm);
   if (count.algorithm->render(&job, &err))
     stop(name, err.text);

@@ -214,14 +214,14 @@ static void watch_scene(struct watch *w, const char *name) {
   w->screen = &screen;
   struct hsr_trace trace = {.listen = listen, .context = w};
   struct hsr_tally tally = {.trace = &trace};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
   struct hsr_job job = {.world = setup.world,
                         .view = &view,
                         .prepared = setup.prepared,
                         .option = setup.choice.values.option,
                         .scratch = &scratch,
                         .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = M};
+                        .answer = &answer};
   hsr_tally_begin(&tally, a);
   if (a->render(&job, &err))
     abort();

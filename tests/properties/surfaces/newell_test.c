@@ -113,11 +113,9 @@ static void check_coherence(struct tap *tap) {
     struct hsr_tally tally = {.out_of_memory = false};
     if (hsr_view_init(&view, &camera, M, N, &err))
       fail(&err);
-    struct hsr_job job = {.view = &view,
-                          .scratch = &scratch,
-                          .tally = &tally,
-                          .ids = ids,
-                          .ids_stride = M};
+    struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+    struct hsr_job job = {
+        .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
       fail(&err);

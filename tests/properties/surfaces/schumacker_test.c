@@ -131,11 +131,9 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
                  const struct hsr_view *view, uint32_t *ids) {
   struct hsr_error err = {.text = ""};
   struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_job job = {.view = view,
-                        .scratch = &x->scratch,
-                        .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = (size_t)view->m};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
+  struct hsr_job job = {
+      .view = view, .scratch = &x->scratch, .tally = &tally, .answer = &answer};
   hsr_arena_reset(&x->scratch);
   memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
   if (hsr_setup_render(setup, &job, &err))

@@ -124,11 +124,11 @@ static void draw_frame(struct film *film, const struct hsr_view *view) {
   struct hsr_error err;
   film->tally = (struct hsr_tally){.out_of_memory = false};
   hsr_arena_reset(&film->scratch);
+  struct hsr_answer answer = hsr_answer_of_ids(film->ids, view->m, view->n);
   struct hsr_job job = {.view = view,
                         .tally = &film->tally,
                         .scratch = &film->scratch,
-                        .ids = film->ids,
-                        .ids_stride = (size_t)view->m};
+                        .answer = &answer};
   if (hsr_setup_render(&film->setup, &job, &err))
     stop(film->algorithm->name, &err);
 }

@@ -58,11 +58,11 @@ static void draw_work(const struct claim_scene *scene, const char *algorithm,
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.work = work, .work_stride = SIDE};
   uint32_t *ids = malloc(SIDE * SIDE * sizeof *ids);
+  struct hsr_answer answer = hsr_answer_of_ids(ids, SIDE, SIDE);
   struct hsr_job job = {.view = &scene->view,
                         .scratch = &arena,
                         .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = SIDE};
+                        .answer = &answer};
   if (!ids || hsr_variant_parse(algorithm, &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
                      &scene->worlds.outline, &err) ||

@@ -87,25 +87,26 @@ static struct drawn draw(const char *name, bool counting,
   if (hsr_setup_init(&setup, drawn.algorithm, &variant.choice, &stage->world,
                      &err))
     stop(name, err.text);
-  struct hsr_filtering own = hsr_form_filtering(&variant.choice.form);
-  const struct hsr_filtering *filtering = sums ? &own : NULL;
   for (int time = 0; time < 2 - counting; time++) {
+    struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
+    if (sums &&
+        hsr_answer_make(&answer, &variant.choice.form, view, false, &err))
+      stop(name, err.text);
     struct hsr_job job = {.view = view,
                           .scratch = &scratch,
                           .tally = &drawn.tally,
-                          .ids = ids,
-                          .ids_stride = (size_t)view->m,
-                          .filtering = filtering,
-                          .sums = sums};
+                          .answer = &answer};
     if (ids)
       memset(ids, 0xfe, n * sizeof *ids);
-    if (sums)
-      memset(sums, 0, 3 * n * sizeof *sums);
     hsr_arena_reset(&scratch);
     double begin = hsr_seconds_now();
     if (hsr_setup_render(&setup, &job, &err))
       stop(name, err.text);
     drawn.seconds = hsr_seconds_now() - begin;
+    if (sums) {
+      memcpy(sums, hsr_answer_sums_of(&answer), 3 * n * sizeof *sums);
+      hsr_answer_free(&answer);
+    }
   }
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);

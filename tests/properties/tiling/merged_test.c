@@ -49,11 +49,11 @@ static void make_ready(struct ready *r, const char *name, bool counting,
 
 static void draw(struct ready *r, const struct hsr_view *view, uint32_t *to) {
   struct hsr_error err = {.text = "out of memory"};
+  struct hsr_answer answer = hsr_answer_of_ids(to, view->m, view->n);
   struct hsr_job job = {.view = view,
                         .scratch = &r->scratch,
                         .tally = &r->tally,
-                        .ids = to,
-                        .ids_stride = (size_t)view->m};
+                        .answer = &answer};
   hsr_arena_reset(&r->scratch);
   memset(to, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *to);
   must(hsr_setup_render(&r->setup, &job, &err), &err);

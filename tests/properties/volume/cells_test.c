@@ -195,11 +195,9 @@ static long differences(const struct volume *v, const struct hsr_view *view,
   const struct hsr_algorithm *a =
       front ? made.listed->plain : made.listed->counting;
   memset(ids, 0xfe, sizeof ids);
-  struct hsr_job job = {.view = view,
-                        .ids = ids,
-                        .ids_stride = M,
-                        .scratch = &scratch,
-                        .tally = &tally};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+  struct hsr_job job = {
+      .view = view, .answer = &answer, .scratch = &scratch, .tally = &tally};
   if (hsr_setup_init(&setup, a, &made.choice, &v->outline, &err) ||
       hsr_setup_render(&setup, &job, &err))
     stop(err.text);

@@ -283,11 +283,9 @@ static long count_wrong(const struct stage *s, const struct hsr_world *world,
   for (uint32_t v = 0; v < s->scene->n_views && !status; v++) {
     struct hsr_view view;
     struct hsr_tally tally = {.out_of_memory = false};
-    struct hsr_job job = {.view = &view,
-                          .scratch = &scratch,
-                          .tally = &tally,
-                          .ids = got,
-                          .ids_stride = M};
+    struct hsr_answer answer = hsr_answer_of_ids(got, M, N);
+    struct hsr_job job = {
+        .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     if (hsr_view_init(&view, &s->scene->views[v], M, N, &err))
       stop(name, err.text);
     hsr_arena_reset(&scratch);

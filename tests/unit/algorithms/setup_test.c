@@ -63,11 +63,9 @@ static bool is_right(const struct hsr_setup *setup,
   struct hsr_tally tally = {.out_of_memory = false};
   if (hsr_view_init(&view, &at->scene->views[0], M, N, &err))
     return false;
-  struct hsr_job job = {.view = &view,
-                        .scratch = &scratch,
-                        .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = M};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+  struct hsr_job job = {
+      .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   enum hsr_status status = hsr_setup_render(setup, &job, &err);
   draw_ids(hsr_algorithm_find("oracle")->plain, &at->world, &view, wanted,
            NULL);

@@ -81,11 +81,9 @@ static uint32_t ask(const struct hsr_setup *oracle, struct hsr_view *view,
                     uint32_t *ids, int i, int j) {
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_job job = {.view = view,
-                        .scratch = &scratch,
-                        .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = (size_t)view->m};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
+  struct hsr_job job = {
+      .view = view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   view->window = (struct hsr_window){i, j, i + 1, j + 1};
   if (hsr_setup_render(oracle, &job, NULL))
     fail("modules", &(struct hsr_error){.text = "the oracle failed"});

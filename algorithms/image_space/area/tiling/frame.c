@@ -42,18 +42,19 @@ void hsr_sampling_free(struct hsr_sampling *s) {
 
 /* Samples along a side of a pixel: a mask; or of box64x64, a level more, 8 x 8
  * masks. */
-static int side_of(const struct hsr_job *job) {
-  return job->filtering ? HSR_SUB * hsr_filter_cells(job->filtering->filter)
-                        : 1;
+static int side_of(const struct hsr_filtering *filtering) {
+  return filtering->filter ? HSR_SUB * hsr_filter_cells(filtering->filter) : 1;
 }
 
-static struct hsr_view view_of(const struct hsr_job *job) {
-  int side = side_of(job);
+static struct hsr_view view_of(const struct hsr_job *job,
+                               const struct hsr_filtering *filtering) {
+  int side = side_of(filtering);
   return side > 1 ? hsr_view_finer(job->view, side, side) : *job->view;
 }
 
 int hsr_tiling_pattern(const struct hsr_job *job) {
-  return job->filtering && job->filtering->patterns ? 0 : HSR_MOST_PATTERNS;
+  return hsr_form_filtering(&job->answer->form).patterns ? 0
+                                                         : HSR_MOST_PATTERNS;
 }
 
 /* The samples of a view that is not filtered may be displaced, all alike. */
@@ -72,33 +73,35 @@ static struct hsr_mask_places *displaced(const struct hsr_job *job,
 
 static struct hsr_masks masks_of(struct hsr_tiling *t) {
   const struct hsr_job *job = t->job;
-  const struct hsr_filtering *filtering = job->filtering;
-  bool jittered = filtering && filtering->patterns;
-  bool moved = !filtering && (t->view.offset_x != 0 || t->view.offset_y != 0);
+  bool jittered = t->filtering.patterns > 0;
+  bool moved =
+      !t->filtering.filter && (t->view.offset_x != 0 || t->view.offset_y != 0);
   int pattern = hsr_tiling_pattern(job);
   return (struct hsr_masks){.tables = &t->sampling->tables,
                             .places = moved ? displaced(job, &t->view)
                                             : t->sampling->places + pattern,
-                            .filtering = jittered ? filtering : NULL,
+                            .filtering = jittered ? &t->filtering : NULL,
                             .anywhere = jittered || moved,
                             .count = {.tally = job->tally,
                                       .cells = HSR_POLYGON_CELLS,
                                       .finest = HSR_FINEST_CELLS,
                                       .pixels = HSR_PIXEL_CELLS,
                                       .unsure = HSR_SAMPLES_UNSURE},
-                            .pixel = side_of(job)};
+                            .pixel = side_of(&t->filtering)};
 }
 
 enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
                                  const struct hsr_sampling *sampling,
                                  const struct hsr_job *job,
                                  struct hsr_pieces_room room) {
+  const struct hsr_filtering filtering = hsr_form_filtering(&job->answer->form);
   *t = (struct hsr_tiling){.job = job,
                            .sampling = sampling,
-                           .view = view_of(job),
+                           .filtering = filtering,
+                           .view = view_of(job, &filtering),
                            .work = job->tally->work};
   t->masks = masks_of(t);
-  bool field = job->filtering && job->filtering->filter == HSR_FILTER_FIELD;
+  bool field = filtering.filter == HSR_FILTER_FIELD;
   hsr_canvas_begin(&t->canvas, job, t->view.window,
                    field ? &sampling->field : &sampling->cosine,
                    HSR_SAMPLES_WRITTEN);
@@ -143,31 +146,27 @@ void hsr_tiling_background(struct hsr_tiling *t) {
 
 static const struct hsr_counter counters[] = {
     {"cubes asked",
-                             "cubes, and boxes of instances, whose silhouettes "
-                             "were tiled",
-                             HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
-                             "hidden|visible"},
-    {"cubes hidden",
-                                       "of these, those that are hidden",
-                                       HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},
-    {"cube cells", "cells of the mask pyramid visited for them",
-         HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES},
+     "cubes, and boxes of instances, whose silhouettes "
+     "were tiled",
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
+    {"cubes hidden", "of these, those that are hidden", HSR_REJECT, HSR_OF_CELL,
+     HSR_OF_WINDOW},
+    {"cube cells", "cells of the mask pyramid visited for them", HSR_COMPARE,
+     HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES},
     {"polygon cells",
-         "cells of the mask pyramid visited for polygons, "
-         "and the background",
-         HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_MASK_VISIT_OUTCOMES},
+     "cells of the mask pyramid visited for polygons, "
+     "and the background",
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_MASK_VISIT_OUTCOMES},
     {"finest cells", "of all these, those of the finest level", HSR_COMPARE,
-         HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+     HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
     {"pixel cells", "of all these, those as large as a pixel or larger",
-         HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
     {"samples",
-                                 "written by masks, each once; of a filtered "
-                                 "picture, 64 a pixel, or 4096",
-                                 HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
-    {"unsure samples",
-                                         "put to the exact predicates",
-                                         HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
-                                         "not covered|covered"},
+     "written by masks, each once; of a filtered "
+     "picture, 64 a pixel, or 4096",
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {"unsure samples", "put to the exact predicates", HSR_SAMPLE, HSR_OF_FACE,
+     HSR_OF_WINDOW, "not covered|covered"},
     {NULL}};
 
 static const struct hsr_line cube_lines[] = {

@@ -43,6 +43,7 @@ void hsr_sampling_free(struct hsr_sampling *sampling);
 struct hsr_tiling {
   const struct hsr_job *job;
   const struct hsr_sampling *sampling;
+  struct hsr_filtering filtering; /* HSR_FILTER_NONE: there is none */
   struct hsr_view view; /* of the samples: the sub-samples, if filtered */
   struct hsr_masks masks;
   struct hsr_pieces_view pieces;

@@ -153,7 +153,8 @@ struct frame {
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
   struct hsr_arena *arena = job->scratch;
-  size_t colours = job->filtering ? (size_t)job->world->n_faces + 1 : 0;
+  size_t colours =
+      hsr_answer_sums_of(job->answer) ? (size_t)job->world->n_faces + 1 : 0;
   *f = (struct frame){.job = job,
                       .prepared = p,
                       .rgb = hsr_arena_array(arena, colours, sizeof *f->rgb),
@@ -389,7 +390,7 @@ static void tile_tree(struct frame *f) {
 static void take_face(void *context, uint32_t face) {
   struct frame *f = context;
   f->tiling.canvas.id = face;
-  if (!f->job->filtering)
+  if (!f->tiling.filtering.filter)
     return;
   uint32_t n = f->job->world->n_faces, k = face < n ? face : n;
   if (!f->has_colour[k])

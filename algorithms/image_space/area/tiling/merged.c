@@ -721,13 +721,13 @@ static enum hsr_status render(const struct hsr_job *job,
   struct frame f;
   if (begin(&f, job, err))
     return f.status ? f.status : HSR_E_NOMEM;
-  if (f.loose.n && job->filtering)
+  if (f.loose.n && f.tiling.filtering.filter)
     return hsr_loose_refuse(&f.loose, job->world, err);
   tile_bodies(&f);
   if (f.status)
     return f.status;
   hsr_tiling_background(&f.tiling);
-  hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
+  hsr_loose_draw(&f.loose, job->answer->ids, (size_t)job->answer->m);
   return HSR_OK;
 }
 

@@ -309,7 +309,7 @@ static enum hsr_status render(const struct hsr_job *job,
   const struct prepared *p = job->prepared;
   if (begin(&f, job))
     return hsr_fail_nomem(err);
-  if (f.loose.n && job->filtering)
+  if (f.loose.n && f.tiling.filtering.filter)
     return hsr_loose_refuse(&f.loose, job->world, err);
   if (p->grove.is_whole)
     tile_tree(&f, &p->grove.whole, still, 0, HSR_NO_ID);
@@ -318,7 +318,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (f.tiling.masks.counts)
     f.tiling.masks.counts->cube = 0;
   hsr_tiling_background(&f.tiling);
-  hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
+  hsr_loose_draw(&f.loose, job->answer->ids, (size_t)job->answer->m);
   return HSR_OK;
 }
 

@@ -9,7 +9,7 @@
 static void paint(const struct hsr_show *show, const struct hsr_window *w,
                   uint32_t id) {
   for (int j = w->y0; j < w->y1; j++) {
-    uint32_t *row = show->job->ids + (size_t)j * show->job->ids_stride;
+    uint32_t *row = hsr_job_row(show->job, j);
     for (int i = w->x0; i < w->x1; i++)
       row[i] = id;
   }
@@ -23,7 +23,7 @@ static void paint_face(const struct hsr_show *show, const struct hsr_window *w,
   int first = bounds->y0 > w->y0 ? bounds->y0 : w->y0;
   int end = bounds->y1 < w->y1 ? bounds->y1 : w->y1;
   for (int j = first; j < end; j++) {
-    uint32_t *row = show->job->ids + (size_t)j * show->job->ids_stride;
+    uint32_t *row = hsr_job_row(show->job, j);
     int n = hsr_face_spans(show->screen, f, j, show->columns, tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = show->columns[k] > w->x0 ? show->columns[k] : w->x0;
