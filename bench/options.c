@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/command.h"
 #include "common/base/names.h"
-#include "common/files/palette_json.h"
-#include "common/files/scene_json.h"
+#include "common/files/json/palette_json.h"
+#include "common/files/json/scene_json.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -5,7 +5,7 @@
 #include "bench/report/report.h"
 
 #include "bench/results/json.h"
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <string.h>

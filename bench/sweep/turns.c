@@ -6,7 +6,7 @@
 #include "bench/results/figures.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <fcntl.h>
