@@ -4,7 +4,7 @@
 libhsr_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
 libhsr_a_SOURCES += \
-  %D%/mesh_scan_vtp.cc \
+  %D%/mesh_vtp.cc \
   %D%/volume_scan_xml.cc \
   %D%/vtk.cc \
   %D%/xml_array.cc \
@@ -16,7 +16,7 @@ libhsr_a_SOURCES += \
 pkglibexec_PROGRAMS += hsr-vtk.so
 hsr_vtk_so_SOURCES = \
   %D%/drawing_vtk.cc \
-  %D%/exchange_vtk.cc \
+  %D%/library_vtk.cc \
   %D%/polygons_vtk.cc \
   %D%/volume_vtk.cc \
   %D%/voxels_vtk.cc \
