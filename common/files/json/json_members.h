@@ -101,8 +101,8 @@ enum hsr_status hsr_json_open(const struct hsr_json_input *input,
 enum hsr_status hsr_json_check_schema(const struct hsr_json_node *root,
                                       const char *known);
 
-/* The next element of a list that is parsed an element at a time; NULL after the
- * last. *value is released first. */
+/* The next element of a list that is parsed an element at a time; NULL after
+ * the last. *value is released first. */
 enum hsr_status hsr_json_next_value(const struct hsr_json_input *input,
                                     struct hsr_json_part *elements,
                                     const hsr_json_levels *levels,

@@ -2,7 +2,8 @@
 // Mesh files, by their suffixes. Each format has its reader, mesh_*.cc;
 // common/files/vtk has that of .vtp.
 //
-// Memory      the file and the object at once; what else a reader takes, it says
+// Memory      the file and the object at once; what else a reader takes, it
+//             says
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
 

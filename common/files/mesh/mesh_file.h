@@ -2,9 +2,9 @@
 // What the importers of mesh files share; only for common/files/mesh and
 // common/files/vtk.
 //
-// A file is read into memory once, by one reader for each format, which believes
-// nothing: it checks all that it reads, from the first to the last byte. A failure
-// is thrown as hsr::Refused and caught in hsr_mesh_read.
+// A file is read into memory once, by one reader for each format, which
+// believes nothing: it checks all that it reads, from the first to the last
+// byte. A failure is thrown as hsr::Refused and caught in hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
@@ -70,7 +70,8 @@ public:
   void face(const uint32_t *vertices, size_t n, const float *rgb);
   /* The 3 n corners of n triangles, which are the next faces, without colours.
    * The caller writes them: vertices that are there, three different ones each;
-   * else it calls give_faces_again(), as it does if the builder drops() some. */
+   * else it calls give_faces_again(), as it does if the builder drops()
+   * some. */
   uint32_t *triangles(size_t n);
   /* Takes all faces away, and looks at each as if it were given by face(). None
    * has a colour. */
@@ -96,7 +97,7 @@ private:
 };
 
 /* Each reads a file of its kind, and throws Refused; std::bad_alloc. In a build
- * without VTK, vtp_read refuses all (exchange_no_vtk.cc). */
+ * without VTK, vtp_read refuses all (no_vtk.cc). */
 void obj_read(Mesh_file &file, Mesh_builder &builder);
 void off_read(Mesh_file &file, Mesh_builder &builder);
 void ply_read(Mesh_file &file, Mesh_builder &builder);

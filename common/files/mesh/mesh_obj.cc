@@ -6,9 +6,10 @@
 //             lines, points and groups are passed over. Of materials only the
 //             colours are read. Vertices may have a colour, "v x y z r g b", as
 //             many programs write it: 0..1, or 0..255 if any is above 1.
-// Method      first, the vertices of each block of the text are counted, so each
-//             knows the number of its first. Then all blocks are read at once. At
-//             last, faces are given in order, and materials found for them.
+// Method      first, the vertices of each block of the text are counted, so
+//             each knows the number of its first. Then all blocks are read at
+//             once. At last, faces are given in order, and materials found for
+//             them.
 // Memory      4 bytes a corner and a face, beside the file and the object
 #include "common/files/mesh/mesh_blocks.h"
 #include "common/files/mesh/mesh_materials.h"
@@ -128,7 +129,8 @@ void Block_reader::vertex() {
     block_.rgb.insert(block_.rgb.end(), value + n - 3, value + n);
 }
 
-/* Whether a text is the texture and normal of a corner: "/t", "//n" or "/t/n". */
+/* Whether a text is the texture and normal of a corner: "/t", "//n" or
+ * "/t/n". */
 bool are_parts(const char *at, const char *end) {
   for (int k = 0; at < end; k++) {
     if (k == 2 || *at != '/')

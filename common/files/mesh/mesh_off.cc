@@ -4,11 +4,11 @@
 // Source      Geomview manual, "OFF: Object File Format"
 // Departures  one vertex or face a line, a header word, and neither the binary
 //             form nor other dimensions than 3.
-// Method      where several threads read, the lines of each block of the text are
-//             counted, so each knows which of them are vertices, and which. Then
-//             all are read at once, and their faces are given in order.
-// Memory      4 bytes a corner and a face, and 12 a face that has a colour, beside
-//             the file and the object
+// Method      where several threads read, the lines of each block of the text
+//             are counted, so each knows which of them are vertices, and which.
+//             Then all are read at once, and their faces are given in order.
+// Memory      4 bytes a corner and a face, and 12 a face that has a colour,
+//             beside the file and the object
 #include "common/files/mesh/mesh_blocks.h"
 #include "common/files/mesh/mesh_text.h"
 #include "common/files/srgb.h"

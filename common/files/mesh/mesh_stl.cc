@@ -3,14 +3,14 @@
 //
 // Source      3D Systems, "StereoLithography Interface Specification"
 // Departures  of a text, keywords in any case, and several solids.
-// Vertices    a file has no vertex numbers; mesh_corners.cc finds which corners are
-//             one vertex
+// Vertices    a file has no vertex numbers; mesh_corners.cc finds which corners
+//             are one vertex
 // Method      a text is cut into blocks before lines that begin a facet, which
-//             can stand only in a solid. A block is read up to the first facet of
-//             the next, and goes on if it is not in a solid, between facets: so it
-//             finds what is wrong.
-// Memory      of a text, 72 bytes a facet, which takes more in the file; twice, if
-//             several threads read
+//             can stand only in a solid. A block is read up to the first facet
+//             of the next, and goes on if it is not in a solid, between facets:
+//             so it finds what is wrong.
+// Memory      of a text, 72 bytes a facet, which takes more in the file; twice,
+//             if several threads read
 #include "common/base/arena.h"
 #include "common/base/share.h"
 #include "common/files/mesh/mesh_blocks.h"

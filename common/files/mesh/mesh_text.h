@@ -116,8 +116,8 @@ public:
   void pass_line();
 
   /* Take the next word of the line, which is there, as a number. If it is no
-   * integer, `word` is it. If it is no finite number, real() refuses: "vertex 3:
-   * 'x' is not a finite number". */
+   * integer, `word` is it. If it is no finite number, real() refuses: "vertex
+   * 3: 'x' is not a finite number". */
   bool integer(long long &number, Word &word);
   template <class Number = double>
   Number real(const char *kind, size_t element) {

@@ -32,5 +32,5 @@ hsr_vtk_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
 hsr_vtk_so_LDFLAGS = -shared
 hsr_vtk_so_LDADD = $(VTK_LIBS)
 else
-libhsr_a_SOURCES += common/files/mesh/exchange_no_vtk.cc
+libhsr_a_SOURCES += %D%/no_vtk.cc
 endif

@@ -4,8 +4,8 @@
 // Source      "VTK XML Formats", docs.vtk.org; what it leaves open, from
 //             vtkXMLPolyDataReader and vtkXMLDataParser of VTK 9.1
 // Safety      VTK's own reader believes what it reads: sizes, counts, offsets.
-//             This one decodes and checks each value (xml_array.h), and gives it
-//             to the builder.
+//             This one decodes and checks each value (xml_array.h), and gives
+//             it to the builder.
 // Memory      at once: the file, 8 bytes a number in it, and the object
 // Departures  zlib is the only compressor; vertices and lines as cells are
 //             refused; point and cell data, fields and time steps are not read,

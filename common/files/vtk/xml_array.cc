@@ -313,7 +313,8 @@ void Array_checker::block(Array &array, Bytes &bytes, Inflater &inflater,
 /* Returns where the data of the array end. */
 const char *Array_checker::check(Array &array) {
   const char *end = array.data.data() + array.data.size();
-  /* No more than its bytes may hold; of packed ones, more is taken as needed. */
+  /* No more than its bytes may hold; of packed ones, more is taken as
+   * needed. */
   if (array.is_kept && array.n_expected != Array::ANY)
     array.values.reserve(std::min(array.n_expected, array.data.size()));
   if (array.format == Array::TEXT) {
