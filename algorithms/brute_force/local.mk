@@ -15,4 +15,5 @@ algorithm_files += \
   %D%/tiler.h \
   %D%/tiler_avx2.h \
   %D%/tiler_avx512.h \
+  %D%/tiler_twin.h \
   %D%/zbuffer.c
