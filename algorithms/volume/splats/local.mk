@@ -11,6 +11,7 @@ algorithm_files += \
   %D%/splat_put_avx2.c \
   %D%/splat_put_avx512.c \
   %D%/splat_sheet.c \
+  %D%/splat_twin.h \
   %D%/splat_volume.c \
   %D%/splat_weigh.c \
   %D%/splat_xray.c \
