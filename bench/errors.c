@@ -15,7 +15,7 @@
 #include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "bench/results/descriptor.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/grids/palette.h"
 
 #include <string.h>

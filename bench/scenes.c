@@ -4,7 +4,7 @@
 #include "bench/options/parser.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "scenes/scenes.h"
 
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "bench/run/table1.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/statistics/depth.h"
 #include "common/statistics/statistics.h"
 

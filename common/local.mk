@@ -14,6 +14,7 @@ include %D%/lines/sight/local.mk
 include %D%/voxels/local.mk
 include %D%/answers/local.mk
 include %D%/files/local.mk
+include %D%/files/json/local.mk
 include %D%/files/cells/local.mk
 include %D%/files/mesh/local.mk
 include %D%/files/volume/local.mk

@@ -5,8 +5,8 @@
 
 #include "scenes/cameras.h"
 
-#include "common/files/palette_json.h"
-#include "common/files/scene_json.h"
+#include "common/files/json/palette_json.h"
+#include "common/files/json/scene_json.h"
 #include "common/grids/grid.h"
 
 #include <math.h>

@@ -20,9 +20,9 @@ extern "C" {
 size_t hsr_name_before_cameras(const char *name);
 
 /* Replaces the views of a finished scene by those that the name's cameras
- * describe, and the palette of its grid. `cameras` is "", or starts with '@'. After the '@' stands a file
- * (common/files/scene_json.h), or words KEY=VALUE with colons between them:
- * view (a number from 1; standard: 1), eye, at, up (X,Y,Z), fov (degrees),
+ * describe, and the palette of its grid. `cameras` is "", or starts with '@'.
+ * After the '@' stands a file (common/files/json/scene_json.h), or words
+ * KEY=VALUE with colons between them: view (a number from 1; standard: 1), eye, at, up (X,Y,Z), fov (degrees),
  * near, parallel (a height, or `fit`: as high as what was in perspective around
  * the point `at`; fov makes it perspective again), light (X,Y,Z, a point), sun
  * (X,Y,Z, a direction). Words without a place to

@@ -8,7 +8,7 @@
 #include "scenes/cameras.h"
 #include "scenes/meshes.h"
 
-#include "common/files/scene_json.h"
+#include "common/files/json/scene_json.h"
 #include "common/files/volume/volume.h"
 
 #include <errno.h>

@@ -418,8 +418,6 @@ EXTRA_DIST += \
   %D%/fuzz/library.cc \
   %D%/fuzz/mutate_text.h \
   %D%/fuzz/obj.dict \
-  %D%/fuzz/plain.cc \
-  %D%/fuzz/plain.h \
   %D%/fuzz/ply.dict \
   %D%/fuzz/scene_json.dict \
   %D%/fuzz/stl.dict \

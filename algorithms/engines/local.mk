@@ -14,6 +14,7 @@ algorithm_files += \
   %D%/tiler/tiler.h \
   %D%/tiler/tiler_avx2.h \
   %D%/tiler/tiler_avx512.h \
+  %D%/tiler/tiler_twin.h \
   %D%/pyramid/pyramid.c \
   %D%/pyramid/pyramid.h \
   %D%/cubes/cube_frame.c \
@@ -56,6 +57,7 @@ algorithm_files += \
   %D%/splats/splat_put.c \
   %D%/splats/splat_put_avx2.c \
   %D%/splats/splat_put_avx512.c \
+  %D%/splats/splat_twin.h \
   %D%/splats/splat_weigh.c \
   %D%/splats/splats.h
 # These files count nothing and are compiled once.

@@ -4,7 +4,7 @@
 #include "bench/check/check.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <signal.h>
 #include <string.h>

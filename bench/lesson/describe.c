@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
 #include "bench/results/json.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
  * are wanted. */
 #include "bench/lesson/lesson.h"
 #include "common/answers/area.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/files/srgb.h"
 #include "common/files/whole_file.h"
 #include "common/voxels/voxels.h"

@@ -12,7 +12,7 @@
  *           common/exact/order.h, which the algorithm uses. */
 #include "bench/lesson/lesson.h"
 #include "common/exact/order.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/scene/pieces.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "bench/results/descriptor.h"
 #include "bench/results/page.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <errno.h>
 #include <stdlib.h>

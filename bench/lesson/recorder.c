@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 static int64_t id_of(uint32_t id) {
   return id == HSR_NO_ID ? -1 : (int64_t)id;

@@ -7,7 +7,7 @@
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "bench/lesson/lesson.h"
 #include "common/answers/coded.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/scene/clusters.h"
 #include "common/scene/pieces.h"
 #include "common/trees/bsp.h"

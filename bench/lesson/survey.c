@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lesson/lesson.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/camera.h"
 #include "bench/options/words.h"
-#include "common/files/palette_json.h"
-#include "common/files/scene_json.h"
+#include "common/files/json/palette_json.h"
+#include "common/files/json/scene_json.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -10,7 +10,7 @@
 #include "bench/run/serve.h"
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <malloc.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "bench/results/times.h"
 #include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

@@ -7,7 +7,7 @@
 #include "bench/tables/tables.h"
 
 #include "common/answers/answer.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <stdlib.h>

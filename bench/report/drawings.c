@@ -11,7 +11,7 @@
 #include "common/answers/answer.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/view/picture.h"
 
 #include <errno.h>

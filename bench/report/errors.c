@@ -4,8 +4,8 @@
  * are taken only from the folder that it is in. */
 #include "bench/report/report.h"
 
-#include "common/files/json.h"
-#include "common/files/json_read.h"
+#include "bench/results/json.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <string.h>

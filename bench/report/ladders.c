@@ -6,7 +6,7 @@
 #include "bench/results/json.h"
 #include "bench/tables/growth.h"
 #include "bench/tables/tables.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "bench/report/report.h"
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/files/whole_file.h"
 
 #include <errno.h>

@@ -10,7 +10,7 @@
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -2,7 +2,7 @@
 /* The pixels of one scene and view, for the page's probe. */
 #include "bench/results/page.h"
 #include "bench/report/pictures.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/json.h"
 #include "bench/judge/judge.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,8 +4,7 @@
 #define HSR_BENCH_JSON_H
 
 #include "common/base/status.h"
-
-#include <jansson.h>
+#include "common/files/json/json.h"
 
 struct cell;
 

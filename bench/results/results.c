@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/results.h"
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <stdbool.h>

@@ -6,7 +6,7 @@
 #include "bench/run/terminate.h"
 #include "bench/sweep/journal.h"
 #include "bench/terminal/terminal.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <errno.h>
 #include <gsl/gsl_rng.h>

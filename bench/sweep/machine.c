@@ -4,7 +4,7 @@
 
 #include "bench/sweep/commit.h"
 #include "bench/sweep/sweep.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <hwloc.h>
 #include <stdlib.h>

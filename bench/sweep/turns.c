@@ -9,7 +9,7 @@
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -4,7 +4,7 @@
 #include "bench/tables/greene.h"
 #include "bench/results/json.h"
 #include "bench/results/descriptor.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /* Rows for other programs: CSV (RFC 4180) and JSON. */
 #include "bench/results/json.h"
 #include "bench/times/rows.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "bench/trace/trace.h"
 #include "common/answers/coded.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/view/picture.h"
 #include "common/files/srgb.h"
 #include "common/view/clip.h"

@@ -2,7 +2,7 @@
 #include "bench/trace/trace.h"
 #include "common/answers/coded.h"
 #include "common/base/clock.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"
-#include "common/files/scene_json.h"
+#include "common/files/json/scene_json.h"
 #include "common/scene/part.h"
 
 #include <math.h>

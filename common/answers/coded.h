@@ -4,7 +4,7 @@
 #define HSR_COMMON_ANSWERS_CODED_H
 
 #include "common/base/count.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/view/view.h"
 
 /* The meaning of each number of a subject: "face", ..., ended by NULL. */

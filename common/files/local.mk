@@ -2,27 +2,17 @@
 nobase_pkginclude_HEADERS += \
   %D%/colour_tiles.h \
   %D%/image.h \
-  %D%/palette_json.h \
   %D%/page.h \
   %D%/plot.h \
-  %D%/scene_json.h \
   %D%/whole_file.h
 libhsr_a_SOURCES += \
   %D%/image.c \
   %D%/image_library.h \
-  %D%/json.c \
-  %D%/json.h \
-  %D%/json_file.c \
-  %D%/json_file.h \
-  %D%/json_read.c \
-  %D%/json_read.h \
   %D%/library.c \
   %D%/library.h \
-  %D%/palette_json.c \
   %D%/plot.c \
   %D%/plot_cairo.c \
   %D%/plot_svg.c \
-  %D%/scene_json.c \
   %D%/srgb.h \
   %D%/suffix.h \
   %D%/whole_file.c

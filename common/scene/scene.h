@@ -10,7 +10,7 @@
  *
  * A scene owns all its memory. It is built by the functions below, by a
  * generator (scenes/) or by an importer (common/files/mesh/exchange.h,
- * common/files/scene_json.h), and then only read. */
+ * common/files/json/scene_json.h), and then only read. */
 #ifndef HSR_COMMON_SCENE_H
 #define HSR_COMMON_SCENE_H
 

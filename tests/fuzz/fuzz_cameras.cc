@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target for files of cameras.
-#include "common/files/scene_json.h"
+#include "common/files/json/scene_json.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 /* A scene that the views belong to; without one it could not be finished. */

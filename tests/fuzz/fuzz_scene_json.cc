@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target for .scene.json: as it is, in a frame that its last byte
 // says, and from that frame to the next.
-#include "common/files/scene_json.h"
+#include "common/files/json/scene_json.h"
 #include "common/scene/motion.h"
 #include "tests/fuzz/fuzz_reader.h"
 

@@ -332,14 +332,6 @@ candidates(const struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
   return mask;
 }
 
-static uint64_t candidates_portable(const struct hsr_masks *p,
-                                    const struct hsr_mask_polygon *polygon,
-                                    const struct hsr_mask_cell *cell,
-                                    const uint32_t *list, uint32_t n,
-                                    int pattern, uint64_t *unsure) {
-  return candidates(p, polygon, cell, list, n, pattern, unsure, split);
-}
-
 /* The same by the tables: nothing is left unsure, and some samples are wrong.
  * */
 static uint64_t tabled(const struct hsr_masks *p,
@@ -506,13 +498,6 @@ tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
   }
 }
 
-static void tile_pixels_portable(const struct task *t,
-                                 const struct hsr_mask_cell *cell,
-                                 const struct hsr_mask_lines *active,
-                                 struct hsr_triage *mask, uint64_t a) {
-  tile_pixels(t, cell, active, mask, a, split);
-}
-
 static inline __attribute__((always_inline)) bool
 shows_finest(const struct task *t, const struct hsr_mask_cell *cell,
              const uint32_t *list, uint32_t n, splitter by) {
@@ -528,14 +513,30 @@ shows_finest(const struct task *t, const struct hsr_mask_cell *cell,
   return vacant;
 }
 
-static bool shows_finest_portable(const struct task *t,
-                                  const struct hsr_mask_cell *cell,
-                                  const uint32_t *list, uint32_t n) {
-  return shows_finest(t, cell, list, n, split);
-}
+/* A twin, which divides finest cells `by` some splitter. `target` has the
+ * machine's attribute. */
+#define MASK_TWIN(name, target, by, compose)                                   \
+  target static uint64_t candidates_##name(                                    \
+      const struct hsr_masks *p, const struct hsr_mask_polygon *polygon,       \
+      const struct hsr_mask_cell *cell, const uint32_t *list, uint32_t n,      \
+      int pattern, uint64_t *unsure) {                                         \
+    return candidates(p, polygon, cell, list, n, pattern, unsure, by);         \
+  }                                                                            \
+  target static void tile_pixels_##name(const struct task *t,                  \
+                                        const struct hsr_mask_cell *cell,      \
+                                        const struct hsr_mask_lines *active,   \
+                                        struct hsr_triage *mask, uint64_t a) { \
+    tile_pixels(t, cell, active, mask, a, by);                                 \
+  }                                                                            \
+  target static bool shows_finest_##name(const struct task *t,                 \
+                                         const struct hsr_mask_cell *cell,     \
+                                         const uint32_t *list, uint32_t n) {   \
+    return shows_finest(t, cell, list, n, by);                                 \
+  }                                                                            \
+  static const struct hsr_mask_twin name = {                                   \
+      candidates_##name, compose, tile_pixels_##name, shows_finest_##name}
 
-static const struct hsr_mask_twin portable = {
-    candidates_portable, compose, tile_pixels_portable, shows_finest_portable};
+MASK_TWIN(portable, , split, compose);
 
 #ifdef HAVE_TWINS
 #include "algorithms/engines/masks/masks_avx2.h"

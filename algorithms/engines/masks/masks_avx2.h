@@ -29,28 +29,6 @@ AVX2 static inline void split_avx2(const struct hsr_mask_line *line, double f,
   *outside = out;
 }
 
-AVX2 static void tile_pixels_avx2(const struct task *t,
-                                  const struct hsr_mask_cell *cell,
-                                  const struct hsr_mask_lines *active,
-                                  struct hsr_triage *mask, uint64_t a) {
-  tile_pixels(t, cell, active, mask, a, split_avx2);
-}
-
-AVX2 static bool shows_finest_avx2(const struct task *t,
-                                   const struct hsr_mask_cell *cell,
-                                   const uint32_t *list, uint32_t n) {
-  return shows_finest(t, cell, list, n, split_avx2);
-}
-
-AVX2 static uint64_t candidates_avx2(const struct hsr_masks *p,
-                                     const struct hsr_mask_polygon *polygon,
-                                     const struct hsr_mask_cell *cell,
-                                     const uint32_t *list, uint32_t n,
-                                     int pattern, uint64_t *unsure) {
-  return candidates(p, polygon, cell, list, n, pattern, unsure, split_avx2);
-}
-
-static const struct hsr_mask_twin avx2 = {candidates_avx2, compose,
-                                          tile_pixels_avx2, shows_finest_avx2};
+MASK_TWIN(avx2, AVX2, split_avx2, compose);
 
 #endif

@@ -178,28 +178,6 @@ AVX512 static bool compose_avx512(const struct hsr_masks *p,
   return true;
 }
 
-AVX512 static void tile_pixels_avx512(const struct task *t,
-                                      const struct hsr_mask_cell *cell,
-                                      const struct hsr_mask_lines *active,
-                                      struct hsr_triage *mask, uint64_t a) {
-  tile_pixels(t, cell, active, mask, a, split_avx512);
-}
-
-AVX512 static bool shows_finest_avx512(const struct task *t,
-                                       const struct hsr_mask_cell *cell,
-                                       const uint32_t *list, uint32_t n) {
-  return shows_finest(t, cell, list, n, split_avx512);
-}
-
-AVX512 static uint64_t candidates_avx512(const struct hsr_masks *p,
-                                         const struct hsr_mask_polygon *polygon,
-                                         const struct hsr_mask_cell *cell,
-                                         const uint32_t *list, uint32_t n,
-                                         int pattern, uint64_t *unsure) {
-  return candidates(p, polygon, cell, list, n, pattern, unsure, split_avx512);
-}
-
-static const struct hsr_mask_twin avx512 = {
-    candidates_avx512, compose_avx512, tile_pixels_avx512, shows_finest_avx512};
+MASK_TWIN(avx512, AVX512, split_avx512, compose_avx512);
 
 #endif

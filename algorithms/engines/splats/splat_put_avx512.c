@@ -1,117 +1,49 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Puts a splat into the pixels of its footprint, for machines with AVX-512,
- * which have eight pixels of four channels in a register: what splat_put.c does,
- * with the same indices wherever floats can tell them. */
+ * which have eight pixels of four channels in a register: what splat_put.c
+ * does, with the same indices wherever floats can tell them. */
 #include "algorithms/engines/splats/splats.h"
 
 #if HSR_SPLATS_HAVE_TWINS
 #include <immintrin.h>
-#include <string.h>
 
-#define AVX512 __attribute__((target("avx512f,avx512bw,avx512vl")))
+#define TWIN __attribute__((target("avx512f,avx512bw,avx512vl")))
 
-/* 16 pixels are weighed at once: of one row, of two rows of PIECE, or of four rows
- * of HALF. Eight of them are a piece, which is put into the picture at once: it is
- * of one row, or of two rows of HALF. */
+/* 16 pixels are weighed at once: of one row, of two rows of PIECE, or of four
+ * rows of HALF. Eight of them are a piece, which is put into the picture at
+ * once: it is of one row, or of two rows of HALF. */
 enum { PIECE = HSR_SPLAT_LANES, HALF = PIECE / 2, ALL = 2 * PIECE };
 
-/* The footprint's square in floats. */
-struct footprint {
-  __m512 xx, xy, yy, p, q, constant, most, least; /* slope, and 2 - slope */
-  __m512 column, row;                             /* of each lane */
-  __m512i colour;
-  __m512 way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
-};
-
-AVX512 static inline __m512 all(float x) {
-  return _mm512_set1_ps(x);
-}
-
-/* `columns` is HALF, PIECE or ALL. */
-AVX512 static inline struct footprint footprint_of(const struct hsr_splats *s,
-                                                   const struct hsr_placed *p,
-                                                   int columns, bool blurred) {
-  const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
-                                         12, 13, 14, 15),
-                column = _mm512_and_si512(lane, _mm512_set1_epi32(columns - 1)),
-                row = _mm512_srli_epi32(lane, columns == HALF    ? 2
-                                              : columns == PIECE ? 3
-                                                                 : 4);
-  int64_t rgba;
-  memcpy(&rgba, p->colour, sizeof rgba);
-  return (struct footprint){all(p->xx),
-                            all(2 * p->xy),
-                            all(p->yy),
-                            all(p->p),
-                            all(p->q),
-                            all(blurred ? p->way_error : p->constant),
-                            all(blurred ? 1 : p->slope),
-                            all(blurred ? 1 : 2 - p->slope),
-                            _mm512_cvtepi32_ps(column),
-                            _mm512_cvtepi32_ps(row),
-                            _mm512_set1_epi64(rgba),
-                            all(p->way_x),
-                            all(p->way_y),
-                            all(p->s_x),
-                            all(p->s_y),
-                            all((float)s->way_from),
-                            all((float)s->way_to)};
-}
-
-AVX512 __attribute__((noinline)) static __m512i
-settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
-       int columns, unsigned doubt, __m512i index) {
-  uint32_t indices[ALL];
-  _mm512_storeu_si512(indices, index);
-  hsr_splats_settle(s, p, x, j, columns, doubt, indices);
-  return _mm512_loadu_si512(indices);
-}
+typedef __m512 floats;
+typedef __m512i ints;
+#define f_all(x) _mm512_set1_ps(x)
+#define f_fma(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define f_fma_less(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
+#define f_min(a, b) _mm512_min_ps(a, b)
+#define f_max(a, b) _mm512_max_ps(a, b)
+#define f_ratio(a, b) _mm512_mul_ps(a, f_inverse(b))
+#define f_of_ints(a) _mm512_cvtepi32_ps(a)
+#define i_all(x) _mm512_set1_epi32(x)
+#define i_all64(x) _mm512_set1_epi64(x)
+#define i_numbers()                                                            \
+  _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
+#define i_and(a, b) _mm512_and_si512(a, b)
+#define i_right(a, n) _mm512_srli_epi32(a, (unsigned)(n))
+#define i_load(from) _mm512_loadu_si512(from)
+#define i_store(to, a) _mm512_storeu_si512(to, a)
 
 /* 1 / x, to 2^-22 of it. */
-AVX512 static inline __m512 inverse(__m512 x) {
+TWIN static inline __m512 f_inverse(__m512 x) {
   __m512 y = _mm512_rcp14_ps(x);
-  return _mm512_fmadd_ps(y, _mm512_fnmadd_ps(x, y, all(1)), y);
+  return _mm512_fmadd_ps(y, _mm512_fnmadd_ps(x, y, f_all(1)), y);
 }
 
-/* What is the same in a column of pixels: `past` columns right of the first. */
-struct column {
-  __m512 X, xx, xy, px;
-};
-
-AVX512 static inline struct column column_of(const struct footprint *f,
-                                             float dx, int past) {
-  __m512 column = _mm512_add_ps(all((float)past), f->column),
-         X = _mm512_add_ps(all(dx), column);
-  return (struct column){X, _mm512_mul_ps(f->xx, _mm512_mul_ps(X, X)),
-                         _mm512_mul_ps(f->xy, X),
-                         _mm512_fmadd_ps(f->p, X, all(1))};
-}
-
-AVX512 static inline __m512 kappa_of(const struct footprint *f,
-                                     const struct column *c, __m512 Y) {
-  __m512 w = _mm512_fmadd_ps(f->q, Y, c->px);
-  __m512 square = _mm512_fmadd_ps(_mm512_fmadd_ps(f->yy, Y, c->xy), Y, c->xx);
-  return _mm512_mul_ps(square, inverse(_mm512_mul_ps(w, w)));
-}
-
-/* The same from the way of a blurred splat: splat_blur.c. */
-AVX512 static inline __m512 blurred_kappa_of(const struct footprint *f,
-                                             const struct column *c, __m512 Y) {
-  __m512 per_w = inverse(_mm512_fmadd_ps(f->q, Y, c->px));
-  __m512 x = _mm512_mul_ps(c->X, per_w), y = _mm512_mul_ps(Y, per_w);
-  __m512 t = _mm512_fmadd_ps(f->s_x, x, _mm512_mul_ps(f->s_y, y));
-  t = _mm512_min_ps(_mm512_max_ps(t, f->from), f->to);
-  x = _mm512_fnmadd_ps(t, f->way_x, x);
-  y = _mm512_fnmadd_ps(t, f->way_y, y);
-  __m512 yy = _mm512_mul_ps(f->yy, _mm512_mul_ps(y, y));
-  return _mm512_fmadd_ps(_mm512_fmadd_ps(f->xx, x, _mm512_mul_ps(f->xy, y)), x,
-                         yy);
-}
+#include "algorithms/engines/splats/splat_twin.h"
 
 /* W of indices, 0 where they are not in `in`, in every other word. 16 i + j,
  * moved up by 12 bits, leaves 2 j in the highest five of a word. */
-AVX512 static inline __m512i weigh(const struct hsr_splats *s, __mmask16 in,
-                                   __m512i index) {
+TWIN static inline __m512i weigh(const struct hsr_splats *s, __mmask16 in,
+                                 __m512i index) {
   __m512i i = _mm512_srli_epi32(index, 4);
   __m512i T = _mm512_permutex2var_epi16(_mm512_load_si512(s->knot), i,
                                         _mm512_load_si512(s->knot + 32)),
@@ -124,22 +56,22 @@ AVX512 static inline __m512i weigh(const struct hsr_splats *s, __mmask16 in,
 }
 
 /* In each pixel its opacity, four times. */
-AVX512 static inline __m512i opacity(__m512i pixels) {
+TWIN static inline __m512i opacity(__m512i pixels) {
   return _mm512_shuffle_epi8(
       pixels, _mm512_broadcast_i32x4(
                   _mm_set_epi64x(0x0f0e0f0e0f0e0f0e, 0x0706070607060706)));
 }
 
 /* floor(b (65536 - by) / 65536). */
-AVX512 static inline __m512i left(__m512i b, __m512i by) {
+TWIN static inline __m512i left(__m512i b, __m512i by) {
   return _mm512_mask_mulhi_epu16(b, _mm512_test_epi16_mask(by, by), b,
                                  _mm512_sub_epi16(_mm512_setzero_si512(), by));
 }
 
-/* A piece of the picture: eight pixels from `at` on, or four, and four more from
- * `second` on. */
-AVX512 static inline __m512i load(const uint16_t (*rgba)[4], size_t at,
-                                  size_t second) {
+/* A piece of the picture: eight pixels from `at` on, or four, and four more
+ * from `second` on. */
+TWIN static inline __m512i load(const uint16_t (*rgba)[4], size_t at,
+                                size_t second) {
   if (second == at + HALF)
     return _mm512_loadu_si512(rgba + at);
   return _mm512_inserti64x4(
@@ -147,8 +79,8 @@ AVX512 static inline __m512i load(const uint16_t (*rgba)[4], size_t at,
       _mm256_loadu_si256((const __m256i *)(rgba + second)), 1);
 }
 
-AVX512 static inline void store(uint16_t (*rgba)[4], size_t at, size_t second,
-                                __m512i E) {
+TWIN static inline void store(uint16_t (*rgba)[4], size_t at, size_t second,
+                              __m512i E) {
   if (second == at + HALF) {
     _mm512_storeu_si512(rgba + at, E);
     return;
@@ -158,14 +90,14 @@ AVX512 static inline void store(uint16_t (*rgba)[4], size_t at, size_t second,
                       _mm512_extracti64x4_epi64(E, 1));
 }
 
-AVX512 static inline void add_four(uint32_t (*sum)[4], __m256i D) {
+TWIN static inline void add_four(uint32_t (*sum)[4], __m256i D) {
   _mm512_storeu_si512(
       sum, _mm512_add_epi32(_mm512_loadu_si512(sum), _mm512_cvtepu16_epi32(D)));
 }
 
-AVX512 static inline void put_piece(struct hsr_splat_picture *picture,
-                                    size_t at, size_t second, __m512i D,
-                                    enum hsr_splat_way way) {
+TWIN static inline void put_piece(struct hsr_splat_picture *picture, size_t at,
+                                  size_t second, __m512i D,
+                                  enum hsr_splat_way way) {
   if (way == HSR_PUT_SUM) {
     add_four(picture->sum + at, _mm512_castsi512_si256(D));
     add_four(picture->sum + second, _mm512_extracti64x4_epi64(D, 1));
@@ -182,8 +114,8 @@ AVX512 static inline void put_piece(struct hsr_splat_picture *picture,
 }
 
 /* D of a piece's pixels, the first or the second one. */
-AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
-                                   int piece) {
+TWIN static inline __m512i given(const struct footprint *f, __m512i weight,
+                                 int piece) {
   const int64_t four = 0x0002000200020002, n = PIECE * piece;
   const __m512i pixel = _mm512_setr_epi64(
       four * n, four * (n + 1), four * (n + 2), four * (n + 3), four * (n + 4),
@@ -191,13 +123,12 @@ AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
   return _mm512_mulhi_epu16(_mm512_permutexvar_epi16(pixel, weight), f->colour);
 }
 
-/* Puts the columns of the box from x0 + past on, as many as are weighed at once.
- * Pixels beyond the box get a weight of 0 and stay as they are. To leave them out
- * would take a branch, which the processor often guesses wrong. */
-AVX512 static inline __attribute__((always_inline)) void
-put_columns(struct hsr_splats *s, const struct hsr_placed *p,
-            struct hsr_splat_picture *picture, const struct footprint *f,
-            int past, int columns, bool blurred, enum hsr_splat_way way) {
+/* Pixels beyond the box get a weight of 0 and stay as they are. To leave them
+ * out would take a branch, which the processor often guesses wrong. */
+ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
+                        struct hsr_splat_picture *picture,
+                        const struct footprint *f, int past, int columns,
+                        bool blurred, enum hsr_splat_way way) {
   const struct hsr_window *box = &p->box;
   const int rows = ALL / columns, x = box->x0 + past,
             n = box->x1 - x < columns ? box->x1 - x : columns;
@@ -210,7 +141,7 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
                                              : columns == PIECE ? 0x101
                                                                 : 0x1111);
   const struct column c = column_of(f, p->dx, past);
-  const __m512 dy = all(p->dy);
+  const __m512 dy = f_all(p->dy);
   const __m512i beyond = _mm512_set1_epi32(HSR_FOOTPRINT);
   __m512 row = f->row;
   size_t at = hsr_splats_at(s, picture, x, box->y0);
@@ -233,61 +164,22 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
     if (columns < ALL || n > PIECE)
       put_piece(picture, at + next, at + next + second, given(f, weight, 1),
                 way);
-    row = _mm512_add_ps(row, all((float)rows));
+    row = _mm512_add_ps(row, f_all((float)rows));
     at += (size_t)rows * stride;
   }
 }
 
-/* All columns of the box. */
-AVX512 static inline __attribute__((always_inline)) void
-put_box(struct hsr_splats *s, const struct hsr_placed *p,
-        struct hsr_splat_picture *picture, int columns, bool blurred,
-        enum hsr_splat_way way) {
-  const struct footprint f = footprint_of(s, p, columns, blurred);
-  const int width = p->box.x1 - p->box.x0;
-  for (int past = 0; past < width; past += columns)
-    put_columns(s, p, picture, &f, past, columns, blurred, way);
-}
+/* What is not wider than a piece, or half of it, is put two or four rows at
+ * once. */
+SHAPE(put_narrow, HALF, false)
+SHAPE(put_middle, PIECE, false)
+SHAPE(put_wide, ALL, false)
+SHAPE(put_blurred, ALL, true)
 
-/* Each way has code of its own. */
-AVX512 static inline __attribute__((always_inline)) void
-put_shape(struct hsr_splats *s, const struct hsr_placed *p,
-          struct hsr_splat_picture *picture, int columns, bool blurred,
-          enum hsr_splat_way way) {
-  if (way == HSR_PUT_OVER)
-    put_box(s, p, picture, columns, blurred, HSR_PUT_OVER);
-  else if (way == HSR_PUT_UNDER)
-    put_box(s, p, picture, columns, blurred, HSR_PUT_UNDER);
-  else if (way == HSR_PUT_ADD)
-    put_box(s, p, picture, columns, blurred, HSR_PUT_ADD);
-  else
-    put_box(s, p, picture, columns, blurred, HSR_PUT_SUM);
-}
-
-/* So has each shape. What is not wider than a piece, or half of it, is put two or
- * four rows at once. */
-#define SHAPE AVX512 static __attribute__((noinline)) void
-SHAPE put_narrow(struct hsr_splats *s, const struct hsr_placed *p,
-                 struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  put_shape(s, p, picture, HALF, false, way);
-}
-SHAPE put_middle(struct hsr_splats *s, const struct hsr_placed *p,
-                 struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  put_shape(s, p, picture, PIECE, false, way);
-}
-SHAPE put_wide(struct hsr_splats *s, const struct hsr_placed *p,
-               struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  put_shape(s, p, picture, ALL, false, way);
-}
-SHAPE put_blurred(struct hsr_splats *s, const struct hsr_placed *p,
-                  struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  put_shape(s, p, picture, ALL, true, way);
-}
-
-AVX512 void hsr_splats_put_avx512(struct hsr_splats *s,
-                                  const struct hsr_placed *p,
-                                  struct hsr_splat_picture *picture,
-                                  enum hsr_splat_way way) {
+TWIN void hsr_splats_put_avx512(struct hsr_splats *s,
+                                const struct hsr_placed *p,
+                                struct hsr_splat_picture *picture,
+                                enum hsr_splat_way way) {
   const int width = p->box.x1 - p->box.x0;
   if (p->is_blurred)
     put_blurred(s, p, picture, way);

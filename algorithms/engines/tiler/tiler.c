@@ -79,8 +79,8 @@ struct span {
   int j, x0, x1;
 };
 
-/* The steps that are written for every machine, for AVX2 (tiler_avx2.h) and for
- * AVX-512 (tiler_avx512.h). */
+/* The steps that are written for every machine; and once more in tiler_twin.h,
+ * for AVX2 (tiler_avx2.h) and for AVX-512 (tiler_avx512.h). */
 struct hsr_twin {
   void (*look)(const struct hsr_tiler *, struct hsr_batch *);
   void (*tile_span)(struct hsr_tiler *, const struct span *);
@@ -680,10 +680,10 @@ static struct last last_ones(const uint32_t *v, const bool *one_sided, int k,
 static const struct hsr_twin *choose_twin(void) {
 #ifdef HAVE_TWINS
   if (__builtin_cpu_supports("avx512f"))
-    return &avx512;
+    return &twin_avx512;
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
       __builtin_cpu_supports("bmi2"))
-    return &avx2;
+    return &twin_avx2;
 #endif
   return &portable;
 }

@@ -12,7 +12,7 @@
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
  *             their faces, 4 bytes each.
  * Flat        there are no normals: a viewer shades each triangle flat. */
 #include "common/files/cells/cells.h"
-#include "common/files/json.h"
+#include "common/files/json/json.h"
 #include "common/files/whole_file.h"
 #include "common/scene/pieces.h"
 

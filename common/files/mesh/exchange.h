@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mesh files. hsr reads .off, .ply, plain .obj and .stl itself; CGAL reads other
- * .obj files and texts of .stl; VTK reads .vtp. Line drawings and polygons (.vtp)
- * and voxels (.vti), written through VTK.
+/* Mesh files: .off .obj .ply .stl .vtp, each with one reader. Line drawings and
+ * polygons (.vtp) and voxels (.vti), written through VTK.
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one;

@@ -11,18 +11,12 @@ libhsr_a_SOURCES += \
   %D%/mesh_materials.cc \
   %D%/mesh_materials.h \
   %D%/mesh_obj.cc \
-  %D%/mesh_obj.h \
-  %D%/mesh_obj_plain.cc \
   %D%/mesh_off.cc \
-  %D%/mesh_off_plain.cc \
   %D%/mesh_ply.cc \
   %D%/mesh_ply_header.cc \
   %D%/mesh_ply_header.h \
   %D%/mesh_ply_plain.cc \
-  %D%/mesh_scan_obj.cc \
-  %D%/mesh_scan_stl.cc \
   %D%/mesh_solid.cc \
   %D%/mesh_stl.cc \
-  %D%/mesh_stl_plain.cc \
   %D%/mesh_text.cc \
   %D%/mesh_text.h

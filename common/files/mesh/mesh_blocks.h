@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts that threads read together: cut into blocks at starts of lines.
+//
+// A reader of blocks throws Refused at the first thing that is wrong in one.
+// Then the text is read again as one block: what is said is what is first in
+// the file, and the numbers of elements in it are right.
 #ifndef HSR_COMMON_MESH_BLOCKS_H
 #define HSR_COMMON_MESH_BLOCKS_H
 
 #include "common/base/share.h"
+#include "common/files/mesh/mesh_file.h"
 
 #include <algorithm>
 #include <atomic>
@@ -16,8 +21,8 @@ namespace hsr {
 constexpr size_t TEXT_BLOCK = size_t{1} << 16; /* bytes, about */
 
 /* Cuts the text from `begin` to `end` into blocks, a type that has `begin` and
- * `end`, too. Each but the first begins with a line for which may_start(line, end)
- * is true. */
+ * `end`, too. Each but the first begins with a line for which may_start(line,
+ * end) is true. */
 template <class Block, class May_start>
 std::vector<Block> cut_text(const char *begin, const char *end,
                             const May_start &may_start) {
@@ -40,8 +45,8 @@ std::vector<Block> cut_text(const char *begin, const char *end,
   return blocks;
 }
 
-/* Calls work(block) for all blocks, on so many threads. If it returns false for
- * one, blocks that are not begun are left out, and false is returned.
+/* Calls work(block) for all blocks, on so many threads. If it throws Refused
+ * for one, blocks that are not begun are left out, and false is returned.
  * std::bad_alloc. */
 template <class Block, class Work>
 bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
@@ -53,8 +58,10 @@ bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
   const auto part = [](void *context, uint32_t k, int) {
     Shared &all = *static_cast<Shared *>(context);
     try {
-      if (all.good && !all.work(all.blocks[k]))
-        all.good = false;
+      if (all.good)
+        all.work(all.blocks[k]);
+    } catch (const Refused &) {
+      all.good = false;
     } catch (const std::bad_alloc &) {
       all.out_of_memory = true;
     }
@@ -63,6 +70,28 @@ bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
   if (shared.out_of_memory)
     throw std::bad_alloc();
   return shared.good;
+}
+
+/* Reads a text by so many threads: `prepare(blocks)` looks at the blocks, which
+ * are to be read by work(block). If it returns false, or a block is refused,
+ * the text is one block. Returns the blocks that were read. Throws Refused;
+ * std::bad_alloc. */
+template <class Block, class May_start, class Prepare, class Work>
+std::vector<Block> read_blocks(int threads, const char *begin, const char *end,
+                               const May_start &may_start,
+                               const Prepare &prepare, const Work &work) {
+  if (threads > 1) {
+    std::vector<Block> blocks = cut_text<Block>(begin, end, may_start);
+    if (blocks.size() > 1 && prepare(blocks) &&
+        share_blocks(threads, blocks, work))
+      return blocks;
+  }
+  std::vector<Block> whole(1);
+  whole[0].begin = begin;
+  whole[0].end = end;
+  prepare(whole);
+  work(whole[0]);
+  return whole;
 }
 
 } // namespace hsr

@@ -114,19 +114,25 @@ namespace {
   throw refused;
 }
 
-/* Whether hsr_object_face refuses a face for its vertex numbers. */
-bool is_degenerate(const uint32_t *vertices, size_t n) {
-  if (n < 3)
-    return true;
-  if (n == 3)
-    return vertices[0] == vertices[1] || vertices[1] == vertices[2] ||
-           vertices[2] == vertices[0];
-  std::vector<uint32_t> sorted(vertices, vertices + n);
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-}
-
 } // namespace
+
+const char *face_fault(const uint32_t *vertices, size_t n) {
+  constexpr size_t FEW = 16; /* are compared with one another */
+  bool twice = false;
+  if (n < 3)
+    return "has fewer than 3 vertices";
+  if (n > FEW) {
+    std::vector<uint32_t> sorted(vertices, vertices + n);
+    std::sort(sorted.begin(), sorted.end());
+    twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+  for (size_t k = 1; k < n && n <= FEW && !twice; k++)
+    twice = std::find(vertices, vertices + k, vertices[k]) != vertices + k;
+  return twice
+             ? "has the same vertex twice; --drop-degenerate leaves such faces "
+               "out"
+             : nullptr;
+}
 
 const float *mean_colour(const std::vector<float> &vertex_rgb,
                          const uint32_t *corners, size_t n, float rgb[3]) {
@@ -179,10 +185,6 @@ void Mesh_builder::forget() {
   n_given_ = n_dropped_ = 0;
 }
 
-void Mesh_builder::forget_colours() {
-  hsr_object_uncolour(object_);
-}
-
 void Mesh_builder::vertex(double x, double y, double z) {
   switch (hsr_object_vertex(object_, x, y, z, nullptr)) {
   case HSR_OK:
@@ -198,7 +200,7 @@ void Mesh_builder::vertex(double x, double y, double z) {
 }
 
 bool Mesh_builder::usable(const uint32_t *vertices, size_t n) const {
-  if (n > UINT32_MAX || is_degenerate(vertices, n))
+  if (n > UINT32_MAX || face_fault(vertices, n))
     return false;
   for (size_t i = 0; i < n; i++)
     if (vertices[i] >= object_->n_vertices)
@@ -230,10 +232,9 @@ void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
   for (size_t i = 0; i < n; i++)
     if (vertices[i] >= object_->n_vertices)
       refuse_element(path_, "face", number, "names a vertex that is not there");
+  const char *fault = face_fault(vertices, n);
   refuse_element(path_, "face", number,
-                 n < 3                        ? "has fewer than 3 vertices"
-                 : is_degenerate(vertices, n) ? TWICE
-                                              : "is one more than can be held");
+                 fault ? fault : "is one more than can be held");
 }
 
 } // namespace hsr

@@ -20,18 +20,19 @@ Rgb rgb_of_file(const double encoded[3]) {
 namespace {
 
 /* Kd r, which stands for r r r, or Kd r g b. False: in other words. */
-bool read_diffuse(Lines &lines, size_t material, Rgb &rgb) {
+bool read_diffuse(Text &text, size_t material, Rgb &rgb) {
   double value[3];
   size_t n = 0;
-  for (Word word = lines.word(); !word.empty(); word = lines.word(), n++) {
+  for (; text.more(); n++) {
+    const Word word = text.word();
     if (!n && (word == "spectral" || word == "xyz"))
       return false;
     if (n == 3)
-      lines.refuse("Kd has more than 3 numbers");
-    value[n] = lines.real(word, "material", material);
+      text.refuse("Kd has more than 3 numbers");
+    value[n] = text.real_of(word, "material", material);
   }
   if (n != 1 && n != 3)
-    lines.refuse("Kd has %zu numbers, not 3", n);
+    text.refuse("Kd has %zu numbers, not 3", n);
   if (n == 1)
     value[1] = value[2] = value[0];
   rgb = rgb_of_file(value);
@@ -53,16 +54,16 @@ bool is_there(const std::string &path) {
 void Materials::read_file(const std::string &path) {
   Mesh_file file = load_mesh_file(path.c_str());
   skip_byte_order_mark(file);
-  Lines lines(file, {'#', true});
+  Text text(file, {'#', true});
   std::string name;
-  for (size_t n = 0; lines.next_line();) {
-    const Word statement = lines.word();
+  for (size_t n = 0; text.next_line();) {
+    const Word statement = text.word();
     Rgb rgb;
     if (statement == "newmtl") {
-      name = lines.rest();
+      name = text.rest();
       defined_.insert(name);
       n++;
-    } else if (statement == "Kd" && read_diffuse(lines, n, rgb)) {
+    } else if (statement == "Kd" && read_diffuse(text, n, rgb)) {
       colours_[name] = rgb;
     }
   }

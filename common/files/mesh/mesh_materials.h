@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours of .mtl files, for mesh_scan_obj.cc.
+// The colours of .mtl files, for mesh_obj.cc.
 #ifndef HSR_COMMON_MESH_MATERIALS_H
 #define HSR_COMMON_MESH_MATERIALS_H
 

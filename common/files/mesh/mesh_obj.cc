@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/files/mesh/mesh_obj.h"
+// Reads .obj files.
+//
+// Source      Wavefront Advanced Visualizer manual, appendix B1
+// Departures  of geometry only vertices and faces are read; free-form surfaces,
+//             lines, points and groups are passed over. Of materials only the
+//             colours are read. Vertices may have a colour, "v x y z r g b", as
+//             many programs write it: 0..1, or 0..255 if any is above 1.
+// Method      first, the vertices of each block of the text are counted, so
+//             each knows the number of its first. Then all blocks are read at
+//             once. At last, faces are given in order, and materials found for
+//             them.
+// Memory      4 bytes a corner and a face, beside the file and the object
+#include "common/files/mesh/mesh_blocks.h"
+#include "common/files/mesh/mesh_materials.h"
+#include "common/files/mesh/mesh_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +21,21 @@
 namespace hsr {
 namespace {
 
-/* CGAL knows some of them. */
+constexpr Text_style STYLE = {'#', true};
+
+/* Statements that are passed over. */
+class Passed_over {
+public:
+  /* Whether a statement is one; if so, it is counted. */
+  bool takes(Word name);
+  void add(const Passed_over &more);
+  /* Gives the builder a note for each sort. */
+  void note(Mesh_builder &builder) const;
+
+private:
+  size_t n_lines_ = 0, n_points_ = 0, n_free_forms_ = 0;
+};
+
 constexpr Word PASSED_OVER[] = {
     "vt",        "vn",       "vp",     "p",      "l",      "curv",
     "curv2",     "surf",     "cstype", "deg",    "bmat",   "step",
@@ -17,49 +45,297 @@ constexpr Word PASSED_OVER[] = {
     "trace_obj", "ctech",    "stech",  "call",   "csh",    "bsp",
     "bzp",       "cdc",      "cdp",    "res"};
 
-} // namespace
-
 bool Passed_over::takes(Word name) {
   if (std::find(std::begin(PASSED_OVER), std::end(PASSED_OVER), name) ==
       std::end(PASSED_OVER))
     return false;
-  n_lines += name == "l";
-  n_points += name == "p";
-  n_free_forms += name == "surf" || name == "curv" || name == "curv2";
+  n_lines_ += name == "l";
+  n_points_ += name == "p";
+  n_free_forms_ += name == "surf" || name == "curv" || name == "curv2";
   return true;
 }
 
 void Passed_over::add(const Passed_over &more) {
-  n_lines += more.n_lines;
-  n_points += more.n_points;
-  n_free_forms += more.n_free_forms;
+  n_lines_ += more.n_lines_;
+  n_points_ += more.n_points_;
+  n_free_forms_ += more.n_free_forms_;
 }
 
-void Passed_over::note(std::vector<std::string> &notes) const {
-  const auto add = [&notes](size_t n, const char *statement, const char *what) {
+void Passed_over::note(Mesh_builder &builder) const {
+  const auto add = [&](size_t n, const char *statement, const char *what) {
     if (n)
-      notes.push_back(std::to_string(n) + " statement" + (n > 1 ? "s" : "") +
-                      " '" + statement + "' passed over: " + what +
-                      " are not read");
+      builder.note(std::to_string(n) + " statement" + (n > 1 ? "s" : "") +
+                   " '" + statement + "' passed over: " + what +
+                   " are not read");
   };
-  add(n_lines, "l", "lines");
-  add(n_points, "p", "points");
-  add(n_free_forms, "curv' or 'surf", "free-form curves and surfaces");
+  add(n_lines_, "l", "lines");
+  add(n_points_, "p", "points");
+  add(n_free_forms_, "curv' or 'surf", "free-form curves and surfaces");
 }
 
-std::vector<float> obj_colours(const std::vector<double> &rgb, size_t n) {
-  std::vector<float> linear;
-  if (rgb.empty() || rgb.size() != 3 * n)
-    return linear;
-  const double most = *std::max_element(rgb.begin(), rgb.end()) > 1 ? 255 : 1;
-  linear.reserve(rgb.size());
-  for (size_t k = 0; k < rgb.size(); k += 3) {
-    const double encoded[3] = {rgb[k] / most, rgb[k + 1] / most,
-                               rgb[k + 2] / most};
-    const Rgb colour = rgb_of_file(encoded);
-    linear.insert(linear.end(), colour.begin(), colour.end());
+/* A statement mtllib or usemtl, before a face of its block. */
+struct Material_line {
+  bool is_library;
+  size_t face;
+  std::string names;
+};
+
+struct Block {
+  const char *begin, *end;
+  size_t n_vertices = 0, first_vertex = 0;
+  std::vector<uint32_t> corners, sizes; /* of its faces */
+  std::vector<double> rgb;              /* of its vertices, as they stand */
+  std::vector<Material_line> materials;
+  Passed_over passed_over;
+};
+
+/* ---- The lines of a block ---- */
+
+class Block_reader {
+public:
+  Block_reader(const Mesh_file &file, Block &block, size_t n_vertices,
+               bool drop, double *xyz)
+      : text_(file, STYLE, block.begin, block.end), block_(block),
+        n_vertices_(n_vertices), drop_(drop), xyz_(xyz) {}
+  void read();
+
+private:
+  void vertex();
+  void face();
+  uint32_t corner();
+  void other(Word name);
+
+  Text text_;
+  Block &block_;
+  const size_t n_vertices_; /* of the file */
+  const bool drop_;
+  double *const xyz_; /* of all vertices */
+  size_t n_ = 0;      /* vertices so far, with those before the block */
+};
+
+void Block_reader::vertex() {
+  size_t n = 0;
+  double value[7];
+  for (; text_.more(); n++) {
+    const double number = text_.real("vertex", n_ + 1);
+    if (n < 7)
+      value[n] = number;
   }
-  return linear;
+  /* With a weight, with a colour, or with both. */
+  if (n != 3 && n != 4 && n != 6 && n != 7)
+    text_.refuse("vertex %zu has %zu numbers, not 3", n_ + 1, n);
+  std::copy_n(value, 3, xyz_ + 3 * n_++);
+  if (n >= 6)
+    block_.rgb.insert(block_.rgb.end(), value + n - 3, value + n);
+}
+
+/* Whether a text is the texture and normal of a corner: "/t", "//n" or
+ * "/t/n". */
+bool are_parts(const char *at, const char *end) {
+  for (int k = 0; at < end; k++) {
+    if (k == 2 || *at != '/')
+      return false;
+    long long unused;
+    const auto result = std::from_chars(++at, end, unused);
+    if (result.ec == std::errc::result_out_of_range)
+      return false;
+    if (result.ec == std::errc())
+      at = result.ptr;
+  }
+  return true;
+}
+
+/* The vertex of a corner, counted from 0. */
+uint32_t Block_reader::corner() {
+  const Word word = text_.word();
+  const char *const end = word.data() + word.size();
+  long long v;
+  const auto result = std::from_chars(word.data(), end, v);
+  if (result.ec != std::errc() || !are_parts(result.ptr, end))
+    text_.refuse("face %zu: '%s' is not a corner", block_.sizes.size(),
+                 shown_word(word).c_str());
+  const auto before = static_cast<long long>(n_);
+  const auto all = static_cast<long long>(n_vertices_);
+  if (v == 0 || v < -before || v > all)
+    text_.refuse("face %zu names vertex %lld of %lld", block_.sizes.size(), v,
+                 v > 0 ? all : before);
+  return static_cast<uint32_t>(v > 0 ? v - 1 : before + v);
+}
+
+void Block_reader::face() {
+  const size_t first = block_.corners.size();
+  while (text_.more())
+    block_.corners.push_back(corner());
+  const size_t n = block_.corners.size() - first;
+  const char *fault =
+      drop_ ? nullptr : face_fault(block_.corners.data() + first, n);
+  if (fault)
+    text_.refuse("face %zu %s", block_.sizes.size(), fault);
+  block_.sizes.push_back(static_cast<uint32_t>(n));
+}
+
+/* A line of materials, or one that is passed over. */
+void Block_reader::other(Word name) {
+  if (name == "mtllib" || name == "usemtl")
+    block_.materials.push_back(
+        {name == "mtllib", block_.sizes.size(), text_.rest()});
+  else if (!block_.passed_over.takes(name))
+    text_.refuse("'%s' is not a statement", shown_word(name).c_str());
+}
+
+void Block_reader::read() {
+  n_ = block_.first_vertex;
+  while (text_.next_line()) {
+    const Word name = text_.word();
+    if (name == "v")
+      vertex();
+    else if (name == "f")
+      face();
+    else
+      other(name);
+  }
+}
+
+/* ---- The file ---- */
+
+class Obj_reader {
+public:
+  Obj_reader(const Mesh_file &file, Mesh_builder &builder)
+      : file_(file), builder_(builder) {}
+  void read();
+
+private:
+  bool may_start(const char *line) const;
+  bool count(std::vector<Block> &blocks);
+  void find_colours(const std::vector<Block> &blocks);
+  void give(const Block &block);
+  void material(const Material_line &line);
+  void face(const uint32_t *corners, size_t n);
+  void note(const std::vector<Block> &blocks) const;
+
+  const Mesh_file &file_;
+  Mesh_builder &builder_;
+  size_t n_vertices_ = 0;
+  double *xyz_ = nullptr;
+  std::vector<float> vertex_rgb_; /* or empty */
+  Materials materials_;
+  const Rgb *material_ = nullptr; /* of the faces that follow */
+};
+
+/* Not a line in which the one before it may go on. */
+bool Obj_reader::may_start(const char *line) const {
+  const char *last = line - 1;
+  while (last > file_.begin && is_space(last[-1]))
+    last--;
+  return last == file_.begin || last[-1] != '\\';
+}
+
+bool Obj_reader::count(std::vector<Block> &blocks) {
+  share_blocks(builder_.threads(), blocks, [this](Block &block) {
+    Text text(file_, STYLE, block.begin, block.end);
+    while (text.next_line())
+      block.n_vertices += text.word() == "v";
+  });
+  n_vertices_ = 0;
+  for (Block &block : blocks) {
+    block.first_vertex = n_vertices_;
+    n_vertices_ += block.n_vertices;
+  }
+  if (n_vertices_ > static_cast<size_t>(MOST_ELEMENTS))
+    file_.refuse(0, "%zu vertices are more than can be read", n_vertices_);
+  xyz_ = builder_.vertices(n_vertices_);
+  return true;
+}
+
+/* Colours as they stand behind vertices, 0..1 or 0..255, made linear; if all
+ * vertices have one. */
+void Obj_reader::find_colours(const std::vector<Block> &blocks) {
+  size_t n = 0;
+  double most = 1;
+  for (const Block &block : blocks) {
+    n += block.rgb.size();
+    for (const double value : block.rgb)
+      most = value > 1 ? 255 : most;
+  }
+  if (n != 3 * n_vertices_)
+    return;
+  vertex_rgb_.reserve(n);
+  for (const Block &block : blocks)
+    for (size_t k = 0; k < block.rgb.size(); k += 3) {
+      const double *rgb = &block.rgb[k];
+      const double encoded[3] = {rgb[0] / most, rgb[1] / most, rgb[2] / most};
+      const Rgb colour = rgb_of_file(encoded);
+      vertex_rgb_.insert(vertex_rgb_.end(), colour.begin(), colour.end());
+    }
+}
+
+void Obj_reader::material(const Material_line &line) {
+  if (line.is_library)
+    materials_.read(file_.path, line.names);
+  else
+    material_ = materials_.find(line.names);
+}
+
+void Obj_reader::face(const uint32_t *corners, size_t n) {
+  float rgb[3];
+  builder_.face(corners, n,
+                material_ ? material_->data()
+                          : mean_colour(vertex_rgb_, corners, n, rgb));
+}
+
+void Obj_reader::give(const Block &block) {
+  const uint32_t *corners = block.corners.data();
+  auto line = block.materials.begin();
+  for (size_t f = 0; f < block.sizes.size(); f++) {
+    for (; line != block.materials.end() && line->face == f; ++line)
+      material(*line);
+    face(corners, block.sizes[f]);
+    corners += block.sizes[f];
+  }
+  for (; line != block.materials.end(); ++line)
+    material(*line);
+}
+
+void Obj_reader::note(const std::vector<Block> &blocks) const {
+  Passed_over passed_over;
+  for (const Block &block : blocks)
+    passed_over.add(block.passed_over);
+  for (const std::string &text : materials_.notes())
+    builder_.note(text);
+  passed_over.note(builder_);
+}
+
+void Obj_reader::read() {
+  if (file_.begin == file_.end)
+    file_.refuse(0, "holds nothing");
+  const std::vector<Block> blocks = read_blocks<Block>(
+      builder_.threads(), file_.begin, file_.end,
+      [this](const char *line, const char *) { return may_start(line); },
+      [this](std::vector<Block> &all) { return count(all); },
+      [this](Block &block) {
+        Block_reader(file_, block, n_vertices_, builder_.drops(), xyz_).read();
+      });
+  size_t n_faces = 0, n_corners = 0;
+  for (const Block &block : blocks) {
+    n_faces += block.sizes.size();
+    n_corners += block.corners.size();
+  }
+  if (n_faces > static_cast<size_t>(MOST_ELEMENTS) || n_corners >= UINT32_MAX)
+    file_.refuse(0, "%zu faces of %zu corners are more than can be read",
+                 n_faces, n_corners);
+  builder_.reserve(0, n_faces);
+  builder_.took_vertices(n_vertices_);
+  find_colours(blocks);
+  for (const Block &block : blocks)
+    give(block);
+  note(blocks);
+}
+
+} // namespace
+
+void obj_read(Mesh_file &file, Mesh_builder &builder) {
+  skip_byte_order_mark(file);
+  Obj_reader(file, builder).read();
 }
 
 } // namespace hsr

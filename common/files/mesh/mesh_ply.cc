@@ -27,14 +27,14 @@ using ply::Type;
  * of a type, passing over n values, the end of all, and refuse. */
 class Text_source {
 public:
-  explicit Text_source(Lines &lines) : lines_(lines) {}
+  explicit Text_source(Text &text) : text_(text) {}
 
   void start(const Element &element, size_t number) {
     name_ = shown_word(element.name);
     number_ = number;
-    if (!lines_.next_line())
-      lines_.refuse("the file ends after %zu of %zu elements '%s'", number,
-                    element.n, name_.c_str());
+    if (!text_.next_line())
+      text_.refuse("the file ends after %zu of %zu elements '%s'", number,
+                   element.n, name_.c_str());
   }
   double value(const Type &type);
   void skip(const Type &type, size_t n) {
@@ -42,42 +42,41 @@ public:
       value(type);
   }
   void finish() {
-    if (!lines_.word().empty())
-      lines_.refuse("%s %zu has more values than its properties", name_.c_str(),
-                    number_);
+    if (text_.more())
+      text_.refuse("%s %zu has more values than its properties", name_.c_str(),
+                   number_);
   }
   void end() {
-    if (lines_.next_line())
-      lines_.refuse("the file goes on after the last element");
+    if (text_.next_line())
+      text_.refuse("the file goes on after the last element");
   }
   template <class... Values>
   [[noreturn]] void refuse(const char *format, Values... values) const {
-    lines_.refuse(format, values...);
+    text_.refuse(format, values...);
   }
 
 private:
-  Lines &lines_;
+  Text &text_;
   std::string name_;
   size_t number_ = 0;
 };
 
 double Text_source::value(const Type &type) {
-  const Word word = lines_.word();
-  if (word.empty())
-    lines_.refuse("%s %zu has fewer values than its properties", name_.c_str(),
-                  number_);
+  if (!text_.more())
+    text_.refuse("%s %zu has fewer values than its properties", name_.c_str(),
+                 number_);
   if (type.is_real)
-    return type.size == 4
-               ? double{lines_.real<float>(word, name_.c_str(), number_)}
-               : lines_.real<double>(word, name_.c_str(), number_);
+    return type.size == 4 ? double{text_.real<float>(name_.c_str(), number_)}
+                          : text_.real<double>(name_.c_str(), number_);
   long long integer;
-  if (!read_integer(word, integer))
-    lines_.refuse("%s %zu: '%s' is not an integer", name_.c_str(), number_,
-                  shown_word(word).c_str());
+  Word word;
+  if (!text_.integer(integer, word))
+    text_.refuse("%s %zu: '%s' is not an integer", name_.c_str(), number_,
+                 shown_word(word).c_str());
   const double number = static_cast<double>(integer);
   if (number < type.least || number > type.most)
-    lines_.refuse("%s %zu: %s is out of the range of %s", name_.c_str(),
-                  number_, shown_word(word).c_str(), type.name.data());
+    text_.refuse("%s %zu: %lld is out of the range of %s", name_.c_str(),
+                 number_, integer, type.name.data());
   return number;
 }
 
@@ -158,9 +157,8 @@ Three colours_of(const Element &element) {
 
 template <class Source> class Reader {
 public:
-  Reader(const ply::Header &header, Source source, bool drop,
-         Mesh_builder &builder)
-      : header_(header), source_(source), checker_(drop), builder_(builder) {
+  Reader(const ply::Header &header, Source source, Mesh_builder &builder)
+      : header_(header), source_(source), builder_(builder) {
     for (size_t byte = 0; byte < linear_.size(); byte++)
       linear_[byte] = hsr_srgb_decode(static_cast<float>(byte) / 255.0f);
   }
@@ -178,7 +176,6 @@ private:
 
   const ply::Header &header_;
   Source source_;
-  Face_checker checker_;
   Mesh_builder &builder_;
   std::vector<double> value_;     /* of the element at hand, by property */
   std::vector<uint32_t> corners_; /* of faces that are not given yet */
@@ -192,15 +189,16 @@ private:
 template <class Source>
 void Reader<Source>::indices(const Type &type, size_t n, size_t face) {
   const size_t n_vertices = header_.elements[header_.vertices].n;
-  checker_.start();
+  const size_t first = corners_.size();
   for (size_t k = 0; k < n; k++) {
     const double v = source_.value(type);
     if (v < 0 || v >= static_cast<double>(n_vertices))
       source_.refuse("face %zu names vertex %.0f of %zu", face, v, n_vertices);
-    checker_.add(static_cast<size_t>(v));
     corners_.push_back(static_cast<uint32_t>(v));
   }
-  if (const char *fault = checker_.fault())
+  const char *fault =
+      builder_.drops() ? nullptr : face_fault(corners_.data() + first, n);
+  if (fault)
     source_.refuse("face %zu %s", face, fault);
 }
 
@@ -307,20 +305,20 @@ template <class Source> void Reader<Source>::read() {
 
 } // namespace
 
-void ply_read(Mesh_file &file, bool drop, Mesh_builder &builder) {
+void ply_read(Mesh_file &file, Mesh_builder &builder) {
   skip_byte_order_mark(file);
   ply::Header header(file);
   header.read();
-  if (ply::read_plain(header, header.lines().rest_of_file(), file.end, builder))
+  Text &text = header.text();
+  if (ply::read_plain(header, text.at(), file.end, builder))
     return;
   if (header.format == Format::text)
-    Reader<Text_source>(header, Text_source(header.lines()), drop, builder)
-        .read();
+    Reader<Text_source>(header, Text_source(text), builder).read();
   else
-    Reader<Binary_source>(header,
-                          Binary_source(file, header.lines().rest_of_file(),
-                                        header.format == Format::big_endian),
-                          drop, builder)
+    Reader<Binary_source>(
+        header,
+        Binary_source(file, text.at(), header.format == Format::big_endian),
+        builder)
         .read();
 }
 

@@ -25,42 +25,41 @@ const Type *find_type(Word name) {
 } // namespace
 
 void Header::next_line() {
-  const size_t before = lines_.number();
-  if (!lines_.next_line())
-    lines_.refuse("the file ends in its header");
-  if (lines_.number() != before + 1)
-    lines_.refuse("there is an empty line before this one, in the header");
+  if (!text_.next_line())
+    text_.refuse("the file ends in its header");
+  if (text_.passed_empty_lines())
+    text_.refuse("there is an empty line before this one, in the header");
 }
 
 Word Header::word(const char *what) {
-  const Word taken = lines_.word();
+  const Word taken = text_.word();
   if (taken.empty())
-    lines_.refuse("%s is missing", what);
+    text_.refuse("%s is missing", what);
   return taken;
 }
 
 void Header::signature() {
   next_line();
-  const Word first = lines_.word();
+  const Word first = text_.word();
   if (first != "ply")
-    lines_.refuse("the file starts with '%s', not with ply",
-                  shown_word(first).c_str());
+    text_.refuse("the file starts with '%s', not with ply",
+                 shown_word(first).c_str());
   next_line();
-  if (lines_.word() != "format")
-    lines_.refuse("the second line does not start with 'format'");
+  if (text_.word() != "format")
+    text_.refuse("the second line does not start with 'format'");
   const Word name = word("the name of the format");
   if (name == "binary_little_endian")
     format = Format::little_endian;
   else if (name == "binary_big_endian")
     format = Format::big_endian;
   else if (name != "ascii")
-    lines_.refuse("'%s' is not a format", shown_word(name).c_str());
+    text_.refuse("'%s' is not a format", shown_word(name).c_str());
   word("the version of the format");
 }
 
 void Header::note(size_t &which, const char *what) {
   if (which != NONE)
-    lines_.refuse("there are two elements of %s", what);
+    text_.refuse("there are two elements of %s", what);
   which = elements.size();
 }
 
@@ -69,8 +68,8 @@ void Header::element() {
   const Word number = word("the number of elements");
   long long n;
   if (!read_integer(number, n) || n < 0)
-    lines_.refuse("'%s' is not a number of elements",
-                  shown_word(number).c_str());
+    text_.refuse("'%s' is not a number of elements",
+                 shown_word(number).c_str());
   if (name == "vertex" || name == "vertices")
     note(vertices, "vertices");
   else if (name == "face" || name == "faces")
@@ -82,28 +81,28 @@ const Type *Header::type() {
   const Word name = word("a type");
   const Type *found = find_type(name);
   if (!found)
-    lines_.refuse("'%s' is not a type", shown_word(name).c_str());
+    text_.refuse("'%s' is not a type", shown_word(name).c_str());
   return found;
 }
 
 void Header::property() {
   if (elements.empty())
-    lines_.refuse("a property comes before the first element");
+    text_.refuse("a property comes before the first element");
   Property property{};
   const Word first = word("a type");
   if (first == "list") {
     property.count_type = type();
     if (property.count_type->is_real)
-      lines_.refuse("the length of a list is not an integer");
+      text_.refuse("the length of a list is not an integer");
     property.type = type();
   } else if (!(property.type = find_type(first))) {
-    lines_.refuse("'%s' is not a type", shown_word(first).c_str());
+    text_.refuse("'%s' is not a type", shown_word(first).c_str());
   }
   property.name = word("the name of a property");
   for (const Property &other : elements.back().properties)
     if (other.name == property.name)
-      lines_.refuse("there are two properties '%s'",
-                    shown_word(property.name).c_str());
+      text_.refuse("there are two properties '%s'",
+                   shown_word(property.name).c_str());
   elements.back().properties.push_back(property);
 }
 
@@ -116,54 +115,54 @@ const Property *find_property(const Element &element, Word name) {
 
 void Header::check_vertices() const {
   if (vertices == NONE)
-    lines_.refuse("there is no element 'vertex'");
+    text_.refuse("there is no element 'vertex'");
   for (Word name : {"x", "y", "z"}) {
     const Property *found = find_property(elements[vertices], name);
     if (!found)
-      lines_.refuse("vertices have no property '%s'", name.data());
+      text_.refuse("vertices have no property '%s'", name.data());
     if (found->count_type || !found->type->is_real)
-      lines_.refuse("the property '%s' of vertices is not float or double",
-                    name.data());
+      text_.refuse("the property '%s' of vertices is not float or double",
+                   name.data());
   }
 }
 
 void Header::check_faces() {
   if (faces == NONE)
-    lines_.refuse("there is no element 'face'");
+    text_.refuse("there is no element 'face'");
   for (Word name : {"vertex_indices", "vertex_index"}) {
     const Property *found = find_property(elements[faces], name);
     if (!found)
       continue;
     if (!index_list.empty())
-      lines_.refuse("faces have two lists of vertices");
+      text_.refuse("faces have two lists of vertices");
     if (!found->count_type || found->type->size != 4 || found->type->is_real)
-      lines_.refuse("the property '%s' of faces is not a list of int or uint",
-                    name.data());
+      text_.refuse("the property '%s' of faces is not a list of int or uint",
+                   name.data());
     index_list = found->name;
   }
   if (index_list.empty())
-    lines_.refuse("faces have no property 'vertex_indices'");
+    text_.refuse("faces have no property 'vertex_indices'");
 }
 
 /* A header claims no more than the file can hold. */
 void Header::check_sizes() const {
-  const size_t left = static_cast<size_t>(file_.end - lines_.rest_of_file());
+  const size_t left = static_cast<size_t>(file_.end - text_.at());
   for (const Element &element : elements) {
     const std::string name = shown_word(element.name);
     if (element.properties.empty())
-      lines_.refuse("the element '%s' has no properties", name.c_str());
+      text_.refuse("the element '%s' has no properties", name.c_str());
     size_t least = 0;
     for (const Property &property : element.properties)
       least += format == Format::text ? 2
                : property.count_type  ? property.count_type->size
                                       : property.type->size;
     if (element.n > (left + 1) / least)
-      lines_.refuse("%zu elements '%s' are claimed, more than the %zu bytes "
-                    "that follow can hold",
-                    element.n, name.c_str(), left);
+      text_.refuse("%zu elements '%s' are claimed, more than the %zu bytes "
+                   "that follow can hold",
+                   element.n, name.c_str(), left);
     if (element.n > static_cast<size_t>(MOST_ELEMENTS))
-      lines_.refuse("%zu elements '%s' are more than can be read", element.n,
-                    name.c_str());
+      text_.refuse("%zu elements '%s' are more than can be read", element.n,
+                   name.c_str());
   }
 }
 
@@ -171,7 +170,7 @@ void Header::read() {
   signature();
   for (;;) {
     next_line();
-    const Word keyword = lines_.word();
+    const Word keyword = text_.word();
     if (keyword == "end_header")
       break;
     if (keyword == "element")
@@ -179,9 +178,10 @@ void Header::read() {
     else if (keyword == "property")
       property();
     else if (keyword != "comment" && keyword != "obj_info")
-      lines_.refuse("'%s' has no place in a header",
-                    shown_word(keyword).c_str());
+      text_.refuse("'%s' has no place in a header",
+                   shown_word(keyword).c_str());
   }
+  text_.pass_line();
   check_sizes();
   check_vertices();
   check_faces();

@@ -37,14 +37,15 @@ const Property *find_property(const Element &element, Word name);
 class Header {
 public:
   explicit Header(const Mesh_file &file)
-      : file_(file), lines_(file, {0, false}) {}
+      : file_(file), text_(file, {0, false}) {}
   void read();
 
   Format format = Format::text;
   std::vector<Element> elements;
   size_t vertices = NONE, faces = NONE; /* which of elements[] */
   Word index_list;                      /* the property of a face */
-  Lines &lines() { return lines_; }
+  /* At what follows the header. */
+  Text &text() { return text_; }
 
 private:
   static constexpr size_t NONE = SIZE_MAX;
@@ -61,7 +62,7 @@ private:
   void check_sizes() const;
 
   const Mesh_file &file_;
-  Lines lines_;
+  Text text_;
 };
 
 /* Reads what follows the header of a binary file, if it is plain

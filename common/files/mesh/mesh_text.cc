@@ -2,7 +2,6 @@
 #include "common/files/mesh/mesh_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 
@@ -41,183 +40,105 @@ double Number_type::of_bytes(const void *bytes, bool big_endian) const {
                    : static_cast<double>(bits);
 }
 
-namespace {
-
-bool is_not_blank(char c) {
-  return c != ' ';
-}
-
-} // namespace
-
-Lines::Lines(const Mesh_file &file, Style style)
-    : file_(file), style_(style), next_(file.begin), at_(next_), end_(next_) {}
-
-void Lines::refuse(const char *format, ...) const {
+/* The number of a line is looked for only here. */
+void Text::refuse(const char *format, ...) const {
   char what[200];
   va_list args;
   va_start(args, format);
   std::vsnprintf(what, sizeof what, format, args);
   va_end(args);
-  file_.refuse(number_, "%s", what);
+  const char *first = file_.begin;
+  file_.refuse(static_cast<size_t>(1 + std::count(first, start_, '\n')), "%s",
+               what);
 }
 
-/* Whether the line from `start` to end_ goes on in the next; its mark is
- * blanked. A comment does not: a path in it may end in '\'. */
-bool Lines::is_continued(char *start) const {
-  char *last = end_;
-  while (last > start && is_space(last[-1]))
-    last--;
-  if (!style_.continued || last == start || last[-1] != '\\' ||
-      std::find(start, last, style_.comment) != last)
-    return false;
-  last[-1] = ' ';
-  return true;
-}
-
-void Lines::tidy() {
-  for (char *c = at_; c < end_; c++) {
-    if (style_.comment && *c == style_.comment) {
-      std::fill(c, end_, ' ');
-      return;
-    }
-    if (is_space(*c))
-      *c = ' ';
-  }
-}
-
-bool Lines::next_line() {
-  do {
-    if (next_ == file_.end)
-      return false;
-    at_ = next_;
-    number_ += 1 + n_joined_;
-    n_joined_ = 0;
-    for (char *start = at_;; start = next_) {
-      end_ = std::find(next_, file_.end, '\n');
-      next_ = end_ == file_.end ? end_ : end_ + 1;
-      if (!is_continued(start) || end_ == file_.end)
-        break;
-      *end_ = ' ';
-      n_joined_++;
-    }
-    tidy();
-    at_ = std::find_if(at_, end_, is_not_blank);
-  } while (at_ == end_);
-  return true;
-}
-
-namespace {
-
-/* Takes a number, which ends at white space or with the file; NULL if there is
- * none. */
-template <class Number>
-const char *take_number(const char *at, const char *end, Number &number) {
-  const auto result = std::from_chars(past_spaces(at, end), end, number);
-  const char *stop = result.ptr;
-  return result.ec == std::errc() &&
-                 (stop == end || is_space(*stop) || *stop == '\n')
-             ? stop
-             : nullptr;
-}
-
-/* Past a line that has nothing more; NULL: it has. */
-const char *past_end_of_line(const char *at, const char *end) {
-  at = past_spaces(at, end);
-  return at == end ? end : *at == '\n' ? at + 1 : nullptr;
-}
-
-} // namespace
-
-const char *past_plain_line(const char *at, const char *end, double *number,
-                            size_t n) {
-  for (size_t k = 0; k < n; k++) {
-    at = take_number(at, end, number[k]);
-    if (!at || !std::isfinite(number[k]))
-      return nullptr;
-  }
-  return past_end_of_line(at, end);
-}
-
-const char *past_plain_numbers(const char *at, const char *end, double *number,
-                               size_t &n, size_t most) {
-  for (n = 0; (at = past_spaces(at, end)) < end && *at != '\n'; n++) {
-    if (n == most)
-      return nullptr;
-    at = take_number(at, end, number[n]);
-    if (!at || !std::isfinite(number[n]))
-      return nullptr;
-  }
-  return past_end_of_line(at, end);
-}
-
-const char *past_plain_list(const char *at, const char *end, uint32_t *number,
-                            size_t &n, size_t most) {
-  at = take_number(at, end, n);
-  if (!at || n > most)
+/* Past the '\' at `at` and the line end behind it; NULL: it is another one. */
+const char *Text::past_mark(const char *at) const {
+  if (!style_.continued || *at != '\\')
     return nullptr;
-  for (size_t k = 0; k < n; k++) {
-    at = take_number(at, end, number[k]);
-    if (!at)
-      return nullptr;
-  }
-  return past_end_of_line(at, end);
+  at = past_spaces(at + 1, end_);
+  return at == end_ ? end_ : *at == '\n' ? at + 1 : nullptr;
 }
 
-/* Goes on after a line that is read; NULL: it is not. */
-bool Lines::go_on_at(const char *next) {
-  if (!next)
+/* Of a place that is a '\' or a comment. */
+bool Text::more_after_mark() {
+  if (is_comment(*at_)) {
+    at_ = std::find(at_, end_, '\n');
     return false;
-  next_ += next - next_;
-  at_ = end_ = next_;
-  number_ += 1 + n_joined_;
-  n_joined_ = 0;
-  return true;
+  }
+  const char *past = past_mark(at_);
+  if (!past)
+    return true;
+  at_ = past;
+  return more();
 }
 
-Word Lines::word() {
-  at_ = std::find_if(at_, end_, is_not_blank);
-  const char *start = at_;
-  at_ = std::find(at_, end_, ' ');
+Word Text::word() {
+  if (!more())
+    return Word();
+  const char *start = at_++;
+  while (!is_end_of_word(at_) && !is_comment(*at_) && !past_mark(at_))
+    at_++;
   return Word(start, static_cast<size_t>(at_ - start));
 }
 
-Word Lines::word_of_any_line() {
-  Word taken = word();
-  while (taken.empty() && next_line())
-    taken = word();
-  return taken;
-}
-
-std::string Lines::rest() const {
-  const char *start = std::find_if(at_, end_, is_not_blank), *end = end_;
-  while (end > start && end[-1] == ' ')
-    end--;
-  return std::string(start, end);
-}
-
-void Lines::blank(Word word) {
-  /* Words are views of the file's bytes, which are ours to write. */
-  std::fill_n(const_cast<char *>(word.data()), word.size(), ' ');
-}
-
-void Lines::blank_rest() {
-  std::fill(at_, end_, ' ');
-  at_ = end_;
-}
-
-const char *Face_checker::fault() {
-  if (drop_)
-    return nullptr;
-  if (numbers_.size() < 3)
-    return "has fewer than 3 vertices";
-  const size_t *v = numbers_.data();
-  bool twice = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
-  if (numbers_.size() > 3) {
-    std::sort(numbers_.begin(), numbers_.end());
-    twice =
-        std::adjacent_find(numbers_.begin(), numbers_.end()) != numbers_.end();
+bool Text::integer(long long &number, Word &taken) {
+  const auto quick = std::from_chars(at_, end_, number);
+  if (quick.ec == std::errc() && is_end_of_word(quick.ptr)) {
+    at_ = quick.ptr;
+    return true;
   }
-  return twice ? TWICE : nullptr;
+  taken = word();
+  return read_integer(taken, number);
+}
+
+std::string Text::rest() {
+  std::string text;
+  for (bool is_there = more();
+       is_there && at_ < end_ && *at_ != '\n' && !is_comment(*at_);) {
+    const char *past = past_mark(at_);
+    if (past)
+      text.append(static_cast<size_t>(past - at_), ' ');
+    else
+      text += is_space(*at_) ? ' ' : *at_;
+    at_ = past ? past : at_ + 1;
+  }
+  text.resize(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+/* Whether the line whose rest ends at `end` goes on. */
+bool Text::is_continued(const char *end) const {
+  const char *last = end;
+  while (last > at_ && is_space(last[-1]))
+    last--;
+  return last > at_ && last[-1] == '\\' &&
+         (!style_.comment || std::find(at_, last, style_.comment) == last);
+}
+
+void Text::pass_line() {
+  for (bool goes_on = true; goes_on && at_ < end_;) {
+    const void *stop = std::memchr(at_, '\n', static_cast<size_t>(end_ - at_));
+    const char *end = stop ? static_cast<const char *>(stop) : end_;
+    goes_on = style_.continued && is_continued(end);
+    at_ = end + (end < end_);
+  }
+  begun_ = false;
+}
+
+bool Text::next_line() {
+  if (begun_)
+    pass_line();
+  passed_empty_ = false;
+  for (; at_ < end_; pass_line(), passed_empty_ = true) {
+    start_ = at_;
+    begun_ = true;
+    if (more())
+      return true;
+  }
+  if (start_ < end_)
+    start_ = end_ - 1;
+  return false;
 }
 
 } // namespace hsr

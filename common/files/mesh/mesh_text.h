@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words, lines and numbers of mesh files, for mesh_off.cc and the scans in
-// mesh_scan_*.
+// Words, lines and numbers of mesh files, and texts that threads read together.
 #ifndef HSR_COMMON_MESH_TEXT_H
 #define HSR_COMMON_MESH_TEXT_H
 
@@ -18,7 +17,7 @@ namespace hsr {
 
 using Word = std::string_view;
 
-/* CGAL counts in int. */
+/* hsr counts the elements of a file in 32 bits, with room for its own. */
 constexpr long long MOST_ELEMENTS = INT_MAX / 4;
 
 /* White space within a line. */
@@ -34,18 +33,6 @@ inline const char *past_spaces(const char *at, const char *end) {
 }
 
 bool read_integer(Word word, long long &number);
-
-/* Past a line that holds nothing but n numbers, each plain and finite, between
- * spaces; NULL: it holds something else, or less. For the many lines of a large
- * file that are so. */
-const char *past_plain_line(const char *at, const char *end, double *number,
-                            size_t n);
-/* The same of a line of n numbers, at most `most`. */
-const char *past_plain_numbers(const char *at, const char *end, double *number,
-                               size_t &n, size_t most);
-/* The same of a number n of at most `most`, and n numbers. */
-const char *past_plain_list(const char *at, const char *end, uint32_t *number,
-                            size_t &n, size_t most);
 
 /* A text may start with a byte order mark: moves file.begin past it. */
 void skip_byte_order_mark(Mesh_file &file);
@@ -84,83 +71,95 @@ struct Number_type {
   double of_bytes(const void *bytes, bool big_endian) const;
 };
 
-/* The lines of a text that hold a word, and their words. White space other
- * than line ends is turned into spaces as it is met, and so are comments. */
-class Lines {
-public:
-  struct Style {
-    char comment;   /* starts one; 0: there are none */
-    bool continued; /* a line that ends in '\' goes on in the next */
-  };
-  Lines(const Mesh_file &file, Style style);
+/* What is special in a text. */
+struct Text_style {
+  char comment;   /* starts one; 0: there are none */
+  bool continued; /* a line that ends in '\' goes on in the next, unless the '\'
+                     is in a comment */
+};
 
-  /* Goes to the next line that holds a word; false at the end of the file. */
+/* A place in a text, which moves from line to line and from word to word. Lines
+ * without a word are passed over. A line that goes on in the next is one with
+ * it. */
+class Text {
+public:
+  Text(const Mesh_file &file, Text_style style)
+      : Text(file, style, file.begin, file.end) {}
+  /* A part of the file, which begins with a line. */
+  Text(const Mesh_file &file, Text_style style, const char *begin,
+       const char *end)
+      : file_(file), style_(style), at_(begin), start_(begin), end_(end) {}
+
+  /* Goes to the first word of the next line that has one; false at the end. */
   bool next_line();
-  /* Goes to the next line if it is plain; else stays where it is. */
-  bool next_plain_line(double *number, size_t n) {
-    return go_on_at(past_plain_line(next_, file_.end, number, n));
+  /* Whether next_line() passed lines without a word. */
+  bool passed_empty_lines() const { return passed_empty_; }
+  /* Goes to the next word of the line; false at its end. */
+  bool more() {
+    while (at_ < end_ && is_space(*at_))
+      at_++;
+    return at_ < end_ && *at_ != '\n' && (is_plain(*at_) || more_after_mark());
   }
-  bool next_plain_list(uint32_t *number, size_t &n, size_t most) {
-    return go_on_at(past_plain_list(next_, file_.end, number, n, most));
+  /* Goes to the next word of the text; false at its end. */
+  bool more_in_text() {
+    while (!more())
+      if (!next_line())
+        return false;
+    return true;
   }
   /* Takes the next word of the line, empty at its end. */
   Word word();
-  /* Takes the next word of the file, empty at its end. */
-  Word word_of_any_line();
+  /* Takes the rest of the line, without spaces at its ends. Other white space,
+   * and what makes the line go on, is spaces. */
+  std::string rest();
+  /* Goes to the start of the next line. */
+  void pass_line();
 
-  /* The rest of the line, without spaces at its ends; the line is not taken. */
-  std::string rest() const;
-
-  /* The bytes of a word, or of the rest of the line, become spaces. */
-  static void blank(Word word);
-  void blank_rest();
-
-  size_t number() const { return number_; }
-  char *rest_of_file() const { return next_; }
-
-  [[noreturn]] void refuse(const char *format, ...) const
-      __attribute__((format(printf, 2, 3)));
-  /* A finite number, or refuses: "vertex 3: 'x' is not a finite number". */
+  /* Take the next word of the line, which is there, as a number. If it is no
+   * integer, `word` is it. If it is no finite number, real() refuses: "vertex
+   * 3: 'x' is not a finite number". */
+  bool integer(long long &number, Word &word);
   template <class Number = double>
-  Number real(Word word, const char *kind, size_t element) {
-    Number value;
-    if (!read_(word, value))
+  Number real(const char *kind, size_t element) {
+    Number number;
+    const auto quick = std::from_chars(at_, end_, number);
+    if (quick.ec == std::errc() && is_end_of_word(quick.ptr) &&
+        std::isfinite(number)) {
+      at_ = quick.ptr;
+      return number;
+    }
+    return real_of<Number>(word(), kind, element);
+  }
+  template <class Number = double>
+  Number real_of(Word word, const char *kind, size_t element) {
+    Number number;
+    if (!read_(word, number))
       refuse("%s %zu: '%s' is not a finite number", kind, element,
              shown_word(word).c_str());
-    return value;
+    return number;
   }
 
+  const char *at() const { return at_; }
+
+  /* Throws Refused, with the number of the line. */
+  [[noreturn]] void refuse(const char *format, ...) const
+      __attribute__((format(printf, 2, 3)));
+
 private:
-  bool is_continued(char *start) const;
-  void tidy();
-  bool go_on_at(const char *next);
+  bool is_comment(char c) const { return c == style_.comment && c; }
+  bool is_plain(char c) const { return c != '\\' && c != style_.comment; }
+  bool is_end_of_word(const char *at) const {
+    return at == end_ || is_space(*at) || *at == '\n';
+  }
+  const char *past_mark(const char *at) const;
+  bool more_after_mark();
+  bool is_continued(const char *end) const;
 
   const Mesh_file &file_;
-  Style style_;
-  char *next_;      /* the line after the current one */
-  char *at_, *end_; /* what is left of the current line */
-  size_t number_ = 0, n_joined_ = 0;
+  Text_style style_;
+  const char *at_, *start_, *end_; /* start_: of the line */
+  bool begun_ = false, passed_empty_ = false;
   Number_reader read_;
-};
-
-/* Reads what follows the header of an .off file, if every line of it is a plain
- * vertex or a face that needs no word about it. If not, returns false, and
- * nothing is given. std::bad_alloc. */
-bool off_read_plain(const char *begin, const char *end, size_t n_vertices,
-                    size_t n_faces, Mesh_builder &builder);
-
-/* Judges a face by its vertex numbers alone. */
-class Face_checker {
-public:
-  explicit Face_checker(bool drop) : drop_(drop) {}
-  void start() { numbers_.clear(); }
-  void add(size_t vertex) { numbers_.push_back(vertex); }
-  /* What is wrong with the face; NULL if nothing is, or it will be dropped. */
-  const char *fault();
-
-private:
-  bool drop_;
-  std::vector<size_t> numbers_;
 };
 
 } // namespace hsr

@@ -4,7 +4,7 @@
 libhsr_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
 libhsr_a_SOURCES += \
-  %D%/mesh_scan_vtp.cc \
+  %D%/mesh_vtp.cc \
   %D%/volume_scan_xml.cc \
   %D%/vtk.cc \
   %D%/xml_array.cc \
@@ -16,7 +16,7 @@ libhsr_a_SOURCES += \
 pkglibexec_PROGRAMS += hsr-vtk.so
 hsr_vtk_so_SOURCES = \
   %D%/drawing_vtk.cc \
-  %D%/exchange_vtk.cc \
+  %D%/library_vtk.cc \
   %D%/polygons_vtk.cc \
   %D%/volume_vtk.cc \
   %D%/voxels_vtk.cc \
@@ -32,5 +32,5 @@ hsr_vtk_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
 hsr_vtk_so_LDFLAGS = -shared
 hsr_vtk_so_LDADD = $(VTK_LIBS)
 else
-libhsr_a_SOURCES += common/files/mesh/exchange_no_vtk.cc
+libhsr_a_SOURCES += %D%/no_vtk.cc
 endif

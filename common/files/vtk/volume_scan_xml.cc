@@ -5,9 +5,10 @@
 // Source      "VTK XML Formats", docs.vtk.org; what it leaves open, from
 //             vtkXMLStructuredDataReader, vtkXMLImageDataReader and
 //             vtkXMLRectilinearGridReader of VTK 9.1
-// Safety      as in common/files/vtk/mesh_scan_vtp.cc: VTK sees no elements and
-//             attributes but those named below, and no array but those of the
-//             samples and the coordinates, which are decoded and checked first.
+// Safety      VTK believes what it reads: sizes, counts, offsets. So it sees no
+//             elements and attributes but those named below, and no array but
+//             those of the samples and the coordinates, which are decoded and
+//             checked first. All else becomes spaces, and no byte moves.
 // Departures  one piece; zlib is the only compressor; axes are not turned;
 //             cell data, fields and time steps are not read (of several arrays
 //             of one name, the first is).

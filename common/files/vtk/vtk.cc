@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads and writes files through hsr-vtk.so.
+// Reads volumes, and writes files, through hsr-vtk.so.
 #include "common/files/library.h"
-#include "common/files/mesh/mesh_file.h"
-#include "common/files/srgb.h"
 #include "common/files/vtk/vtk_library.h"
 
 #include <cstdlib>
@@ -14,39 +12,7 @@ const hsr_vtk_library *load(struct hsr_error *err) {
       hsr_library_table("hsr-vtk.so", "hsr_vtk", err));
 }
 
-/* Builds the object; refuses in the name of the file. */
-class Object_sink : public hsr::Vtk_sink {
-public:
-  Object_sink(const hsr::Mesh_file &file, hsr::Mesh_builder &builder)
-      : file_(file), builder_(builder) {}
-  void vertex(const double p[3]) override { builder_.vertex(p[0], p[1], p[2]); }
-  void face(const uint32_t *vertices, size_t n,
-            const unsigned char *rgb) override {
-    float linear[3] = {};
-    for (size_t k = 0; k < 3 && rgb; k++)
-      linear[k] = hsr_srgb_decode(rgb[k] / 255.0f);
-    builder_.face(vertices, n, rgb ? linear : nullptr);
-  }
-  [[noreturn]] void refuse(const char *why) override {
-    file_.refuse(0, "%.180s", why);
-  }
-
-private:
-  const hsr::Mesh_file &file_;
-  hsr::Mesh_builder &builder_;
-};
-
 } // namespace
-
-void hsr::vtp_read(Mesh_file &file, Mesh_builder &builder) {
-  const Mesh_extent extent = scan_vtp(file);
-  struct hsr_error err;
-  const hsr_vtk_library *vtk = load(&err);
-  if (!vtk)
-    throw Refused{err};
-  Object_sink sink(file, builder);
-  vtk->read_vtp(file.begin, file.end, extent, sink);
-}
 
 bool hsr_exchange_has_vtk(void) {
   return true;

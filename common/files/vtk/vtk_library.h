@@ -7,31 +7,8 @@
 #include "common/files/volume/volume_data.h"
 #include "common/voxels/voxels.h"
 
-#include <cstddef>
-
-namespace hsr {
-
-struct Mesh_extent;
-
-/* Takes what VTK reads. Its functions may throw. */
-class Vtk_sink {
-public:
-  virtual ~Vtk_sink() = default;
-  virtual void vertex(const double xyz[3]) = 0;
-  /* rgb: sRGB, 3 bytes; or NULL */
-  virtual void face(const uint32_t *vertices, size_t n,
-                    const unsigned char *rgb) = 0;
-  [[noreturn]] virtual void refuse(const char *why) = 0;
-};
-
-} // namespace hsr
-
-/* read_vtp gives the mesh of a .vtp file in memory, which passed scan_vtp, to
- * the sink; it throws std::bad_alloc and what the sink throws. The others are
- * as in exchange.h and volume_data.h. */
+/* As in exchange.h and volume_data.h. */
 struct hsr_vtk_library {
-  void (*read_vtp)(char *begin, char *end, const hsr::Mesh_extent &extent,
-                   hsr::Vtk_sink &sink);
   enum hsr_status (*write_vtp)(const struct hsr_drawing *drawing,
                                const char *path, struct hsr_error *err);
   /* point: three coordinates a side, where it begins */

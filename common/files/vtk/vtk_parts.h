@@ -7,8 +7,6 @@
 
 namespace hsr {
 
-void read_vtp(char *begin, char *end, const Mesh_extent &extent,
-              Vtk_sink &sink);
 enum hsr_status write_vtp(const struct hsr_drawing *drawing, const char *path,
                           struct hsr_error *err);
 enum hsr_status write_polygons(const struct hsr_polygons *polygons,

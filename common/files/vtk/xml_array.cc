@@ -152,6 +152,8 @@ void Array_checker::value(Array &array, const char *place, double value) const {
   if (array.order != Array::ANY_ORDER)
     array.least =
         array.order == Array::RISING ? value : std::nextafter(value, INFINITY);
+  if (array.is_kept)
+    array.values.push_back(value);
   array.n++;
 }
 
@@ -311,6 +313,10 @@ void Array_checker::block(Array &array, Bytes &bytes, Inflater &inflater,
 /* Returns where the data of the array end. */
 const char *Array_checker::check(Array &array) {
   const char *end = array.data.data() + array.data.size();
+  /* No more than its bytes may hold; of packed ones, more is taken as
+   * needed. */
+  if (array.is_kept && array.n_expected != Array::ANY)
+    array.values.reserve(std::min(array.n_expected, array.data.size()));
   if (array.format == Array::TEXT) {
     text(array);
   } else {

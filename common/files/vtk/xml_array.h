@@ -36,6 +36,8 @@ struct Array {
   size_t offset = 0;     /* if APPENDED */
   Word data = {};
   size_t n = 0; /* values found; unless ANY_ORDER, `least` follows them */
+  bool is_kept = false;
+  std::vector<double> values = {}; /* if is_kept */
 };
 
 /* How a file writes arrays that are not TEXT. */

@@ -3,15 +3,37 @@
 #ifndef HSR_COMMON_XML_READER_H
 #define HSR_COMMON_XML_READER_H
 
-#include "common/files/mesh/mesh_file.h"
-
 #include <vtkObjectFactory.h>
 #include <vtkXMLDataParser.h>
 
 #include <istream>
 #include <memory>
+#include <streambuf>
 
 namespace hsr {
+
+/* A stream over bytes in memory. */
+class Memory_buffer : public std::streambuf {
+public:
+  Memory_buffer(char *begin, char *end) { setg(begin, begin, end); }
+
+protected:
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from,
+                   std::ios_base::openmode) override {
+    const off_type size = egptr() - eback();
+    if (from == std::ios_base::cur)
+      offset += gptr() - eback();
+    else if (from == std::ios_base::end)
+      offset += size;
+    if (offset < 0 || offset > size)
+      return pos_type(off_type(-1));
+    setg(eback(), eback() + offset, egptr());
+    return pos_type(offset);
+  }
+  pos_type seekpos(pos_type position, std::ios_base::openmode which) override {
+    return seekoff(off_type(position), std::ios_base::beg, which);
+  }
+};
 
 /* A reader of VTK's that makes no copy of the bytes that it reads. They are
  * borrowed, and must outlive it. */

@@ -2,7 +2,7 @@
 /* Palettes: files become the integers that docs/palettes.md says, faults are
  * refused at the right place, the schema admits what the reader takes; and
  * those that are built in are sound. */
-#include "common/files/palette_json.h"
+#include "common/files/json/palette_json.h"
 #include "tests/schema.h"
 #include "tests/tap.h"
 

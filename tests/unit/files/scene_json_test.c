@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scene files: a scene is read back bit for bit as it was written; members left
  * out have their defaults; faults are refused at the right place. */
-#include "common/files/scene_json.h"
+#include "common/files/json/scene_json.h"
 #include "common/scene/motion.h"
 #include "tests/tap.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of .obj and .stl that threads read in blocks: the same object as the other
-// reader makes, which takes any text, whatever the number of threads; and what is
-// wrong is refused in the same words, at the same line.
+// Texts of .obj and .stl that threads read in blocks: the same object as of
+// other lines that say the same, whatever the number of threads; and what is wrong
+// is refused in the same words, at the same line.
 #include "tests/tap.h"
 #include "tests/unit/files/folder.h"
 #include "tests/unit/files/read_mesh.h"
@@ -80,7 +80,7 @@ void try_obj(tap *t) {
   ok(t,
      by_all(file("plain.obj", obj(PLAIN)), other) &&
          other.xyz.size() == 3 * N && other.start.size() == 2 * (N - 4) + 1,
-     "a plain .obj as by the other reader");
+     "an .obj as of other lines");
   ok(t,
      other.rgb.size() == 3 * 2 * (N - 4) && other.rgb[3 * (N - 9)] != 1 &&
          other.rgb[3 * (N - 8)] == 1 && other.rgb[3 * (2 * N - 211)] == 1 &&
@@ -110,6 +110,27 @@ void try_counting_back(tap *t) {
   text += "f -1 -2 -3\n";
   ok(t, by_all(file("back.obj", text), Read(file("other.obj", text + OTHER))),
      "a face of the last vertices");
+}
+
+/* No block may begin with a line in which the one before it goes on. */
+void try_lines_that_go_on(tap *t) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (int k = 0; k < 30000; k++)
+    text += "g a \\\nf 1 2 3\n";
+  const Read one(file("goes_on.obj", text));
+  ok(t, by_all(directory + "/goes_on.obj", one) && one.start.size() == 2,
+     "lines that go on in the next");
+}
+
+/* A face of many vertices, of which one is there twice. */
+void try_large_face(tap *t) {
+  std::string text = "f 1 2 3\nf";
+  for (int v = 1; v <= 20; v++) {
+    text = "v " + place(v) + "\n" + text;
+    text += " " + std::to_string(v == 20 ? 7 : v);
+  }
+  ok(t, all_say(file("large.obj", text + "\n"), "face 1 has the same vertex"),
+     "a face of 20 vertices with one twice");
 }
 
 /* The text with `line` put at the start of the line that holds byte `at`. */
@@ -169,7 +190,7 @@ std::string facet(int a, int b, int c) {
   return text + "    endloop\n  endfacet\n";
 }
 
-/* Two solids. The other reader takes them if the first facet begins no line. */
+/* Two solids. If not plain, there is one more, and a facet of other lines. */
 std::string stl(bool plain) {
   const std::string first = facet(1, 2, 3);
   std::string text = "\n SOLID facet\n";
@@ -190,8 +211,13 @@ void try_stl(tap *t) {
   const Read other(file("other.stl", stl(false)));
   ok(t,
      by_all(file("plain.stl", stl(true)), other) && other.start.size() == 3000,
-     "a plain text of .stl as by the other reader");
+     "a text of .stl as of other lines");
   ok(t, by_all(file("lines.stl", one_line), other), "of any lines");
+  std::string flush = stl(true);
+  for (size_t at; (at = flush.find("  facet")) != std::string::npos;)
+    flush.erase(at, 2);
+  ok(t, by_all(file("flush.stl", flush), other),
+     "with facets at the start of their lines");
 }
 
 void try_bad_stl(tap *t) {
@@ -250,9 +276,11 @@ void try_bad_stl(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(7 + 1 + 13 + 2 + 11);
+  struct tap t = plan(7 + 1 + 2 + 13 + 3 + 11);
   try_obj(&t);
   try_counting_back(&t);
+  try_lines_that_go_on(&t);
+  try_large_face(&t);
   try_bad_obj(&t);
   try_stl(&t);
   try_bad_stl(&t);

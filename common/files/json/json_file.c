@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/files/json_file.h"
+#include "common/files/json/json_file.h"
 
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/files/json_read.h"
+#include "common/files/json/json_read.h"
 
 #include <pthread.h>
 #include <stddef.h>

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/palette_json.h \
+  %D%/scene_json.h
+libhsr_a_SOURCES += \
+  %D%/json.c \
+  %D%/json.h \
+  %D%/json_file.c \
+  %D%/json_file.h \
+  %D%/json_members.c \
+  %D%/json_members.h \
+  %D%/json_read.c \
+  %D%/json_read.h \
+  %D%/palette_json.c \
+  %D%/scene_json.c \
+  %D%/scene_json_shared.h \
+  %D%/scene_json_write.c
