@@ -153,7 +153,6 @@ tap_scripts = \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
-  %D%/tree/mutants.test \
   %D%/tree/table.test \
   %D%/view/view.test \
   %D%/volumes.test \
@@ -212,7 +211,6 @@ quick_scripts = \
   %D%/example/example.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
-  %D%/tree/mutants.test \
   %D%/tree/table.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 grid:4 --views 2 --size 41x29
@@ -428,28 +426,9 @@ EXTRA_DIST += \
   %D%/instructions/run \
   %D%/lesson/watch.mjs \
   %D%/module \
-  %D%/mutants/areas.mutants \
-  %D%/mutants/bounded.mutants \
-  %D%/mutants/core.mutants \
-  %D%/mutants/exact.mutants \
-  %D%/mutants/glass.mutants \
-  %D%/mutants/groups.mutants \
-  %D%/mutants/hierarchical.mutants \
-  %D%/mutants/image_space.mutants \
-  %D%/mutants/import.mutants \
-  %D%/mutants/lesson.mutants \
-  %D%/mutants/lines_and_lists.mutants \
-  %D%/mutants/peers.mutants \
-  %D%/mutants/prepare.mutants \
-  %D%/mutants/report.mutants \
+  %D%/mutants/equivalent \
+  %D%/mutants/operators.pm \
   %D%/mutants/run \
-  %D%/mutants/scale.mutants \
-  %D%/mutants/services.mutants \
-  %D%/mutants/shadow.mutants \
-  %D%/mutants/splats.mutants \
-  %D%/mutants/stream.mutants \
-  %D%/mutants/textures.mutants \
-  %D%/mutants/volume.mutants \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \
   %D%/report/sample.mjs \
