@@ -301,6 +301,16 @@ const struct hsr_algorithm *find_counting(const char *name) {
   exit(99);
 }
 
+bool is_asked(const struct hsr_algorithm *algorithm, int n, char **names) {
+  bool asked = n == 0;
+  for (int k = 0; k < n; k++) {
+    size_t length = strlen(names[k]);
+    asked |= !strncmp(algorithm->name, names[k], length) &&
+             strchr(":", algorithm->name[length]);
+  }
+  return asked;
+}
+
 int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
   for (int k = 0; algorithm->counters[k].name; k++)
     if (!strcmp(algorithm->counters[k].name, name))

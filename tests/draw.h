@@ -69,6 +69,10 @@ const struct hsr_listed *all_listed(void);
  */
 const struct hsr_algorithm *find_counting(const char *name);
 
+/* Whether an algorithm is among those that a test was asked for by n names. A
+ * name without options asks for the variants as well; no name asks for all. */
+bool is_asked(const struct hsr_algorithm *algorithm, int n, char **names);
+
 /* The number of an algorithm's counter; and of a run's tally, what it counted.
  * End the test program if there is none of this name. */
 int counter_of(const struct hsr_algorithm *algorithm, const char *name);

@@ -4,7 +4,7 @@
  * ties. Half of them are parallel: along an axis, isometric, dimetric.
  *
  * usage: lattice_test [SCENES [SEED [NAME...]]]
- *        standard: 600 scenes, seed 1, all algorithms and proposals */
+ *        standard: 600 scenes, seed 1, all algorithms and their variants */
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -15,14 +15,12 @@
 
 enum { LARGEST = 64 };
 
-/* The algorithms that are asked for, ended by NULL; none: all. */
+/* The names of the algorithms that are asked for. */
 static char **asked;
+static int n_asked;
 
-static bool is_asked(const char *name) {
-  bool found = !*asked;
-  for (char **a = asked; *a; a++)
-    found |= !strcmp(*a, name);
-  return found;
+static void count(const struct hsr_algorithm *algorithm, void *n_judged) {
+  *(int *)n_judged += is_asked(algorithm, n_asked, asked);
 }
 
 struct comparison {
@@ -36,7 +34,7 @@ struct comparison {
 
 static void compare(const struct hsr_algorithm *algorithm, void *context) {
   struct comparison *c = context;
-  if (!is_asked(algorithm->name))
+  if (!is_asked(algorithm, n_asked, asked))
     return;
   draw_ids(algorithm, c->world, c->view, c->got, NULL);
   long differences = count_differences(c->view, c->got, c->wanted);
@@ -140,8 +138,15 @@ static long check_scene(uint64_t *seed, long *samples) {
 int main(int argc, char **argv) {
   long n = argc > 1 ? atol(argv[1]) : 600, samples = 0;
   uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
-  asked = argv + (argc < 3 ? argc : 3);
+  n_asked = argc < 3 ? 0 : argc - 3;
+  asked = argv + argc - n_asked;
   enum { PARTS = 20 };
+  int n_judged = 0;
+  for_each_judged(count, &n_judged);
+  if (!n_judged) {
+    printf("1..0 # SKIP none of these draws faces and must be right\n");
+    return 0;
+  }
   struct tap tap = plan(PARTS);
   for (long part = 0; part < PARTS; part++) {
     long differences = 0, first = n * part / PARTS,

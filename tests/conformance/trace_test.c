@@ -213,23 +213,21 @@ static int count_also(const struct hsr_algorithm *a) {
   return n;
 }
 
-static bool is_asked(const char *name, int argc, char **argv) {
-  bool asked = argc == 1;
-  for (int k = 1; k < argc; k++)
-    asked |= !strcmp(argv[k], name);
-  return asked;
-}
-
-/* usage: trace_test [NAME...]      only these algorithms; standard: all */
+/* usage: trace_test [NAME...]      only these algorithms and their variants;
+ *                                  standard: all */
 int main(int argc, char **argv) {
   int n = 0;
   for (const struct hsr_listed *a = all_listed(); a->plain; a++)
-    if (is_player(a->plain) && is_asked(a->plain->name, argc, argv))
+    if (is_player(a->plain) && is_asked(a->plain, argc - 1, argv + 1))
       n += 2 + count_also(a->plain);
+  if (n == 0) {
+    printf("Bail out! no module of such a name\n");
+    return 99;
+  }
   struct tap tap = plan(n);
   for (const struct hsr_listed *l = all_listed(); l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
-    if (!is_player(a) || !is_asked(a->name, argc, argv))
+    if (!is_player(a) || !is_asked(a, argc - 1, argv + 1))
       continue;
     check_algorithm(&tap, a);
     for (int k = 0; a->also[k]; k++)

@@ -714,7 +714,7 @@ enum {
   SCENES = NAMED + 2
 };
 
-static bool is_asked(const char *variant, int argc, char **argv) {
+static bool is_variant_asked(const char *variant, int argc, char **argv) {
   bool asked = argc == 1;
   for (int k = 1; k < argc; k++)
     asked |= !strncmp(variant, argv[k], strlen(argv[k]));
@@ -727,7 +727,7 @@ int main(int argc, char **argv) {
   struct hsr_error err = {.text = "out of memory"};
   int n = 0;
   for (int k = 0; k < VARIANTS; k++)
-    n += is_asked(variants[k], argc, argv);
+    n += is_variant_asked(variants[k], argc, argv);
   struct tap tap = plan(n + 2 * (argc == 1));
   for (int s = 0; s < NAMED; s++) {
     open_worlds(&worlds[s], scenes[s]);
@@ -741,7 +741,7 @@ int main(int argc, char **argv) {
       stop("bodies", err.text);
   }
   for (int k = 0; k < VARIANTS; k++) {
-    if (!is_asked(variants[k], argc, argv))
+    if (!is_variant_asked(variants[k], argc, argv))
       continue;
     const char *wrong = NULL, *where = "";
     size_t events = 0;

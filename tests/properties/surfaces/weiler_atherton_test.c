@@ -60,6 +60,7 @@ static void listen(void *context, const struct hsr_event *event) {
 
 struct found {
   long differing, views, never, polygons, times, refused, divided, unlike;
+  long astray; /* corners in space that are not in the plane of their face */
   long examined[2]; /* sorted, and not */
 };
 
@@ -117,6 +118,38 @@ static void compare(const struct hsr_world *world, const struct hsr_view *view,
     hsr_answer_free(&answer[k]);
 }
 
+/* But for the rounding of the way from the eye to the point. */
+static bool is_in_plane(const struct hsr_mesh *mesh, uint32_t f,
+                        const double eye[3], const double point[3]) {
+  const double normal[3] = {mesh->nx[f], mesh->ny[f], mesh->nz[f]};
+  const double anchor[3] = {mesh->px[f], mesh->py[f], mesh->pz[f]};
+  double height = 0, length = 0, size = 0;
+  for (int k = 0; k < 3; k++) {
+    height += normal[k] * (point[k] - anchor[k]);
+    length += fabs(normal[k]);
+    size += fabs(point[k]) + fabs(anchor[k]) + fabs(eye[k]);
+  }
+  return fabs(height) <= 1e-9 * length * size;
+}
+
+/* How many corners of the regions are not in the planes of their faces. */
+static long count_astray(const struct hsr_world *world,
+                         const struct hsr_view *view,
+                         const struct hsr_polygons *p) {
+  long astray = 0;
+  double *point = calloc(p->n_sides + 1, 3 * sizeof(double));
+  hsr_polygon_points(p, view, point);
+  for (size_t r = 0; r < p->n_regions; r++)
+    for (size_t c = 0; c < p->region[r].n; c++) {
+      const struct hsr_polygon_cycle *cycle = &p->cycle[p->region[r].first + c];
+      for (size_t k = cycle->first; k < cycle->first + cycle->n; k++)
+        astray += !is_in_plane(&world->mesh, p->region[r].face, view->E,
+                               point + 3 * k);
+    }
+  free(point);
+  return astray;
+}
+
 static void check_view(const struct hsr_world *world,
                        const struct hsr_view *view, const char *scene,
                        struct found *found) {
@@ -143,6 +176,7 @@ static void check_view(const struct hsr_world *world,
       printf("Bail out! %s: %s\n", scene, err.text);
       exit(99);
     }
+    found->astray += count_astray(world, view, hsr_answer_polygons_of(&answer));
     long differing = count_differences(view, got, wanted);
     if (differing && !found->differing)
       for (int k = 0; k < M * N; k++)
@@ -191,8 +225,9 @@ static void check_scene(struct tap *t, const char *name) {
         check_view(&worlds.world, &view, name, &found);
     }
   }
-  ok(t, found.views && !found.differing && !found.refused,
-     "%s: the oracle's ids in %ld views", name, found.views);
+  ok(t, found.views && !found.differing && !found.refused && !found.astray,
+     "%s: the oracle's ids in %ld views; %ld corners are not in their planes",
+     name, found.views, found.astray);
   ok(t, !found.never && found.times >= found.polygons,
      "%s: %ld polygons, each considered, %.1f times in the mean", name,
      found.polygons,
