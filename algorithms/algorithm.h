@@ -94,44 +94,18 @@ struct hsr_job {
                                   taken inside a frame */
   struct hsr_tally *tally;     /* what was counted is added here */
 
-  /* Answer: id of sample (i, j) at ids[j * ids_stride + i], for (i, j) in the
-   * window, all of which the algorithm writes, HSR_BACKGROUND where there is
-   * no face. Samples outside the window are not touched. */
-  uint32_t *ids;
-  size_t ids_stride; /* >= view->m */
-
-  /* Answer instead of ids, which are NULL then, if this is not NULL; of
-   * HSR_FILTERS only, which draw the whole picture then, in one job. `view` is
-   * that of the pixels. The sums of pixel (i, j) at sums[3 * (j * view->m +
-   * i)], 0 before the call; the background is added, too. */
-  const struct hsr_filtering *filtering;
-  uint32_t *sums;
-
-  /* Answer of HSR_TRANSPARENT instead of ids, which are NULL then, if this is
-   * not NULL; of those that make that kind, too: the colour of sample (i, j) at
-   * colours[3 * (j * view->m + i)], for (i, j) in the window. */
-  uint16_t *colours;
-
-  /* Answer of HSR_SHADOWED, of those that make that kind, too: the ids, and
-   * besides whether light reaches sample (i, j), at lit[j * ids_stride + i];
-   * false where there is no face. Else NULL. */
-  bool *lit;
-
-  /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
-   * picture, whatever the window; empty before the call. Grows by itself. */
-  struct hsr_drawing *drawing;
-
-  /* The answer itself, of whatever kind. ids, sums, colours, lit and drawing are
-   * its body, of these kinds. NULL: the caller has only those. */
+  /* What the algorithm is to make: an answer to the whole picture, of which it
+   * writes the window. Of kinds that have ids it writes all of these in the window,
+   * HSR_BACKGROUND where there is no face, and touches no others. A kind that is
+   * not made by windows is empty before the call, as its `make` and `clear` leave
+   * it. */
   struct hsr_answer *answer;
 
   /* For algorithms that draw in passes: to be called after each. Or NULL. */
   const struct hsr_passes *passes;
 };
 
-/* Row j of the ids that a job asks for, from column 0 on. All samples of the
- * window are written, HSR_BACKGROUND where there is no face; others are not
- * touched. */
+/* Row j of the ids that a job asks for, from column 0 on. */
 static inline uint32_t *hsr_job_row(const struct hsr_job *job, int j) {
   return job->answer->ids + (size_t)j * (size_t)job->answer->m;
 }

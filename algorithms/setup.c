@@ -106,7 +106,6 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   *setup = (struct hsr_setup){.algorithm = algorithm};
   setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
   setup->flags = hsr_choice_flags(algorithm, &setup->choice);
-  setup->filtering = hsr_form_filtering(&setup->choice.form);
   enum hsr_status status = adapt(setup, world, err);
   return status ? status : prepare(setup, err);
 }
@@ -183,21 +182,6 @@ static void name_subjects(const void *names, struct hsr_event *event) {
   name_subject(names, &event->b);
 }
 
-/* Gives the job the body of its answer, by the kinds that have a place of their
- * own in a job. */
-static void open_answer(const struct hsr_setup *setup, struct hsr_job *job) {
-  job->ids = hsr_answer_ids_of(job->answer);
-  job->ids_stride = (size_t)job->answer->m;
-  job->drawing = hsr_answer_drawing_of(job->answer);
-  job->sums = hsr_answer_sums_of(job->answer);
-  job->colours = hsr_answer_colours_of(job->answer);
-  const struct hsr_shadowed *shadowed = hsr_answer_shadowed_of(job->answer);
-  if (shadowed)
-    job->ids = shadowed->ids;
-  job->lit = shadowed ? shadowed->lit : NULL;
-  job->filtering = job->sums ? &setup->filtering : NULL;
-}
-
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err) {
   job->world = setup->world;
@@ -206,7 +190,6 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   job->real = setup->choice.values.real;
   if (!job->passes)
     job->passes = setup->passes;
-  open_answer(setup, job);
   hsr_tally_begin(job->tally, setup->algorithm);
   if (job->tally->trace) {
     job->tally->trace->name = name_subjects;

@@ -21,9 +21,8 @@ struct hsr_adaptation {
 
 struct hsr_setup {
   const struct hsr_algorithm *algorithm;
-  struct hsr_choice choice;       /* of its options */
-  unsigned flags;                 /* of the algorithm so chosen */
-  struct hsr_filtering filtering; /* if what is chosen is a filtered picture */
+  struct hsr_choice choice;      /* of its options */
+  unsigned flags;                /* of the algorithm so chosen */
   const struct hsr_world *world; /* what the algorithm gets: the scene's own, or
                                     `adapted` */
   struct hsr_world adapted;
@@ -73,7 +72,7 @@ enum hsr_status hsr_setup_follow(struct hsr_setup *setup,
                                  struct hsr_error *err);
 
 /* Renders job->view. The job's world, prepared object and options are
- * set here, and where it has an answer, the body of that. Ids are those of the
+ * set here. Ids are those of the
  * scene's faces; the edges of a drawing, and the faces that it filters, the
  * algorithm names by itself. HSR_E_NOMEM. */
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,

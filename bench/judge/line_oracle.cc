@@ -1067,7 +1067,7 @@ bool artist::begin_edge() {
 }
 
 enum hsr_status artist::emit_part(place *from, place *to, int invisibility) {
-  const hsr_drawing &d = *job.drawing;
+  const hsr_drawing &d = *hsr_answer_drawing_of(job.answer);
   const hsr_segment *last = d.n ? &d.segment[d.n - 1] : nullptr;
   const bool is_next = last && !hsr_edge_name_compare(&last->edge, &e.name);
   struct hsr_segment part = {e.name, uint32_t(invisibility), 0, rounded(to), {},
@@ -1098,7 +1098,7 @@ enum hsr_status artist::emit_part(place *from, place *to, int invisibility) {
     part.from[k] = (1 - part.t0) * A[k] + part.t0 * B[k];
     part.to[k] = (1 - part.t1) * A[k] + part.t1 * B[k];
   }
-  return hsr_drawing_add(job.drawing, &part);
+  return hsr_drawing_add(hsr_answer_drawing_of(job.answer), &part);
 }
 
 /* The intervals, from the events. */

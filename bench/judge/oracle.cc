@@ -55,8 +55,9 @@ static enum hsr_status render(const struct hsr_job *job,
       faces.begin_row();
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
-        job->ids[size_t(j) * job->ids_stride + size_t(i)] = visible_face(
-            *job, t, &faces, hsr_sample_x(view, i), hsr_sample_y(view, j));
+        job->answer->ids[size_t(j) * size_t(job->answer->m) + size_t(i)] =
+            visible_face(*job, t, &faces, hsr_sample_x(view, i),
+                         hsr_sample_y(view, j));
       }
     }
     return HSR_OK;

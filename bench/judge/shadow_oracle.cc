@@ -268,13 +268,14 @@ static enum hsr_status render(const struct hsr_job *job,
     const trees &t = *static_cast<const trees *>(job->prepared);
     faces_at_hand faces(*job->world, w);
     light_sides sides(*job);
+    const struct hsr_shadowed *shadowed = hsr_answer_shadowed_of(job->answer);
     for (int j = w.y0; j < w.y1; j++) {
       faces.begin_row();
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
-        const size_t at = size_t(j) * job->ids_stride + size_t(i);
-        job->ids[at] = look(*job, t, &faces, &sides, hsr_sample_x(view, i),
-                            hsr_sample_y(view, j), &job->lit[at]);
+        const size_t at = size_t(j) * size_t(job->answer->m) + size_t(i);
+        shadowed->ids[at] = look(*job, t, &faces, &sides, hsr_sample_x(view, i),
+                                 hsr_sample_y(view, j), &shadowed->lit[at]);
       }
     }
     return HSR_OK;

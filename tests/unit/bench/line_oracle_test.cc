@@ -115,7 +115,8 @@ drawing draw(little_world &little, const struct hsr_view &view) {
   job.world = &world;
   job.view = &view;
   job.tally = &tally;
-  job.drawing = &made;
+  struct hsr_answer answer = hsr_answer_of_drawing(&made, view.m, view.n);
+  job.answer = &answer;
   struct hsr_error err = {};
   if (oracle.prepare(&world, nullptr, &job.prepared, &err) ||
       oracle.render(&job, &err)) {
@@ -965,7 +966,8 @@ void test_no_memory() {
     job.world = &world;
     job.view = &view;
     job.tally = &tally;
-    job.drawing = &made;
+    struct hsr_answer answer = hsr_answer_of_drawing(&made, view.m, view.n);
+    job.answer = &answer;
     allocations_left = k;
     enum hsr_status status =
         oracle.prepare(&world, nullptr, &job.prepared, &err);

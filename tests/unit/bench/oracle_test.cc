@@ -108,8 +108,8 @@ picture render(const struct hsr_world &world, const struct hsr_view &view,
   job.view = &view;
   job.prepared = prepared;
   job.tally = &tally;
-  job.ids = ids.data();
-  job.ids_stride = size_t(view.m);
+  struct hsr_answer answer = hsr_answer_of_ids(ids.data(), view.m, view.n);
+  job.answer = &answer;
   struct hsr_error err = {};
   if (oracle.render(&job, &err) != HSR_OK)
     std::printf("# render: %s\n", err.text);
@@ -904,8 +904,8 @@ void test_no_memory() {
   job.world = &world;
   job.view = &view;
   job.tally = &tally;
-  job.ids = ids;
-  job.ids_stride = 2;
+  struct hsr_answer answer = hsr_answer_of_ids(ids, 2, 2);
+  job.answer = &answer;
 
   bool good = true;
   int n_failures = 0;
