@@ -6,9 +6,10 @@ enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
                                  const struct hsr_screen *screen) {
   const struct hsr_window *w = &job->view->window;
   uint32_t n_faces = job->world->n_faces;
-  *shadow = (struct hsr_shadow){
-      .lit = hsr_answer_lit_of(job->answer),
-      .job = job, .blocker = HSR_NEW(job->scratch, uint32_t, n_faces)};
+  *shadow =
+      (struct hsr_shadow){.lit = hsr_answer_lit_of(job->answer),
+                          .job = job,
+                          .blocker = HSR_NEW(job->scratch, uint32_t, n_faces)};
   if (!shadow->blocker ||
       hsr_lighting_init(&shadow->lighting, screen, job->scratch, job->tally))
     return HSR_E_NOMEM;
