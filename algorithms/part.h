@@ -97,7 +97,8 @@ struct hsr_step {
  * lines of a group of a part's. */
 #define HSR_MOST_RAISED 6
 struct hsr_line {
-  const char *text; /* two blanks before it for each level of nesting. If it stands
+  const char
+      *text; /* two blanks before it for each level of nesting. If it stands
                        for a group: the blanks before each line, or NULL */
   int raises[HSR_MOST_RAISED], n_raises; /* HSR_RAISES(...): steps of these
                        counters are taken here; a counter belongs to one line */
@@ -113,7 +114,8 @@ struct hsr_part {
   const struct hsr_counter *counters; /* ended by .name == NULL */
   const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
   const struct hsr_sort *sorts;       /* ended by an empty one; NULL: none */
-  const struct hsr_line *lines[HSR_MOST_GROUPS]; /* each ended by an empty one */
+  const struct hsr_line
+      *lines[HSR_MOST_GROUPS]; /* each ended by an empty one */
 };
 
 /* A part as a module uses it. */

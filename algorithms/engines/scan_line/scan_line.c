@@ -407,15 +407,14 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"Y sort", "edges put into Y buckets", HSR_SORT,
-                                 HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"Y sort", "edges put into Y buckets", HSR_SORT, HSR_OF_EDGE,
+     HSR_OF_NOTHING},
     {"X merge", "comparisons to merge entering edges into the list",
-         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
     {"X sort", "comparisons of an edge with the one before it", HSR_COMPARE,
-         HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
-    {"X interchanges",
-                                "interchanges of two neighbours in the list",
-                                HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE},
+     HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
+    {"X interchanges", "interchanges of two neighbours in the list", HSR_SORT,
+     HSR_OF_EDGE, HSR_OF_EDGE},
     {NULL}};
 
 static double predict_y_sort(const struct hsr_table1 *t) {

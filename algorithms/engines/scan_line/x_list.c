@@ -210,10 +210,10 @@ void hsr_scan_predict(struct hsr_scan *s, uint32_t left, uint32_t right,
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"X presort", "edges put into X buckets",
-                                    HSR_SORT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {"X presort", "edges put into X buckets", HSR_SORT, HSR_OF_EDGE,
+     HSR_OF_NOTHING},
     {"X crossings", "predictions of where an edge crosses its neighbor",
-         HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
     {NULL}};
 
 static const struct hsr_step steps[] = {

@@ -347,27 +347,21 @@ void hsr_splats_visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"rows", "boxes around rows of samples tested",
-                            HSR_COMPARE, HSR_OF_NOTHING, HSR_OF_NOTHING,
-                            "out of the window|full|in it"},
-    {"samples", "kept samples visited",
-                                      HSR_ACTIVATE, HSR_OF_CELL,
-                                      HSR_OF_NOTHING},
-    {"splats",
-                                       "rectangles around splats tested",
-                                       HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
-                                       "out of sight|full|drawn"},
-    {"updates",
-                                        "pixels that a splat was put into",
-                                        HSR_SAMPLE, HSR_OF_CELL, HSR_OF_WINDOW},
-    {"writes", "pixels that are not empty",
-                                       HSR_ACCEPT, HSR_OF_NOTHING,
-                                       HSR_OF_WINDOW},
+    {"rows", "boxes around rows of samples tested", HSR_COMPARE, HSR_OF_NOTHING,
+     HSR_OF_NOTHING, "out of the window|full|in it"},
+    {"samples", "kept samples visited", HSR_ACTIVATE, HSR_OF_CELL,
+     HSR_OF_NOTHING},
+    {"splats", "rectangles around splats tested", HSR_COMPARE, HSR_OF_CELL,
+     HSR_OF_WINDOW, "out of sight|full|drawn"},
+    {"updates", "pixels that a splat was put into", HSR_SAMPLE, HSR_OF_CELL,
+     HSR_OF_WINDOW},
+    {"writes", "pixels that are not empty", HSR_ACCEPT, HSR_OF_NOTHING,
+     HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_counter folds[] = {
-    {"folds", "sums of pixels put over the picture",
-                             HSR_SAMPLE, HSR_OF_NOTHING, HSR_OF_WINDOW},
+    {"folds", "sums of pixels put over the picture", HSR_SAMPLE, HSR_OF_NOTHING,
+     HSR_OF_WINDOW},
     {NULL}};
 
 const struct hsr_part hsr_splats_part = {

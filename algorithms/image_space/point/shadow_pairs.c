@@ -165,12 +165,12 @@ enum hsr_status hsr_shadow_pairs_show(struct hsr_shadow_pairs *pairs,
 
 static const struct hsr_counter counters[] = {
     {"shadow pairs",
-         "faces compared with a visible one, as the light sees both",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "no pair|a pair"},
+     "faces compared with a visible one, as the light sees both", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_FACE, "no pair|a pair"},
     {"segment tests",
-         "faces of pairs compared with a visible segment, as the light sees "
-         "both",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "apart|overlapping"},
+     "faces of pairs compared with a visible segment, as the light sees "
+     "both",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "apart|overlapping"},
     {NULL}};
 
 static const struct hsr_line lines[] = {

@@ -48,21 +48,21 @@ bool hsr_next_cluster(struct hsr_cluster_order *order, bool nearest_first,
 
 static const struct hsr_counter counters[] = {
     {"inter-cluster priority",
-        "separating planes that the eye is compared with", HSR_COMPARE,
-        HSR_OF_FACE, HSR_OF_CELL, "behind|on it|in front"},
+     "separating planes that the eye is compared with", HSR_COMPARE,
+     HSR_OF_FACE, HSR_OF_CELL, "behind|on it|in front"},
     {NULL}};
 
 static double predict_inter_cluster(const struct hsr_table1 *t) {
   return 10 * t->C_t;
 }
 
-static const struct hsr_step steps[] = {
-    {"inter-cluster priority", HSR_INTER_CLUSTER, 10, "10 C_t",
-     predict_inter_cluster},
-    {NULL}};
+static const struct hsr_step steps[] = {{"inter-cluster priority",
+                                         HSR_INTER_CLUSTER, 10, "10 C_t",
+                                         predict_inter_cluster},
+                                        {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"clusters", "Z", "tree of separating planes", "once a frame"}, {NULL}};
 
-const struct hsr_part hsr_cluster_order_part = {HSR_PART_CLUSTER_ORDER, counters,
-    steps, sorts, {NULL}};
+const struct hsr_part hsr_cluster_order_part = {
+    HSR_PART_CLUSTER_ORDER, counters, steps, sorts, {NULL}};

@@ -605,43 +605,38 @@ const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
 
 static const struct hsr_counter counters[] = {
     {"Z sort",
-         "pieces put into buckets of depth; comparisons, where the last "
-         "frame's "
-         "order is the start",
-         HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,
-         "put into a bucket by the low digit|in order|out of order|put into a "
-         "bucket by the high digit"},
+     "pieces put into buckets of depth; comparisons, where the last "
+     "frame's "
+     "order is the start",
+     HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,
+     "put into a bucket by the low digit|in order|out of order|put into a "
+     "bucket by the high digit"},
     {"Newell special",
-         "pieces that may come before P in depth, put to the six tests",
-         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-         "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
-         "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
-         "overlap|left to the samples|P may obscure Q"},
+     "pieces that may come before P in depth, put to the six tests",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+     "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
+     "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
+     "overlap|left to the samples|P may obscure Q"},
     {"minimax tests",
-         "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
-         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-         "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "
-         "overlap in Y"},
+     "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+     "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "
+     "overlap in Y"},
     {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
-         HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-         "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "
-         "6: left to the samples"},
-    {"overlap tests",
-                               "test 6: pairs tested for overlap on the screen",
-                               HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-                               "test 6: overlap|test 6: apart"},
-    {"interchanges",
-                                   "pieces moved to the far end of the list",
-                                   HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE},
-    {"divisions",
-                                "pieces divided by the plane of another",
-                                HSR_SPLIT, HSR_OF_PIECE, HSR_OF_FACE},
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+     "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "
+     "6: left to the samples"},
+    {"overlap tests", "test 6: pairs tested for overlap on the screen",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "test 6: overlap|test 6: apart"},
+    {"interchanges", "pieces moved to the far end of the list", HSR_SORT,
+     HSR_OF_PIECE, HSR_OF_PIECE},
+    {"divisions", "pieces divided by the plane of another", HSR_SPLIT,
+     HSR_OF_PIECE, HSR_OF_FACE},
     {"insertions", "pieces passed to put a divided one back into the list",
-         HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE},
-    {"circle search",
-                              "planes of other pieces tried to divide a piece",
-                              HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-                              "does not pass through|passes through"},
+     HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE},
+    {"circle search", "planes of other pieces tried to divide a piece",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+     "does not pass through|passes through"},
     {NULL}};
 
 static double predict_z_sort(const struct hsr_table1 *t) {

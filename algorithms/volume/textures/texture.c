@@ -161,21 +161,17 @@ void hsr_textures_draw(struct hsr_texture *x, const struct hsr_job *job) {
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"rays",
-                                       "rays that are met with the layer",
-                                       HSR_COMPARE, HSR_OF_NOTHING,
-                                       HSR_OF_WINDOW, "misses|meets"},
-    {"texels", "texels read, or entries of a table",
-                                HSR_SAMPLE, HSR_OF_CELL, HSR_OF_WINDOW},
-    {"writes", "pixels that are not empty",
-                                         HSR_ACCEPT, HSR_OF_NOTHING,
-                                         HSR_OF_WINDOW},
+    {"rays", "rays that are met with the layer", HSR_COMPARE, HSR_OF_NOTHING,
+     HSR_OF_WINDOW, "misses|meets"},
+    {"texels", "texels read, or entries of a table", HSR_SAMPLE, HSR_OF_CELL,
+     HSR_OF_WINDOW},
+    {"writes", "pixels that are not empty", HSR_ACCEPT, HSR_OF_NOTHING,
+     HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_counter built[] = {
-    {"built",
-                               "texels of levels, or entries, that are made",
-                               HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    {"built", "texels of levels, or entries, that are made", HSR_ACTIVATE,
+     HSR_OF_CELL, HSR_OF_NOTHING},
     {NULL}};
 
 const struct hsr_part hsr_textures_part = {
