@@ -230,17 +230,10 @@ struct hsr_listed {
   const struct hsr_algorithm *plain, *counting;
 };
 
-/* The descriptors of all that can be named, ended by .plain == NULL: the
- * program's own list, or that of bench/registry.c, the oracles before the
- * algorithms of list.def. */
-extern const struct hsr_listed hsr_modules[];
-
-/* The same, registered, in the same order. Registers them when it is first
- * called. May be called by several threads. */
-const struct hsr_listed *hsr_algorithms(void);
-
-/* The listed algorithm of that name, or NULL. */
-const struct hsr_listed *hsr_algorithm_find(const char *name);
+/* Registers the descriptors of a list, which is ended by .plain == NULL: a list of
+ * the same length and order, whose algorithms have their parts. A program calls
+ * it once. */
+const struct hsr_listed *hsr_register(const struct hsr_listed *modules);
 
 #ifdef __cplusplus
 }

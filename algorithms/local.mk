@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice: counting and not counting.
-nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/part.h %D%/setup.h %D%/variant.h
-libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c \
+nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/part.h %D%/setup.h
+libhsr_a_SOURCES += %D%/choice.c %D%/registry.c %D%/setup.c \
   %D%/list.def %D%/proposals.def
 
 algorithm_files =

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Registers the program's modules: puts the parts of each before its own, and
- * assigns the places of all counters. The memory is the program's own, so nothing
- * can fail, and is not written again afterwards. */
+/* Registers a program's modules: puts the parts of each before its own, and assigns
+ * the places of all counters. The memory is the program's own, so nothing can fail.
+ */
 #include "algorithms/algorithm.h"
 
 #include <assert.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +18,6 @@ enum {
   MOST_TEXT = 1 << 17
 };
 
-static pthread_once_t once = PTHREAD_ONCE_INIT;
 static struct hsr_listed listed[MOST_MODULES + 1];
 static struct hsr_algorithm algorithms[2 * MOST_MODULES];
 static struct hsr_counter counters[MOST_COUNTERS];
@@ -204,28 +202,17 @@ register_one(const struct hsr_algorithm *module) {
   return a;
 }
 
-static void register_all(void) {
+const struct hsr_listed *hsr_register(const struct hsr_listed *modules) {
   static_assert((int)HSR_N_PARTS <= (int)HSR_MOST_PARTS,
                 "a tally has room for all parts");
-  for (int k = 0; hsr_modules[k].plain; k++) {
+  for (int k = 0; modules[k].plain; k++) {
     if (k == MOST_MODULES)
       abort();
-    const struct hsr_listed *module = &hsr_modules[k];
+    const struct hsr_listed *module = &modules[k];
     listed[k].plain = register_one(module->plain);
     listed[k].counting = module->counting == module->plain
                              ? listed[k].plain
                              : register_one(module->counting);
   }
-}
-
-const struct hsr_listed *hsr_algorithms(void) {
-  pthread_once(&once, register_all);
   return listed;
-}
-
-const struct hsr_listed *hsr_algorithm_find(const char *name) {
-  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
-    if (!strcmp(a->plain->name, name))
-      return a;
-  return NULL;
 }

@@ -6,7 +6,7 @@
  * are linear, from 0 to 1. A picture of one sample a place can be asked for
  * with N x N samples a pixel: it is then the mean of N x N pictures, whose
  * colours are rounded to the nearest 65535th as in the definition. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/picture.h"
 #include "bench/options/place.h"

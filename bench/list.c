@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr list: the algorithms and their taxonomy entries; the palettes. */
+#include "bench/modules/modules.h"
 #include "bench/options/command.h"
 #include "bench/options/parser.h"
 #include "bench/results/descriptor.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/scene.h"
 #include "bench/options/words.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/draw.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 
 #include <math.h>

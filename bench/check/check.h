@@ -5,6 +5,7 @@
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 
+#include "bench/modules/variant.h"
 #include "bench/judge/judge.h"
 #include "bench/options/camera.h"
 #include "scenes/scenes.h"

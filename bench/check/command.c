@@ -6,6 +6,7 @@
  * a state from frame to frame form a group with all views in a row. Each group
  * is judged in its own process (bench/judge/judge.c), several at a time.
  * Several ranks take groups from one queue. */
+#include "bench/modules/variant.h"
 #include "bench/check/check.h"
 #include "bench/options/command.h"
 #include "bench/options/scene.h"

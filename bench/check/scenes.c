@@ -2,6 +2,7 @@
 /* The scenes of hsr check, one after another. While the last groups of a scene
  * are judged, the next scenes begin, so that no processor waits. Results come in
  * the scenes' order. */
+#include "bench/modules/variant.h"
 #include "bench/check/check.h"
 #include "bench/options/scene.h"
 #include "bench/ranks/ranks.h"

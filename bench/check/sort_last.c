@@ -2,6 +2,7 @@
 /* hsr check --sort-last: judges the pictures that are put together from those of
  * a scene's parts, and what is folded from such pictures. What is right is found
  * by bench/check/candidates.h; nothing here says which of two faces is nearer. */
+#include "bench/modules/variant.h"
 #include "bench/check/candidates.h"
 #include "bench/check/check.h"
 #include "bench/ranks/composite.h"

@@ -2,6 +2,7 @@
 /* hsr check --sort-last of what is summed: judges the answers that are added up
  * from those of a grid's parts. The oracle gets the whole scene; rank 0 opens it
  * once all parts are drawn. */
+#include "bench/modules/variant.h"
 #include "bench/check/check.h"
 #include "bench/ranks/ranks.h"
 #include "bench/ranks/sums.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr export: a scene, or what an algorithm makes of it, for other programs. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/view.h"
 #include "bench/shapes/shapes.h"

@@ -3,6 +3,7 @@
  * output, in a process of its own, so that one that crashes or takes too long
  * harms nothing. Both builds of an algorithm are judged, the counting one too. */
 #include "bench/judge/judge.h"
+#include "bench/modules/variant.h"
 #include "bench/judge/differences.h"
 #include "bench/judge/wanted.h"
 #include "bench/run/crew.h"

@@ -5,7 +5,7 @@
 #define HSR_BENCH_JUDGE_H
 
 #include "algorithms/setup.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/judge/wanted.h"
 
 #include <semaphore.h>

@@ -14,7 +14,9 @@ oracle_files = \
 liboracles_a_SOURCES = $(oracle_files)
 liboracles_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
 libhsr_a_LIBADD += $(liboracles_a_OBJECTS)
-libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/surface.h \
+nobase_pkginclude_HEADERS += bench/modules/modules.h bench/modules/variant.h
+libhsr_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
+  bench/modules/oracles.def bench/modules/variant.c %D%/rounding.h %D%/surface.h \
   %D%/vectors.h \
   %D%/areas/areas.cc \
   %D%/areas/areas.h \

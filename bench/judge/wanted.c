@@ -3,6 +3,7 @@
  * technique of Knuth, The Art of Computer Programming, volume 2, 3.4.2,
  * algorithm S. */
 #include "bench/judge/wanted.h"
+#include "bench/modules/modules.h"
 #include "bench/judge/judge.h"
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/crew.h"

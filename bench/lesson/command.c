@@ -2,6 +2,7 @@
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
 #include "config.h"
 
+#include "bench/modules/variant.h"
 #include "bench/lesson/lesson.h"
 #include "bench/options/command.h"
 #include "bench/options/words.h"

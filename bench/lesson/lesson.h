@@ -25,6 +25,7 @@
 #ifndef HSR_BENCH_LESSON_H
 #define HSR_BENCH_LESSON_H
 
+#include "bench/modules/variant.h"
 #include "bench/trace/trace.h"
 
 #include <jansson.h>

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/modules/variant.h"
 #include "bench/lesson/lesson.h"
 #include "common/files/json/json.h"
 

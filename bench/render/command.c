@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: pictures, or line drawings, by one algorithm. */
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"

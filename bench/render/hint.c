@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which algorithms would do what this one does not: for errors of hsr render. */
+#include "bench/modules/variant.h"
 #include "bench/render/render.h"
 #include "common/files/suffix.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
+#include "bench/modules/variant.h"
 #include "bench/options/picture.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"

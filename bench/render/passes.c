@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An answer while it becomes better: what hsr render writes after each pass. */
+#include "bench/modules/variant.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"
 #include "common/base/clock.h"

@@ -4,7 +4,7 @@
 #define HSR_BENCH_RENDER_H
 
 #include "algorithms/setup.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/view.h"
 
 enum { MOST_OUTPUTS = 16 };

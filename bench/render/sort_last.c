@@ -5,6 +5,7 @@
  * folded from pictures of ids is folded at last, by rank 0, from whole pictures.
  * Of a kind that is summed, the parts of a grid are drawn into the same sums, and
  * those of all ranks are added. */
+#include "bench/modules/variant.h"
 #include "bench/render/render.h"
 #include "bench/ranks/composite.h"
 #include "bench/ranks/ranks.h"

@@ -2,6 +2,7 @@
 /* One scene and view, drawn by the oracle and by every algorithm that has a
  * cell: the work, the line drawings, and where an answer differs from the
  * oracle's. Each algorithm draws in a process of its own, several at a time. */
+#include "bench/modules/modules.h"
 #include "bench/judge/judge.h"
 #include "bench/report/pictures.h"
 #include "bench/results/json.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pages on which algorithms can be watched: the lessons through the survey,
  * and one of each of the first small scenes of the results. */
+#include "bench/modules/variant.h"
 #include "bench/lesson/lesson.h"
 #include "bench/report/report.h"
 #include "bench/run/terminate.h"

@@ -7,6 +7,7 @@
 #include "config.h"
 
 #include "bench/report/pictures.h"
+#include "bench/modules/modules.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/descriptor.h"
+#include "bench/modules/modules.h"
 #include "common/files/json/json.h"
 
 struct taxonomy taxonomy(enum hsr_branch branch) {

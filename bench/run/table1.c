@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/run/table1.h"
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 #include "bench/run/crew.h"
 
 enum hsr_status measure_table1(const struct hsr_world *world,

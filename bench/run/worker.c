@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr worker: an algorithm that draws frames for hsr bench (bench/run/serve.h).
  */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/run/crew.h"
 #include "bench/run/serve.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/modules/modules.h"
 #include "bench/shapes/shapes.h"
 
 #include "algorithms/engines/cubes/cubes.h"

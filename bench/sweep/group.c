@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of one scene, view and size: judged, timed, recorded. */
+#include "bench/modules/variant.h"
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
 #include "bench/run/table1.h"

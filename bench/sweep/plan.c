@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which cells a sweep has: scenes x views x sizes x algorithms x threads. */
+#include "bench/modules/variant.h"
 #include "bench/sweep/sweep.h"
 #include "scenes/scenes.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr tables: the tables of Sutherland et al. 1974, measured; and Greene's. */
+#include "bench/modules/modules.h"
 #include "bench/options/words.h"
 #include "bench/tables/greene.h"
 #include "bench/tables/sorts.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables I to VII of Sutherland et al. 1974, computed from results. */
+#include "bench/modules/modules.h"
 #include "bench/tables/tables.h"
 
 #include <math.h>

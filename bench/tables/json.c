@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables as one JSON object, of the schema hsr-tables/1. */
+#include "bench/modules/modules.h"
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/results/json.h"

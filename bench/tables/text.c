@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables as text, as wide as the terminal, but no wider than 100 columns.
  */
+#include "bench/modules/modules.h"
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/results/descriptor.h"

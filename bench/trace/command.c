@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr trace: every step of one algorithm on one view, as lines of JSON. */
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/words.h"
 #include "bench/trace/trace.h"

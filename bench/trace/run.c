@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/modules/variant.h"
 #include "bench/trace/trace.h"
 
 enum hsr_status trace_check(const struct hsr_variant *variant,

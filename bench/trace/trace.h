@@ -14,7 +14,7 @@
 #define HSR_BENCH_TRACE_H
 
 #include "algorithms/setup.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/view.h"
 #include "common/files/whole_file.h"
 

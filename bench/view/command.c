@@ -2,6 +2,7 @@
 /* hsr view: look around in a scene, as algorithms draw it. */
 #include "config.h"
 
+#include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/picture.h"
 #include "bench/view/view.h"

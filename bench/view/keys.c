@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/modules/modules.h"
 #include "bench/view/view.h"
 
 #include "bench/terminal/terminal.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/modules/variant.h"
 #include "bench/run/crew.h"
 #include "bench/view/view.h"
 

@@ -14,6 +14,7 @@
 #ifndef HSR_BENCH_VIEW_H
 #define HSR_BENCH_VIEW_H
 
+#include "bench/modules/variant.h"
 #include "bench/render/render.h"
 #include "bench/terminal/terminal.h"
 #include "bench/view/window.h"

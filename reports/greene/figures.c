@@ -11,7 +11,7 @@
  *
  * usage: figures WHAT SCENE VIEW FILE      VIEW from 1; reports/greene/make */
 #include "algorithms/engines/cubes/cubes.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/files/image.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -53,11 +53,9 @@ static void draw(struct hsr_setup *setup, const struct hsr_view *view,
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_trace trace = {.listen = listen, .context = context};
   struct hsr_tally tally = {.trace = listen ? &trace : NULL};
-  struct hsr_job job = {.view = view,
-                        .scratch = &scratch,
-                        .tally = &tally,
-                        .ids = ids,
-                        .ids_stride = SIDE};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, SIDE, SIDE);
+  struct hsr_job job = {
+      .view = view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   if (hsr_setup_render(setup, &job, &err))
     stop(err.text);
   hsr_arena_free(&scratch);

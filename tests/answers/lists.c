@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command's lists with one more line: the kind of answer of layers.c. */
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 
 extern const struct hsr_answer_type hsr_answer_layers;
 extern const struct hsr_algorithm hsr_algorithm_layer_oracle,

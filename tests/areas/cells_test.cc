@@ -10,6 +10,7 @@
  * may be seen in a pixel, has the same areas.
  *
  * usage: cells_test [SCENES [SEED]]    standard: 400 of either sort, seed 1 */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "bench/judge/areas/cells.h"
 #include "tests/areas/shares.h"

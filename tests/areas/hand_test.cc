@@ -2,6 +2,7 @@
 /* Areas in pixels that are computed by hand, in both projections; sums under
  * subdivision of the picture; and the intervals of the area oracle, which must be
  * the tightest around the exact values. */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "tests/areas/shares.h"
 #include "tests/draw.h"

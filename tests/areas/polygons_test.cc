@@ -7,6 +7,7 @@
  *
  * usage: polygons_test [SCENES [SEED]]      standard: 60 lattices and 60 hard
  *                                         scenes, seed 1 */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "bench/judge/areas/cells.h"
 #include "tests/areas/shares.h"

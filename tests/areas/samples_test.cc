@@ -11,6 +11,7 @@
  *             which is 10^-9 here.
  *
  * usage: samples_test [SEED]      standard: 1 */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "tests/areas/shares.h"
 #include "tests/draw.h"

@@ -7,6 +7,7 @@
  * opaque or all invisible.
  *
  * usage: glass_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -8,6 +8,7 @@
  * Standard: 300 scenes, seed 1, and of every SHARE = 6 algorithms one in each
  * scene; then the scenes of check_found(). Scene k of a run is made from the seed SEED + k - 1 alone. If FILE is
  * given, the last scene is written to it, for hsr check. */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "scenes/scenes.h"
 #include "tests/conformance/hard_scene.h"

@@ -5,6 +5,7 @@
  *
  * usage: lattice_test [SCENES [SEED [NAME...]]]
  *        standard: 600 scenes, seed 1, all algorithms and their variants */
+#include "bench/modules/modules.h"
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

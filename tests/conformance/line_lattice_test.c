@@ -5,6 +5,7 @@
  * are parallel: along an axis, isometric, dimetric.
  *
  * usage: line_lattice_test [SCENES [SEED]]      standard: 500 scenes, seed 1 */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "scenes/parts/shapes.h"
 #include "tests/draw.h"

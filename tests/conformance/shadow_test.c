@@ -7,6 +7,7 @@
  *
  * usage: shadow_test [SCENES [SEED]]      standard: 2000 scenes, seed 1; each of
  *        the latter is drawn once, and once more for each 250 of the others */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

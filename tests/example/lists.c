@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command's list with algorithms/EXAMPLE.c on it. */
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 
 extern const struct hsr_algorithm hsr_counting_oracle,
     hsr_algorithm_zbuffer_fast, hsr_counting_zbuffer_fast,

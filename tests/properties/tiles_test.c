@@ -4,6 +4,7 @@
  * the picture. In tiles of pictures with up to 2^20 samples a side, where no whole
  * picture can be drawn, all algorithms agree with the oracle. And the files of
  * tiles are joined to one file, which is the same each time. */
+#include "bench/modules/modules.h"
 #include "algorithms/setup.h"
 #include "common/exact/footprint.h"
 #include "common/files/image.h"

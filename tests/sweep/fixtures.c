@@ -2,7 +2,7 @@
 /* The list of a separate command, hsr-fixtures: algorithms that fail in every
  * possible way, for which hsr bench must never show a time; and good ones to
  * compare them with. */
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * and has events of every kind of subject; and some that fail, or whose events
  * are not what they did. */
 #define HSR_COUNTING 1
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 
 #include <string.h>
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/peers/lines/lines.h"
+#include "bench/modules/modules.h"
 
 #include "algorithms/setup.h"
 

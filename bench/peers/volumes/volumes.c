@@ -4,7 +4,7 @@
 
 #include "bench/peers/volumes/volumes.h"
 
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/options/words.h"
 #include "bench/results/json.h"
 #include "bench/run/crew.h"

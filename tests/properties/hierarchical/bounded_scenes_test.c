@@ -11,7 +11,7 @@
  *             corners, before a wall that is nearer than these.
  * Near        In parallel, a triangle whose plane all but runs along F, so that
  *             `near` cuts it at a place that doubles do not tell. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

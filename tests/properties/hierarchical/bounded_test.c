@@ -16,7 +16,7 @@
  *                                       in pictures of MxN (standard: 48x33)
  *        bounded_test [MxN] shaders     these alone
  *        bounded_test [MxN] stopped     the same */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

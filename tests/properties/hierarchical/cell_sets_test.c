@@ -12,6 +12,7 @@
  *
  * usage: cell_sets_test [EYES [SCENE...]]    in each cell; standard: 8. With a
  * SCENE, only the first two of these are tested, and each cell has a line */
+#include "bench/modules/modules.h"
 #include "algorithms/hierarchical/culling/cell_sets.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"

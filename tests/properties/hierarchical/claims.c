@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/hierarchical/claims.h"
 
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 
 #include <stdio.h>
 #include <stdlib.h>

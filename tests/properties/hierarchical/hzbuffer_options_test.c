@@ -12,7 +12,7 @@
 #include "tests/draw.h"
 #include "tests/tap.h"
 
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -30,7 +30,7 @@
 #include "tests/draw.h"
 #include "tests/tap.h"
 
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 
 #include <string.h>
 

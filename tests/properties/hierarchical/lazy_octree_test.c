@@ -13,7 +13,7 @@
  *
  * usage: lazy_octree_test [SCENE...]    prints the figures of other scenes */
 #include "algorithms/engines/cubes/cubes.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 

@@ -10,7 +10,7 @@
 #include "tests/tap.h"
 
 #include "algorithms/hierarchical/hzbuffer/movers.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/scene/motion.h"
 
 #include <stdlib.h>

@@ -9,6 +9,7 @@
  *             room shrinks to the room.
  *
  * usage: pvs_test [EYES]      in each room; standard: 6 */
+#include "bench/modules/modules.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 

@@ -7,7 +7,7 @@
  *             fewer faces are tiled: what a quick answer would make worthwhile.
  * Pyramid     None is read.
  * Latency     A query takes as long as the option says. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/base/clock.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"

@@ -9,6 +9,7 @@
  * Scratch     Every ray starts from scratch: four times as many samples take
  *             about four times as many visits. Hierarchical z-buffering does
  *             not need so many. */
+#include "bench/modules/modules.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 

@@ -19,7 +19,7 @@
  *             ascending order.
  *
  * usage: steps_test [WORD...]    only variants whose names begin with a WORD */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/exact/screen.h"
 #include "common/scene/motion.h"
 #include "tests/draw.h"

@@ -18,6 +18,7 @@
  * Sorting     The comparisons that sort Warnock's edges grow less than with
  *             the square of the edges; Appel's pairs grow with the square.
  */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "scenes/parts/shapes.h"
 #include "tests/draw.h"

@@ -8,6 +8,7 @@
  * Related      edges a and b cross in the picture, or share a vertex, as the
  *              outcome says; and b is nearer there, or farther
  * Hides        face b hides vertex a, or does not */
+#include "bench/modules/modules.h"
 #include "tests/counts/by_hand/objects.h"
 
 #include "algorithms/object_space/edges/edge_intersection.h"

@@ -14,6 +14,7 @@
  *            are counted.
  *
  * usage: lines_and_surfaces_test [SCENE...] */
+#include "bench/modules/modules.h"
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -13,6 +13,7 @@
  * Solids      Random cubes of a lattice, seen from eyes for which edges, planes
  *             and the eye coincide.
  */
+#include "bench/modules/modules.h"
 #include "common/lines/volumes.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -5,7 +5,7 @@
  * comparison of two fragments in it depends on the sample.
  *
  * usage: a_buffer_test [SCENE...] */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

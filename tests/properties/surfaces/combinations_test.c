@@ -14,6 +14,7 @@
  *             be fixed: a ring of faces is divided.
  * Thickness   Faces that touch and are flat except for rounding are drawn
  *             right, by asking at their samples. */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

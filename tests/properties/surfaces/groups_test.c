@@ -13,7 +13,7 @@
  * Counts      the same triangles are tiled; and of a sphere about half of all are
  *             left out. */
 #include "algorithms/brute_force/zbuffer_fast/groups.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -11,6 +11,7 @@
  * Sorted        the farthest vertex of a is farther than that of b, or is not
  * Crosses       edge a crosses the window's row, or does not; only for whole
  *               faces */
+#include "bench/modules/modules.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What Sutherland et al. 1974 claim about Newell's algorithm: "List-Priority
  * Algorithms" and "New Uses of Coherence". */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -14,6 +14,7 @@
  * Bits        a bit that is turned on was off; at first all bits are off.
  * Vertices    "in front", "behind", "on the plane": as the vertex is, seen from
  *             the eye. */
+#include "bench/modules/modules.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

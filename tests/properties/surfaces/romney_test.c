@@ -2,6 +2,7 @@
 /* Romney's algorithm: the part of a line that shows the same as the last line
  * is not searched in depth; and faces that are not quite flat are drawn right
  * although they penetrate a little. */
+#include "bench/modules/modules.h"
 #include "common/exact/screen.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

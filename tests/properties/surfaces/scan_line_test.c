@@ -18,6 +18,7 @@
  *             least threefold.
  * Coherence   If no ends cross, yzx makes no comparison after the first line.
  */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -5,6 +5,7 @@
  * inside and outside, from planes of faces, from vertices and along axes. It
  * must show what the oracle shows, and clusters and separators must not change.
  */
+#include "bench/modules/modules.h"
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

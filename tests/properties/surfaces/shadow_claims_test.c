@@ -3,6 +3,7 @@
  * light, all faces until one blocks; of Bouknight and Kelley's pairs, those that
  * overlap about the light; of a view from the light, those of a cell. All three
  * find the same samples lit. */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -11,7 +11,7 @@
  * Choices     what needs the scene laid out takes no outline: glass, shadows, and
  *             groups. Which scenes come as an outline. */
 #include "algorithms/engines/tiler/tiler.h"
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

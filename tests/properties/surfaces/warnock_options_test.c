@@ -2,7 +2,7 @@
 /* What the options of Warnock's algorithm promise, checked in its trace: a raster
  * is put out in order and whole, and the lists of regions are those that a first
  * frame would make. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -2,6 +2,7 @@
 /* What Sutherland et al. 1974 say about Warnock's algorithm, checked in its
  * trace: sub-windows inherit surrounders and disjoints, and most windows lie
  * near the leaves of the tree, so that about L_v of them are examined. */
+#include "bench/modules/modules.h"
 #include "common/statistics/statistics.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -7,7 +7,7 @@
  * ways, and the answers must agree all the same.
  *
  * usage: weiler_atherton_test [SCENE...] */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

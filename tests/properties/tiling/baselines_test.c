@@ -2,6 +2,7 @@
 /* What N. Greene, "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH
  * 1996, 2.1 and 6, claims about his baselines: from front to back no sample is
  * written twice; from back to front all samples of all faces are written. */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -8,7 +8,7 @@
  *             gone through.
  * Work        The work pictures of cubes and of polygons add up to that of all
  *             (1996, figure 3). */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 

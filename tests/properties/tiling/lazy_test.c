@@ -8,7 +8,7 @@
  *             hardly more cells are visited than by tiling.
  * Nearly      With less disorder fewer pixels are z-buffered.
  * Worst       From back to front it does little more than a z-buffer. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/base/clock.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

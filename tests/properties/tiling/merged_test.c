@@ -3,7 +3,7 @@
  * SIGGRAPH 1996, 6.2). Rigid bodies that move through one another and through
  * standing ones give the oracle's picture. Bodies that are apart are not
  * merged. Carts drive through the office, which is prepared once. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

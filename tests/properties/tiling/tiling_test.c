@@ -9,7 +9,7 @@
  *             many if intervals are half as long.
  * Ties        Where vertices, edges and planes meet samples, nothing is wrong.
  */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/crew.h"
 #include "scenes/scenes.h"

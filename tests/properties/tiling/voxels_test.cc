@@ -5,6 +5,7 @@
 // e^3). The oracle of voxels, which goes by columns, is compared with the same
 // judge.
 #define HSR_COUNTING 1
+#include "bench/modules/modules.h"
 #include "algorithms/counting-names.h" // the functions of that build
 #include "algorithms/setup.h"
 #include "algorithms/volume/solid_pyramid.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/volume/boards.h"
+#include "bench/modules/variant.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,6 +4,7 @@
 #ifndef HSR_TESTS_BOARDS_H
 #define HSR_TESTS_BOARDS_H
 
+#include "bench/modules/variant.h"
 #include "tests/properties/volume/splatting.h"
 
 #define PI 3.14159265358979323846

@@ -8,7 +8,7 @@
  *             front and from front to back; meagher. No depth is compared.
  * Wrong       btf, wbtf and vbuffer in some views in perspective; in parallel
  *             they are right. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "common/scene/grid_object.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

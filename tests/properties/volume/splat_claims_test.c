@@ -8,6 +8,7 @@
  * Weights     A splat of opacity 65535 and energy 65536 gives floor(W 65535 /
  *             65536) = W - 1 to a pixel. The number of splats with W > 0 in a
  *             pixel is counted (`work`). So sums of W are known exactly. */
+#include "bench/modules/variant.h"
 #include "tests/properties/volume/boards.h"
 #include "tests/tap.h"
 

@@ -6,6 +6,7 @@
  * views that are as bad as can be.
  *
  * splats_test [SEED [VIEWS]]: other views, and so many in either projection. */
+#include "bench/modules/variant.h"
 #include "tests/properties/volume/splatting.h"
 #include "tests/tap.h"
 

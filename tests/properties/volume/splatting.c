@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/volume/splatting.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 
 #include <stdarg.h>

@@ -4,7 +4,7 @@
 #ifndef HSR_TESTS_SPLATTING_H
 #define HSR_TESTS_SPLATTING_H
 
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/draw.h"
 
 /* A grid before it is one. All borrowed. */

@@ -8,6 +8,7 @@
  * Measure     the checkered planes of splat_claims_test: the mean square error
  *             beyond k against the plane filtered by the forward map's kernel, and
  *             against means over pixels. */
+#include "bench/modules/variant.h"
 #include "tests/properties/volume/boards.h"
 #include "tests/tap.h"
 

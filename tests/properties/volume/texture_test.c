@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small textures across every axis, in both projections, with cells of one size
  * and of many: what all maps must agree on. */
+#include "bench/modules/variant.h"
 #include "tests/properties/volume/boards.h"
 #include "tests/tap.h"
 

@@ -3,7 +3,7 @@
  * for any eye, against rays from the eye through their boxes; which scenes are
  * put in order, become one tree, or are refused; and the pictures of all of
  * them. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

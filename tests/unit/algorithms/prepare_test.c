@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What several threads import, lay out and prepare is what one does, to the last
  * bit: faces, planes, octrees, cells, BSP trees, and the counts of a frame. */
+#include "bench/modules/modules.h"
 #include "algorithms/engines/cubes/cubes.h"
 #include "common/base/share.h"
 #include "common/trees/bsp.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Algorithms take the subjects of scenes that they name, and refuse others. Those
  * that follow keep what they have prepared in another frame. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which texts for an algorithm with options are valid, and which are not. */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "tests/tap.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Counts, work picture and trace pass through a crew. */
+#include "bench/modules/modules.h"
 #include "bench/run/crew.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -2,7 +2,7 @@
 /* The tables of Sutherland et al. 1974 and the conclusions from them, on
  * made-up results: worlds in which every count is known; and Greene's tables.
  */
-#include "algorithms/variant.h"
+#include "bench/modules/variant.h"
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/results/json.h"

@@ -3,6 +3,7 @@
  * nothing make the same picture as the oracle makes from the scene itself. The
  * pieces of a face, flat or not, cover by parity the same samples as the face.
  */
+#include "bench/modules/modules.h"
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -4,6 +4,7 @@
  * the face that the oracle sees. The exact predicates decide both, and also the
  * eye's side of every plane. Then bsp_walk must go in that order, wherever the
  * trees are moved to. */
+#include "bench/modules/modules.h"
 #include "algorithms/engines/bsp/bsp_walk.h"
 #include "common/exact/predicates.h"
 #include "common/trees/bsp.h"

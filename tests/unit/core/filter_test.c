@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the filtered picture (docs/filtered-picture.md): weights,
  * jitter, views of sub-samples, colours and sums. */
+#include "bench/modules/modules.h"
 #include "common/answers/filter.h"
 #include "common/view/picture.h"
 #include "scenes/scenes.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gouraud shading: linear on a triangle, the same on both sides of a smooth
  * edge, and flat where edges are sharp. */
+#include "bench/modules/modules.h"
 #include "common/view/gouraud.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

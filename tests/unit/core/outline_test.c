@@ -2,6 +2,7 @@
 /* Outlines: the oracle makes the same picture from a scene's outline as from
  * its faces laid out, however the instances place the objects. Of a hundred
  * million faces it asks for a few, in little memory. */
+#include "bench/modules/modules.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

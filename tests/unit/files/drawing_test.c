@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Line drawings: how intervals are added, ordered and compared; and what has no
  * length or lies on a border. */
+#include "bench/modules/modules.h"
 #include "common/lines/drawing.h"
 #include "common/lines/edges.h"
 #include "tests/draw.h"

@@ -9,10 +9,10 @@
  * the filtered picture, zbuffer:filter=box:jitter=4. `mix` asks for a
  * transparent picture of those that make one, and `shadows` for one with
  * shadows. */
-#ifndef HSR_ALGORITHMS_VARIANT_H
-#define HSR_ALGORITHMS_VARIANT_H
+#ifndef HSR_BENCH_VARIANT_H
+#define HSR_BENCH_VARIANT_H
 
-#include "algorithms/algorithm.h"
+#include "bench/modules/modules.h"
 
 #ifdef __cplusplus
 extern "C" {
