@@ -46,8 +46,8 @@ static void tile_cell(struct walk *w, uint32_t place) {
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
   struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
-    HSR_STEP(w->tally, FACES, HSR_FACE(t->first_id + t->id[f]), cube,
-             HSR_NOWHERE, 0);
+    HSR_STEP(w->tally, FACES, HSR_FACE(hsr_tiler_id(t, f)), cube, HSR_NOWHERE,
+             0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH)
     tile_batch(t, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
   for (uint32_t f = n; f < cell->n_faces; f++)

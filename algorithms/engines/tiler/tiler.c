@@ -91,11 +91,6 @@ struct hsr_twin {
 
 /* --- What floats cannot tell ---------------------------------------------- */
 
-/* What face f of the world at hand is called. */
-static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
-  return t->first_id + (t->id ? t->id[f] : f);
-}
-
 /* Makes sure that the screen's vertices are transformed. */
 void hsr_tiler_need_screen(struct hsr_tiler *t) {
   void (*lay_out)(void *) = t->lay_out;
@@ -384,7 +379,7 @@ void hsr_tiler_look(const struct hsr_tiler *t, struct hsr_batch *b,
   b->n_fast = b->general = 0;
   t->twin->look(t, b);
   for (int k = 0; k < b->n_fast; k++)
-    b->corners.id[k] = called(t, hsr_tiler_face(t, b, b->place[k]));
+    b->corners.id[k] = hsr_tiler_id(t, hsr_tiler_face(t, b, b->place[k]));
 }
 
 void hsr_tiler_drop(struct hsr_batch *b, const int *drop) {
@@ -452,7 +447,7 @@ static struct span span_of(const struct hsr_tiler *t, uint32_t f) {
   const struct hsr_depth_plane *p = &t->screen.plane[f];
   double error = p->error + 0x1p-51 * (fabs(p->c) + t->far);
   return (struct span){.f = f,
-                       .id = called(t, f),
+                       .id = hsr_tiler_id(t, f),
                        .a = p->a,
                        .b = p->b,
                        .c = p->c + t->far,
@@ -515,7 +510,7 @@ bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
   hsr_screen_plane(&t->screen, f);
   if (!hsr_screen_place(&t->screen, f, t->tally))
     return false;
-  HSR_STEP(t->tally, HSR_GENERAL, HSR_FACE(called(t, f)), HSR_NOTHING,
+  HSR_STEP(t->tally, HSR_GENERAL, HSR_FACE(hsr_tiler_id(t, f)), HSR_NOTHING,
            hsr_window_make(t->screen.bounds[f].x0, t->screen.bounds[f].y0,
                            t->screen.bounds[f].x1, t->screen.bounds[f].y1),
            0);

@@ -123,8 +123,8 @@ struct hsr_tiler {
   /* Not NULL: the triangles that are looked at. `corner` has their vertices,
    * and the screen's own are only transformed for a face that is asked about. */
   const struct hsr_triangle_list *list;
-  /* What the world's faces are called: face f is first_id + id[f], or first_id
-   * + f if id is NULL. */
+  /* The ids of the world's faces: that of face f is first_id + id[f], or first_id +
+   * f if id is NULL. */
   const uint32_t *id;
   uint32_t first_id;
   /* If the screen's world is not the scene's, but a few faces that are laid out
@@ -157,6 +157,11 @@ struct hsr_tiler {
   bool on_grid;         /* the samples lie on the grid: triangles may be fast */
   const struct hsr_twin *twin;
 };
+
+/* The id of face f of the tiler's world, as it is in the picture. */
+static inline uint32_t hsr_tiler_id(const struct hsr_tiler *tiler, uint32_t f) {
+  return tiler->first_id + (tiler->id ? tiler->id[f] : f);
+}
 
 /* Sets all that depends on the job's view and machine; the rest is 0. */
 void hsr_tiler_begin(struct hsr_tiler *tiler, const struct hsr_job *job);

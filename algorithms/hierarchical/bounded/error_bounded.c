@@ -5,7 +5,7 @@
  *             Complex Environments", SIGGRAPH 1994; N. Greene, "Hierarchical
  *             Rendering of Complex Environments", PhD thesis, UC Santa Cruz,
  *             1995, chapter 5 ("the thesis").
- * Notation    octree cube -> node; quadtree cell -> struct hsr_eb_cell; z -> q;
+ * Notation    octree cube -> node; quadtree cell -> struct hsr_bounded_cell; z -> q;
  *             P -> struct hsr_shape
  * Invariants  when the tiling pass ends, the lists of the quadtree's leaves
  *             hold every face of which a point is visible in the cell. The
@@ -38,8 +38,9 @@ enum option { REFINE, EXACT, LIMIT, DEPTH, CELLS, SECONDS, ORDER };
 enum { ORDER_CUBES, ORDER_STRICT };
 
 static const struct hsr_word orders[] = {
-    [HSR_EB_QUEUE] = {"queue", "the most uncertain cell first", 0},
-    [HSR_EB_LEVELS] = {"levels", "all cells of one size, then the next", 0},
+    [HSR_BOUNDED_QUEUE] = {"queue", "the most uncertain cell first", 0},
+    [HSR_BOUNDED_LEVELS] = {"levels", "all cells of one size, then the next",
+                            0},
     {NULL}};
 
 static const struct hsr_word tilings[] = {
@@ -52,13 +53,13 @@ static const struct hsr_word tilings[] = {
 
 static const struct hsr_option options[] = {
     [REFINE] = {"refine", "which cell is divided next", orders, 0,
-                HSR_EB_LEVELS, HSR_EB_QUEUE},
+                HSR_BOUNDED_LEVELS, HSR_BOUNDED_QUEUE},
     [EXACT] = {"exact", "a cell of so many polygons is integrated exactly",
-               NULL, 0, HSR_EB_CAPACITY, HSR_EB_CAPACITY},
+               NULL, 0, HSR_BOUNDED_CAPACITY, HSR_BOUNDED_CAPACITY},
     [LIMIT] = {"limit", "cells asked about a cube's face, for each face in it",
                NULL, 0, 1000, 4},
     [DEPTH] = {"depth", "a cell is at least 2^-N pixels wide", NULL, 0,
-               HSR_EB_DEEPEST, 16},
+               HSR_BOUNDED_DEEPEST, 16},
     [CELLS] = {"cells", "millions of cells at a time", NULL, 1, 1000, 16},
     [SECONDS] = {"seconds", "a window takes no longer; 0: any time",
                  .real = true, .real_least = 0, .real_most = 1e6,
@@ -79,7 +80,7 @@ struct prepared {
 struct walk {
   struct hsr_cube_frame frame;
   const struct prepared *prepared;
-  struct hsr_eb_tree tree;
+  struct hsr_bounded_tree tree;
   uint64_t limit;
   struct hsr_tally *tally;
   uint32_t *met; /* a face of the object at hand: the visit when it was met */
@@ -88,21 +89,21 @@ struct walk {
 
 /* --- CouldCubeBeVisible --------------------------------------------------- */
 
-static struct hsr_eb_side side_of(const struct walk *w,
-                                  const struct hsr_placing *placing,
-                                  const struct hsr_octree_box *cube,
-                                  const struct hsr_cube_image *image,
-                                  int side) {
+static struct hsr_bounded_side side_of(const struct walk *w,
+                                       const struct hsr_placing *placing,
+                                       const struct hsr_octree_box *cube,
+                                       const struct hsr_cube_image *image,
+                                       int side) {
   struct hsr_side_depth depth =
       hsr_cube_side_depth(&w->frame, placing, cube, image, side);
   /* In parallel, the frame's depths are far - t, and here -t. */
   double far = w->frame.job->view->parallel ? w->frame.tiler.far : 0;
   double off = 0x1p-44 * (fabs(far) + fabs(depth.c));
-  struct hsr_eb_side out = {.margin = HSR_CUBE_MARGIN,
-                            .a = depth.a,
-                            .b = depth.b,
-                            .c = depth.c - far + off,
-                            .nearest = -INFINITY};
+  struct hsr_bounded_side out = {.margin = HSR_CUBE_MARGIN,
+                                 .a = depth.a,
+                                 .b = depth.b,
+                                 .c = depth.c - far + off,
+                                 .nearest = -INFINITY};
   for (int k = 0; k < 4; k++) {
     int corner = hsr_cube_side[side][k];
     out.x[k] = image->x[corner];
@@ -118,9 +119,10 @@ static bool could_box_be_visible(struct walk *w,
                                  const struct hsr_octree_box *cube, uint64_t n,
                                  struct hsr_subject subject) {
   struct hsr_cube_image image;
-  HSR_STEP(w->tally, HSR_EB_NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
+  HSR_STEP(w->tally, HSR_BOUNDED_NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (hsr_cube_classify(&w->frame, placing, cube, subject) == HSR_BOX_OUT) {
-    HSR_STEP(w->tally, HSR_EB_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
+    HSR_STEP(w->tally, HSR_BOUNDED_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE,
+             0);
     return false;
   }
   if (!hsr_cube_project(&w->frame, placing, cube, &image))
@@ -128,15 +130,15 @@ static bool could_box_be_visible(struct walk *w,
   bool visible = false;
   for (int side = 0; side < 6 && !visible; side++)
     if (image.front >> side & 1) {
-      struct hsr_eb_side face = side_of(w, placing, cube, &image, side);
+      struct hsr_bounded_side face = side_of(w, placing, cube, &image, side);
       visible =
           hsr_bounded_could_be_seen(&w->tree, &face, w->limit * n, subject);
     }
-  HSR_STEP(w->tally, HSR_EB_CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE,
-           visible);
+  HSR_STEP(w->tally, HSR_BOUNDED_CUBES_TESTED, subject, HSR_NOTHING,
+           HSR_NOWHERE, visible);
   if (!visible)
-    HSR_STEP(w->tally, HSR_EB_CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE,
-             0);
+    HSR_STEP(w->tally, HSR_BOUNDED_CUBES_CULLED, subject, HSR_NOTHING,
+             HSR_NOWHERE, 0);
   return visible;
 }
 
@@ -160,7 +162,7 @@ static bool leave(struct walk *w, const struct hsr_placing *placing,
   }
   for (int side = 0; side < 6; side++)
     if (image.front >> side & 1) {
-      struct hsr_eb_side face = side_of(w, placing, cube, &image, side);
+      struct hsr_bounded_side face = side_of(w, placing, cube, &image, side);
       if (!hsr_bounded_leave(&w->tree, &face))
         return false;
     }
@@ -183,17 +185,12 @@ static bool leave_strict(void *context, const struct hsr_octree_box *cube) {
 
 /* --- The tiling pass ------------------------------------------------------ */
 
-/* What a face of a tiler's world is called. */
-static uint32_t name_of(const struct hsr_tiler *t, uint32_t f) {
-  return t->id ? t->first_id + t->id[f] : f;
-}
-
 static bool insert_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);
   return !hsr_face_exists(&t->screen, f, t->tally) ||
-         hsr_bounded_add(&w->tree, &t->screen, f, name_of(t, f));
+         hsr_bounded_add(&w->tree, &t->screen, f, hsr_tiler_id(t, f));
 }
 
 static bool is_repeated(struct walk *w, uint32_t f) {
@@ -202,8 +199,9 @@ static bool is_repeated(struct walk *w, uint32_t f) {
     *met = w->visit;
     return false;
   }
-  HSR_STEP(w->tally, HSR_EB_REPEATED, HSR_FACE(name_of(&w->frame.tiler, f)),
-           HSR_NOTHING, HSR_NOWHERE, 0);
+  HSR_STEP(w->tally, HSR_BOUNDED_REPEATED,
+           HSR_FACE(hsr_tiler_id(&w->frame.tiler, f)), HSR_NOTHING, HSR_NOWHERE,
+           0);
   return true;
 }
 
@@ -215,8 +213,8 @@ static bool tile_cell(struct walk *w, uint32_t place) {
   struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
   hsr_tiler_need_screen(t);
   for (uint32_t f = 0; f < cell->n_faces; f++) {
-    HSR_STEP(w->tally, HSR_EB_FACES, HSR_FACE(name_of(t, f)), cube, HSR_NOWHERE,
-             0);
+    HSR_STEP(w->tally, HSR_BOUNDED_FACES, HSR_FACE(hsr_tiler_id(t, f)), cube,
+             HSR_NOWHERE, 0);
     if (!is_repeated(w, f) && !insert_face(w, t, f))
       return false;
   }
@@ -324,8 +322,8 @@ static enum hsr_status render(const struct hsr_job *job,
   struct walk w = {.prepared = job->prepared,
                    .limit = (uint64_t)job->option[LIMIT],
                    .tally = job->tally};
-  const struct hsr_eb_limits limits = {
-      .order = (enum hsr_eb_order)job->option[REFINE],
+  const struct hsr_bounded_limits limits = {
+      .order = (enum hsr_bounded_order)job->option[REFINE],
       .form = hsr_form_area(&job->answer->form),
       .window = job->view->window,
       .deepest = (int)job->option[DEPTH],
@@ -424,98 +422,105 @@ static void release(void *prepared) {
 static const struct hsr_use uses[] = {{&hsr_inequalities_part}, {NULL}};
 
 static const struct hsr_counter counters[] = {
-    [HSR_EB_NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-                      HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
-                    HSR_OF_CELL, HSR_OF_WINDOW},
-    [HSR_EB_CUBES_TESTED] = {"cubes tested", "whether they are hidden",
-                             HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING,
-                             "hidden|visible"},
-    [HSR_EB_CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
-                             HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_SIDE_CELLS] = {"cells asked", "about a front face of a cube",
-                           HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL},
-    [HSR_EB_FACES] = {"faces met", "in cubes that are not known to be hidden",
-                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
-                         HSR_OF_FACE, HSR_OF_NOTHING},
-    [HSR_EB_PLACED] = {"polygons against cells", "how they lie on them",
-                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_CELL,
-                       "misses|meets|covers"},
-    [HSR_EB_MISSED] = {"polygons beside", "that do not meet the cell",
-                       HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_FARTHER] = {"polygons farther", "than all that is visible there",
-                        HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_STRUCTURES] = {"covering structures", "that cover a cell",
-                           HSR_RETIRE, HSR_OF_FACE, HSR_OF_CELL,
-                           "a polygon|two at an edge|a fan"},
-    [HSR_EB_REMOVED] = {"polygons removed", "from lists, behind a structure",
-                        HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_PRUNED] = {"subtrees removed", "behind a polygon that covers them",
-                       HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_STORED] = {"polygons stored", "on the lists of leaves", HSR_SORT,
-                       HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_SPLITS] = {"cells divided", "in either pass", HSR_SUBDIVIDE,
-                       HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_ORDERED] = {"polygons compared", "in depth, over a cell",
-                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                        "not before|before"},
-    [HSR_EB_BOUNDED] = {"cells bounded", "leaves, in the refinement pass",
-                        HSR_SAMPLE, HSR_OF_CELL, HSR_OF_NOTHING,
-                        "between|exact"},
-    [HSR_EB_SHADED] = {"colours bounded", "of a polygon in a cell, by a shader",
-                       HSR_SAMPLE, HSR_OF_FACE, HSR_OF_CELL},
-    [HSR_EB_EXACT_ONE] = {"exact cells of one", "polygon, or none", HSR_RETIRE,
-                          HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_EXACT_TWO] = {"exact cells of two", "polygons", HSR_RETIRE,
-                          HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_EXACT_MORE] = {"exact cells of more", "polygons, up to `exact`",
-                           HSR_RETIRE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_REFINED] = {"cells refined", "divided in the refinement pass",
-                        HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [HSR_EB_PIXELS] = {"pixels", "written", HSR_ACCEPT, HSR_OF_CELL,
-                       HSR_OF_NOTHING},
+    [HSR_BOUNDED_NODES] = {"nodes visited", "octree nodes come to",
+                           HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
+                         HSR_OF_CELL, HSR_OF_WINDOW},
+    [HSR_BOUNDED_CUBES_TESTED] = {"cubes tested", "whether they are hidden",
+                                  HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING,
+                                  "hidden|visible"},
+    [HSR_BOUNDED_CUBES_CULLED] = {"cubes culled", "found to be hidden",
+                                  HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_SIDE_CELLS] = {"cells asked", "about a front face of a cube",
+                                HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL},
+    [HSR_BOUNDED_FACES] = {"faces met",
+                           "in cubes that are not known to be hidden",
+                           HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_REPEATED] = {"faces repeated", "met again in the frame",
+                              HSR_REJECT, HSR_OF_FACE, HSR_OF_NOTHING},
+    [HSR_BOUNDED_PLACED] = {"polygons against cells", "how they lie on them",
+                            HSR_COMPARE, HSR_OF_FACE, HSR_OF_CELL,
+                            "misses|meets|covers"},
+    [HSR_BOUNDED_MISSED] = {"polygons beside", "that do not meet the cell",
+                            HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_FARTHER] = {"polygons farther",
+                             "than all that is visible there", HSR_REJECT,
+                             HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_STRUCTURES] = {"covering structures", "that cover a cell",
+                                HSR_RETIRE, HSR_OF_FACE, HSR_OF_CELL,
+                                "a polygon|two at an edge|a fan"},
+    [HSR_BOUNDED_REMOVED] = {"polygons removed",
+                             "from lists, behind a structure", HSR_REJECT,
+                             HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_PRUNED] = {"subtrees removed",
+                            "behind a polygon that covers them", HSR_REJECT,
+                            HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_STORED] = {"polygons stored", "on the lists of leaves",
+                            HSR_SORT, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_SPLITS] = {"cells divided", "in either pass", HSR_SUBDIVIDE,
+                            HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_ORDERED] = {"polygons compared", "in depth, over a cell",
+                             HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                             "not before|before"},
+    [HSR_BOUNDED_BOUNDED] = {"cells bounded", "leaves, in the refinement pass",
+                             HSR_SAMPLE, HSR_OF_CELL, HSR_OF_NOTHING,
+                             "between|exact"},
+    [HSR_BOUNDED_SHADED] = {"colours bounded",
+                            "of a polygon in a cell, by a shader", HSR_SAMPLE,
+                            HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_BOUNDED_EXACT_ONE] = {"exact cells of one", "polygon, or none",
+                               HSR_RETIRE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_EXACT_TWO] = {"exact cells of two", "polygons", HSR_RETIRE,
+                               HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_EXACT_MORE] = {"exact cells of more",
+                                "polygons, up to `exact`", HSR_RETIRE,
+                                HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_REFINED] = {"cells refined", "divided in the refinement pass",
+                             HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_BOUNDED_PIXELS] = {"pixels", "written", HSR_ACCEPT, HSR_OF_CELL,
+                            HSR_OF_NOTHING},
     {NULL}};
 
 static const struct hsr_line outline[] = {
     {"Tile: for each node of the octree, from front to back",
-     HSR_RAISES(HSR_EB_NODES)},
+     HSR_RAISES(HSR_BOUNDED_NODES)},
     {"  return if the cube is outside of the frustum",
-     HSR_RAISES(HSR_INEQUALITIES, HSR_EB_OUT)},
+     HSR_RAISES(HSR_INEQUALITIES, HSR_BOUNDED_OUT)},
     {"  return unless CouldCubeBeVisible",
-     HSR_RAISES(HSR_EB_CUBES_TESTED, HSR_EB_CUBES_CULLED)},
+     HSR_RAISES(HSR_BOUNDED_CUBES_TESTED, HSR_BOUNDED_CUBES_CULLED)},
     {"    for each front face: cells from the root on, breadth first",
-     HSR_RAISES(HSR_EB_SIDE_CELLS)},
+     HSR_RAISES(HSR_BOUNDED_SIDE_CELLS)},
     {"      farther than zfar: hidden; nearer than znear: visible"},
     {"      else the same for its four children"},
-    {"  for each polygon P of the node", HSR_RAISES(HSR_EB_FACES)},
-    {"    skip it if it was met before", HSR_RAISES(HSR_EB_REPEATED)},
+    {"  for each polygon P of the node", HSR_RAISES(HSR_BOUNDED_FACES)},
+    {"    skip it if it was met before", HSR_RAISES(HSR_BOUNDED_REPEATED)},
     {"    InsertPolyIntoQuadtree: how does P lie on the cell?",
-     HSR_RAISES(HSR_EB_PLACED)},
-    {"      return if P does not meet the cell", HSR_RAISES(HSR_EB_MISSED)},
-    {"      return if P is farther than zfar", HSR_RAISES(HSR_EB_FARTHER)},
+     HSR_RAISES(HSR_BOUNDED_PLACED)},
+    {"      return if P does not meet the cell",
+     HSR_RAISES(HSR_BOUNDED_MISSED)},
+    {"      return if P is farther than zfar", HSR_RAISES(HSR_BOUNDED_FARTHER)},
     {"      if P covers the cell, remove the subtrees that it hides",
-     HSR_RAISES(HSR_EB_PRUNED)},
-    {"      a leaf with room: InsertPoly", HSR_RAISES(HSR_EB_STORED)},
+     HSR_RAISES(HSR_BOUNDED_PRUNED)},
+    {"      a leaf with room: InsertPoly", HSR_RAISES(HSR_BOUNDED_STORED)},
     {"        if P completes a covering structure, update zfar",
-     HSR_RAISES(HSR_EB_STRUCTURES)},
+     HSR_RAISES(HSR_BOUNDED_STRUCTURES)},
     {"          is a polygon behind all of the structure's?",
-     HSR_RAISES(HSR_EB_ORDERED)},
-    {"          RemoveHiddenPolys", HSR_RAISES(HSR_EB_REMOVED)},
-    {"      a full leaf: SubdivideQCell", HSR_RAISES(HSR_EB_SPLITS)},
+     HSR_RAISES(HSR_BOUNDED_ORDERED)},
+    {"          RemoveHiddenPolys", HSR_RAISES(HSR_BOUNDED_REMOVED)},
+    {"      a full leaf: SubdivideQCell", HSR_RAISES(HSR_BOUNDED_SPLITS)},
     {"      insert P into the four children"},
     {"Refine: take the most uncertain cell, or all of the next size",
-     HSR_RAISES(HSR_EB_REFINED)},
+     HSR_RAISES(HSR_BOUNDED_REFINED)},
     {"  divide it; bound the integral over each child",
-     HSR_RAISES(HSR_EB_BOUNDED)},
+     HSR_RAISES(HSR_BOUNDED_BOUNDED)},
     {"    an interval shader bounds a polygon's colours",
-     HSR_RAISES(HSR_EB_SHADED)},
-    {"    in closed form: one polygon", HSR_RAISES(HSR_EB_EXACT_ONE)},
-    {"    in closed form: two polygons", HSR_RAISES(HSR_EB_EXACT_TWO)},
-    {"    in closed form: more", HSR_RAISES(HSR_EB_EXACT_MORE)},
+     HSR_RAISES(HSR_BOUNDED_SHADED)},
+    {"    in closed form: one polygon", HSR_RAISES(HSR_BOUNDED_EXACT_ONE)},
+    {"    in closed form: two polygons", HSR_RAISES(HSR_BOUNDED_EXACT_TWO)},
+    {"    in closed form: more", HSR_RAISES(HSR_BOUNDED_EXACT_MORE)},
     {"    else between the least and the greatest colour of its polygons"},
     {"  add up, to the pixel; within the tolerance: write it",
-     HSR_RAISES(HSR_EB_PIXELS)},
+     HSR_RAISES(HSR_BOUNDED_PIXELS)},
     {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {

@@ -31,18 +31,18 @@
 
 /* --- Colours -------------------------------------------------------------- */
 
-void hsr_bounded_shade(const struct hsr_eb_tree *t,
-                       const struct hsr_eb_cell *cell, uint32_t s,
+void hsr_bounded_shade(const struct hsr_bounded_tree *t,
+                       const struct hsr_bounded_cell *cell, uint32_t s,
                        double low[3], double high[3]) {
-  const struct hsr_shape *shape = hsr_eb_shape(t, s);
-  struct hsr_square square = hsr_eb_square(cell);
+  const struct hsr_shape *shape = hsr_bounded_shape(t, s);
+  struct hsr_square square = hsr_bounded_square(cell);
   if (!t->shades.parts) {
     for (int c = 0; c < 3; c++)
       low[c] = high[c] = shape->rgb[c];
     return;
   }
-  HSR_STEP(t->tally, HSR_EB_SHADED, hsr_eb_face(t, s), hsr_eb_subject(cell),
-           hsr_eb_window(t, cell), 0);
+  HSR_STEP(t->tally, HSR_BOUNDED_SHADED, hsr_bounded_face(t, s),
+           hsr_bounded_subject(cell), hsr_bounded_window(t, cell), 0);
   hsr_surface_colours(&t->shades,
                       (const struct hsr_surface *)t->surfaces.items + s, shape,
                       &square, low, high);
@@ -50,7 +50,7 @@ void hsr_bounded_shade(const struct hsr_eb_tree *t,
 
 /* --- The polygons of a leaf ----------------------------------------------- */
 
-enum { MOST = HSR_EB_CAPACITY + 2 };
+enum { MOST = HSR_BOUNDED_CAPACITY + 2 };
 
 /* The polygons of a leaf that matter. */
 struct few {
@@ -61,21 +61,21 @@ struct few {
   double slack; /* the share of the cell that is not accounted for */
 };
 
-static bool is_fan(const struct hsr_eb_tree *t, const struct few *few,
+static bool is_fan(const struct hsr_bounded_tree *t, const struct few *few,
                    uint32_t k) {
-  return !few->covers[k] && !hsr_eb_shape(t, few->shape[k])->is_convex;
+  return !few->covers[k] && !hsr_bounded_shape(t, few->shape[k])->is_convex;
 }
 
 /* False if there are too many, or too many triangles of a fan. */
-static bool find_few(const struct hsr_eb_tree *t,
-                     const struct hsr_eb_cell *cell,
+static bool find_few(const struct hsr_bounded_tree *t,
+                     const struct hsr_bounded_cell *cell,
                      const struct hsr_square *square, struct few *few) {
   few->n = 0;
   few->slack = 0;
-  for (uint32_t e = cell->first; e != HSR_EB_NONE;
-       e = hsr_eb_entry(t, e)->next) {
-    const struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
-    const struct hsr_shape *shape = hsr_eb_shape(t, entry->shape);
+  for (uint32_t e = cell->first; e != HSR_BOUNDED_NONE;
+       e = hsr_bounded_entry(t, e)->next) {
+    const struct hsr_bounded_entry *entry = hsr_bounded_entry(t, e);
+    const struct hsr_shape *shape = hsr_bounded_shape(t, entry->shape);
     bool covers = entry->covers;
     double lo = 1, hi = 1;
     if (!covers && cell->n > 1)
@@ -101,7 +101,7 @@ static bool find_few(const struct hsr_eb_tree *t,
 
 /* What is left of a square after some polygons: by inclusion and exclusion. */
 struct shares {
-  const struct hsr_eb_tree *t;
+  const struct hsr_bounded_tree *t;
   const struct few *few;
   const struct hsr_square *square;
   uint32_t p; /* whose share is looked for: few->shape[p] */
@@ -119,7 +119,7 @@ static void add_parts(struct shares *s, const struct hsr_clip *clip,
  * of it less this sum is added. */
 static void add_fan(struct shares *s, const struct hsr_clip *clip, uint32_t k,
                     uint32_t from, int sign) {
-  const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);
+  const struct hsr_shape *shape = hsr_bounded_shape(s->t, s->few->shape[k]);
   const struct hsr_fan *fan = &s->few->fan[k];
   for (uint32_t set = fan->odd ? 0 : 1; set < 1u << fan->n; set++) {
     struct hsr_clip part = *clip;
@@ -139,7 +139,7 @@ static void add_fan(struct shares *s, const struct hsr_clip *clip, uint32_t k,
 /* Adds the parts that lie in polygon k. */
 static void add_polygon(struct shares *s, const struct hsr_clip *clip,
                         uint32_t k, uint32_t from, int sign) {
-  const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);
+  const struct hsr_shape *shape = hsr_bounded_shape(s->t, s->few->shape[k]);
   if (is_fan(s->t, s->few, k)) {
     add_fan(s, clip, k, from, sign);
     return;
@@ -152,15 +152,15 @@ static void add_polygon(struct shares *s, const struct hsr_clip *clip,
 
 /* Clips by where polygon r is in front of p, if both are there. False: it is so
  * nowhere. */
-static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
-                          uint32_t r, uint32_t p,
-                          const struct hsr_square *square) {
+static bool clip_by_front(struct hsr_clip *clip,
+                          const struct hsr_bounded_tree *t, uint32_t r,
+                          uint32_t p, const struct hsr_square *square) {
   if (hsr_bounded_before(t, p, r, square))
     return false;
   if (hsr_bounded_before(t, r, p, square))
     return true;
-  const struct hsr_screen_line *a = &hsr_eb_shape(t, r)->q,
-                               *b = &hsr_eb_shape(t, p)->q;
+  const struct hsr_screen_line *a = &hsr_bounded_shape(t, r)->q,
+                               *b = &hsr_bounded_shape(t, p)->q;
   struct hsr_screen_line by = {a->a - b->a, a->b - b->b, a->c - b->c,
                                a->error + b->error};
   hsr_clip_by(clip, &by, square);
@@ -204,7 +204,7 @@ static void add_parts(struct shares *s, const struct hsr_clip *clip,
 }
 
 /* Is a polygon behind one that covers the square? */
-static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
+static bool is_hidden(const struct hsr_bounded_tree *t, const struct few *few,
                       uint32_t k, const struct hsr_square *square) {
   for (uint32_t l = 0; l < few->n; l++)
     if (l != k && few->covers[l] &&
@@ -215,7 +215,7 @@ static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
 
 /* The integral over a leaf of few polygons, in closed form: its share is known
  * of each of them. */
-static void integrate(const struct hsr_eb_tree *t, const struct few *few,
+static void integrate(const struct hsr_bounded_tree *t, const struct few *few,
                       const struct hsr_square *square, double low[3],
                       double high[3]) {
   const double *behind = t->background;
@@ -241,8 +241,8 @@ static void integrate(const struct hsr_eb_tree *t, const struct few *few,
 
 /* --- Bounds --------------------------------------------------------------- */
 
-void hsr_bounded_hull(const struct hsr_eb_tree *t,
-                      const struct hsr_eb_cell *cell, double low[3],
+void hsr_bounded_hull(const struct hsr_bounded_tree *t,
+                      const struct hsr_bounded_cell *cell, double low[3],
                       double high[3]) {
   bool covered = cell->far > -INFINITY;
   for (int c = 0; c < 3; c++) {
@@ -255,10 +255,10 @@ void hsr_bounded_hull(const struct hsr_eb_tree *t,
     low[c] = covered ? INFINITY : t->background[c];
     high[c] = covered ? -INFINITY : t->background[c];
   }
-  for (uint32_t e = cell->first; e != HSR_EB_NONE;
-       e = hsr_eb_entry(t, e)->next) {
+  for (uint32_t e = cell->first; e != HSR_BOUNDED_NONE;
+       e = hsr_bounded_entry(t, e)->next) {
     double least[3], most[3];
-    hsr_bounded_shade(t, cell, hsr_eb_entry(t, e)->shape, least, most);
+    hsr_bounded_shade(t, cell, hsr_bounded_entry(t, e)->shape, least, most);
     for (int c = 0; c < 3; c++) {
       low[c] = fmin(low[c], least[c]);
       high[c] = fmax(high[c], most[c]);
@@ -268,30 +268,30 @@ void hsr_bounded_hull(const struct hsr_eb_tree *t,
 
 /* The counter of a closed form. */
 static int exact_of(uint32_t n) {
-  return n < 2    ? HSR_EB_EXACT_ONE
-         : n == 2 ? HSR_EB_EXACT_TWO
-                  : HSR_EB_EXACT_MORE;
+  return n < 2    ? HSR_BOUNDED_EXACT_ONE
+         : n == 2 ? HSR_BOUNDED_EXACT_TWO
+                  : HSR_BOUNDED_EXACT_MORE;
 }
 
-void hsr_bounded_mean(const struct hsr_eb_tree *t,
-                      const struct hsr_eb_cell *cell, uint32_t most,
+void hsr_bounded_mean(const struct hsr_bounded_tree *t,
+                      const struct hsr_bounded_cell *cell, uint32_t most,
                       double lo[3], double hi[3]) {
-  struct hsr_square square = hsr_eb_square(cell);
+  struct hsr_square square = hsr_bounded_square(cell);
   double low[3], high[3];
   struct few few;
   hsr_bounded_hull(t, cell, lo, hi);
   /* What is known of a larger cell as a whole says nothing of its pixels. */
-  bool alone = cell->n == 1 && hsr_eb_entry(t, cell->first)->covers;
+  bool alone = cell->n == 1 && hsr_bounded_entry(t, cell->first)->covers;
   bool mixed = cell->level <= 0 && !(alone && t->shades.parts) && !t->late &&
                find_few(t, cell, &square, &few) && few.n <= most;
   if (mixed)
     integrate(t, &few, &square, low, high);
   bool exact = mixed && !(t->shades.parts && few.n);
-  HSR_STEP(t->tally, HSR_EB_BOUNDED, hsr_eb_subject(cell), HSR_NOTHING,
-           hsr_eb_window(t, cell), exact);
+  HSR_STEP(t->tally, HSR_BOUNDED_BOUNDED, hsr_bounded_subject(cell),
+           HSR_NOTHING, hsr_bounded_window(t, cell), exact);
   if (exact)
-    HSR_STEP(t->tally, exact_of(few.n), hsr_eb_subject(cell), HSR_NOTHING,
-             hsr_eb_window(t, cell), 0);
+    HSR_STEP(t->tally, exact_of(few.n), hsr_bounded_subject(cell), HSR_NOTHING,
+             hsr_bounded_window(t, cell), 0);
   for (int k = 0; k < 3; k++) {
     if (mixed) {
       lo[k] = fmax(lo[k], low[k] - few.slack - 0x1p-48);

@@ -15,8 +15,8 @@
 
 #include <math.h>
 
-static void bound(const struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
+static void bound(const struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
   double area = cell->level < 0 ? ldexp(1, 2 * cell->level) : 1;
   hsr_bounded_mean(r->tree, cell, r->limits->exact, cell->lo, cell->hi);
   for (int k = 0; k < 3; k++) {
@@ -26,22 +26,23 @@ static void bound(const struct hsr_eb_refining *r, uint32_t c) {
 }
 
 /* The bounds of a cell by those of its children; they never become wider. */
-static void sum_children(const struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
-                         bool first) {
+static void sum_children(const struct hsr_bounded_tree *t,
+                         struct hsr_bounded_cell *cell, bool first) {
   for (int c = 0; c < 3; c++) {
     double lo = 0, hi = 0;
     for (uint32_t k = 0; k < 4; k++) {
-      const struct hsr_eb_cell *child = hsr_eb_cell(t, cell->child + k);
-      lo = hsr_eb_down(lo + child->lo[c], 0x1p-51);
-      hi = hsr_eb_up(hi + child->hi[c], 0x1p-51);
+      const struct hsr_bounded_cell *child =
+          hsr_bounded_cell(t, cell->child + k);
+      lo = hsr_bounded_down(lo + child->lo[c], 0x1p-51);
+      hi = hsr_bounded_up(hi + child->hi[c], 0x1p-51);
     }
     cell->lo[c] = first ? lo : fmax(cell->lo[c], lo);
     cell->hi[c] = first ? hi : fmin(cell->hi[c], hi);
   }
 }
 
-static void write_pixel(const struct hsr_eb_refining *r,
-                        const struct hsr_eb_cell *cell, int i, int j) {
+static void write_pixel(const struct hsr_bounded_refining *r,
+                        const struct hsr_bounded_cell *cell, int i, int j) {
   struct hsr_area_bounds *to =
       r->answer + 3 * ((size_t)j * (size_t)r->tree->job->answer->m + (size_t)i);
   for (int c = 0; c < 3; c++)
@@ -49,44 +50,45 @@ static void write_pixel(const struct hsr_eb_refining *r,
 }
 
 /* A pixel, or all pixels of a larger cell. */
-static void write_pixels(const struct hsr_eb_refining *r,
-                         const struct hsr_eb_cell *cell) {
-  struct hsr_window w = hsr_eb_window(r->tree, cell);
+static void write_pixels(const struct hsr_bounded_refining *r,
+                         const struct hsr_bounded_cell *cell) {
+  struct hsr_window w = hsr_bounded_window(r->tree, cell);
   for (int j = w.y0; j < w.y1; j++)
     for (int i = w.x0; i < w.x1; i++)
       write_pixel(r, cell, i, j);
 }
 
 /* A pixel, or all pixels of a larger cell: no more is done there. */
-static void accept(struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
-  struct hsr_window w = hsr_eb_window(r->tree, cell);
+static void accept(struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
+  struct hsr_window w = hsr_bounded_window(r->tree, cell);
   cell->done = true;
   for (int j = w.y0; j < w.y1; j++)
     for (int i = w.x0; i < w.x1; i++) {
       write_pixel(r, cell, i, j);
-      hsr_eb_accept(r, i, j);
+      hsr_bounded_accept(r, i, j);
     }
   hsr_bounded_free_below(r->tree, c);
 }
 
-static bool is_narrow(const struct hsr_eb_refining *r,
-                      const struct hsr_eb_cell *cell) {
-  return hsr_eb_width(cell->lo, cell->hi) <= r->limits->form.eps;
+static bool is_narrow(const struct hsr_bounded_refining *r,
+                      const struct hsr_bounded_cell *cell) {
+  return hsr_bounded_width(cell->lo, cell->hi) <= r->limits->form.eps;
 }
 
 /* --- What the tiling pass left -------------------------------------------- */
 
-static bool push(struct hsr_eb_refining *r, uint32_t c, uint32_t pixel) {
-  const struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
-  struct hsr_eb_item item = {hsr_eb_width(cell->lo, cell->hi), c, pixel,
-                             -cell->level};
+static bool push(struct hsr_bounded_refining *r, uint32_t c, uint32_t pixel) {
+  const struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
+  struct hsr_bounded_item item = {hsr_bounded_width(cell->lo, cell->hi), c,
+                                  pixel, -cell->level};
   return item.depth >= r->limits->deepest || !(item.uncertainty > 0) ||
-         hsr_eb_push(&r->queue, item);
+         hsr_bounded_push(&r->queue, item);
 }
 
-static bool push_leaves(struct hsr_eb_refining *r, uint32_t c, uint32_t pixel) {
-  uint32_t child = hsr_eb_cell(r->tree, c)->child;
+static bool push_leaves(struct hsr_bounded_refining *r, uint32_t c,
+                        uint32_t pixel) {
+  uint32_t child = hsr_bounded_cell(r->tree, c)->child;
   if (!child)
     return push(r, c, pixel);
   for (uint32_t k = 0; k < 4; k++)
@@ -96,8 +98,8 @@ static bool push_leaves(struct hsr_eb_refining *r, uint32_t c, uint32_t pixel) {
 }
 
 /* Bounds of all leaves, and of the cells above them that are within a pixel. */
-static void bound_all(const struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
+static void bound_all(const struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
   if (!cell->child) {
     if (!hsr_bounded_is_late(r->tree))
       hsr_bounded_settle(r->tree, c);
@@ -111,11 +113,11 @@ static void bound_all(const struct hsr_eb_refining *r, uint32_t c) {
 
 /* Every cell of at least a pixel: accepted, or divided down to its pixels while
  * there is time. */
-static bool begin_cell(struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
-  if (cell->place == HSR_EB_OUTSIDE)
+static bool begin_cell(struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
+  if (cell->place == HSR_BOUNDED_OUTSIDE)
     return true;
-  if (cell->place == HSR_EB_INSIDE && (cell->level == 0 || !cell->child)) {
+  if (cell->place == HSR_BOUNDED_INSIDE && (cell->level == 0 || !cell->child)) {
     bound_all(r, c);
     if (is_narrow(r, cell)) {
       accept(r, c);
@@ -134,19 +136,19 @@ static bool begin_cell(struct hsr_eb_refining *r, uint32_t c) {
   return true;
 }
 
-static bool begin(struct hsr_eb_refining *r) {
+static bool begin(struct hsr_bounded_refining *r) {
   return begin_cell(r, 0);
 }
 
 /* --- Refining ------------------------------------------------------------- */
 
 /* PropagateUncertainty: up to the pixel. */
-static void propagate(struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
+static void propagate(struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
   sum_children(r->tree, cell, false);
   while (cell->level < 0) {
     c = cell->parent;
-    cell = hsr_eb_cell(r->tree, c);
+    cell = hsr_bounded_cell(r->tree, c);
     sum_children(r->tree, cell, false);
   }
   if (is_narrow(r, cell)) {
@@ -156,16 +158,17 @@ static void propagate(struct hsr_eb_refining *r, uint32_t c) {
 }
 
 /* What is below a pixel that is done is no more. */
-static bool is_wanted(const struct hsr_eb_refining *r,
-                      const struct hsr_eb_item *item) {
-  return !hsr_eb_cell(r->tree, item->pixel)->done;
+static bool is_wanted(const struct hsr_bounded_refining *r,
+                      const struct hsr_bounded_item *item) {
+  return !hsr_bounded_cell(r->tree, item->pixel)->done;
 }
 
-static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_item *item) {
-  struct hsr_eb_tree *t = r->tree;
+static bool refine(struct hsr_bounded_refining *r,
+                   const struct hsr_bounded_item *item) {
+  struct hsr_bounded_tree *t = r->tree;
   if (!hsr_bounded_split(t, item->cell))
     return false;
-  uint32_t child = hsr_eb_cell(t, item->cell)->child;
+  uint32_t child = hsr_bounded_cell(t, item->cell)->child;
   for (uint32_t k = 0; k < 4; k++)
     bound(r, child + k);
   propagate(r, item->cell);
@@ -178,9 +181,10 @@ static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_item *item) {
 /* --- Pixels that are not done --------------------------------------------- */
 
 /* A leaf of more than a pixel is one that there was no time to divide. */
-static void write_cell(struct hsr_eb_refining *r, uint32_t c, bool accepted) {
-  const struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
-  if (cell->place == HSR_EB_OUTSIDE || cell->done)
+static void write_cell(struct hsr_bounded_refining *r, uint32_t c,
+                       bool accepted) {
+  const struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
+  if (cell->place == HSR_BOUNDED_OUTSIDE || cell->done)
     return;
   if (cell->level > 0 && cell->child)
     for (uint32_t k = 0; k < 4; k++)
@@ -191,16 +195,17 @@ static void write_cell(struct hsr_eb_refining *r, uint32_t c, bool accepted) {
     write_pixels(r, cell);
 }
 
-static void write(struct hsr_eb_refining *r) {
+static void write(struct hsr_bounded_refining *r) {
   write_cell(r, 0, false);
 }
 
-static void accept_rest(struct hsr_eb_refining *r) {
+static void accept_rest(struct hsr_bounded_refining *r) {
   write_cell(r, 0, true);
 }
 
-const struct hsr_eb_way hsr_eb_within_pixels = {.begin = begin,
-                                                .is_wanted = is_wanted,
-                                                .refine = refine,
-                                                .write = write,
-                                                .accept_rest = accept_rest};
+const struct hsr_bounded_way hsr_bounded_within_pixels = {
+    .begin = begin,
+    .is_wanted = is_wanted,
+    .refine = refine,
+    .write = write,
+    .accept_rest = accept_rest};

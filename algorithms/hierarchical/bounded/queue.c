@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/hierarchical/bounded/queue.h"
 
-static bool push_heap(struct hsr_eb_queue *q, struct hsr_eb_item item) {
+static bool push_heap(struct hsr_bounded_queue *q,
+                      struct hsr_bounded_item item) {
   if (!hsr_arena_grow(q->arena, &q->heap, sizeof item))
     return false;
-  struct hsr_eb_item *heap = q->heap.items;
+  struct hsr_bounded_item *heap = q->heap.items;
   size_t k = q->heap.n - 1;
   for (; k > 0 && heap[(k - 1) / 2].uncertainty < item.uncertainty;
        k = (k - 1) / 2)
@@ -13,9 +14,9 @@ static bool push_heap(struct hsr_eb_queue *q, struct hsr_eb_item item) {
   return true;
 }
 
-static struct hsr_eb_item pop_heap(struct hsr_eb_queue *q) {
-  struct hsr_eb_item *heap = q->heap.items, top = heap[0];
-  struct hsr_eb_item last = heap[--q->heap.n];
+static struct hsr_bounded_item pop_heap(struct hsr_bounded_queue *q) {
+  struct hsr_bounded_item *heap = q->heap.items, top = heap[0];
+  struct hsr_bounded_item last = heap[--q->heap.n];
   size_t k = 0, n = q->heap.n;
   for (size_t child; (child = 2 * k + 1) < n; k = child) {
     if (child + 1 < n && heap[child + 1].uncertainty > heap[child].uncertainty)
@@ -29,31 +30,33 @@ static struct hsr_eb_item pop_heap(struct hsr_eb_queue *q) {
   return top;
 }
 
-bool hsr_eb_push(struct hsr_eb_queue *q, struct hsr_eb_item item) {
-  if (q->order == HSR_EB_QUEUE)
+bool hsr_bounded_push(struct hsr_bounded_queue *q,
+                      struct hsr_bounded_item item) {
+  if (q->order == HSR_BOUNDED_QUEUE)
     return push_heap(q, item);
   struct hsr_growing *leaves = &q->depth[item.depth];
   if (!hsr_arena_grow(q->arena, leaves, sizeof item))
     return false;
-  ((struct hsr_eb_item *)leaves->items)[leaves->n - 1] = item;
+  ((struct hsr_bounded_item *)leaves->items)[leaves->n - 1] = item;
   return true;
 }
 
 /* Children of leaves of one size are pushed while that size is at hand: they
  * are of the next. */
-bool hsr_eb_pop(struct hsr_eb_queue *q, struct hsr_eb_item *item) {
-  if (q->order == HSR_EB_QUEUE) {
+bool hsr_bounded_pop(struct hsr_bounded_queue *q,
+                     struct hsr_bounded_item *item) {
+  if (q->order == HSR_BOUNDED_QUEUE) {
     if (!q->heap.n)
       return false;
     *item = pop_heap(q);
     return true;
   }
-  while (q->at <= HSR_EB_DEEPEST && q->next == q->depth[q->at].n) {
+  while (q->at <= HSR_BOUNDED_DEEPEST && q->next == q->depth[q->at].n) {
     q->at++;
     q->next = 0;
   }
-  if (q->at > HSR_EB_DEEPEST)
+  if (q->at > HSR_BOUNDED_DEEPEST)
     return false;
-  *item = ((struct hsr_eb_item *)q->depth[q->at].items)[q->next++];
+  *item = ((struct hsr_bounded_item *)q->depth[q->at].items)[q->next++];
   return true;
 }

@@ -13,32 +13,34 @@
 extern "C" {
 #endif
 
-enum hsr_eb_order { HSR_EB_QUEUE, HSR_EB_LEVELS };
+enum hsr_bounded_order { HSR_BOUNDED_QUEUE, HSR_BOUNDED_LEVELS };
 
 /* A leaf of side 2^-depth pixels, within this pixel. */
-struct hsr_eb_item {
+struct hsr_bounded_item {
   double uncertainty;
   uint32_t cell, pixel;
   int depth;
 };
 
-enum { HSR_EB_DEEPEST = 20 }; /* no cell is smaller than 2^-20 pixels */
+enum { HSR_BOUNDED_DEEPEST = 20 }; /* no cell is smaller than 2^-20 pixels */
 
 /* All zero but for the order and the arena: empty. */
-struct hsr_eb_queue {
-  enum hsr_eb_order order;
+struct hsr_bounded_queue {
+  enum hsr_bounded_order order;
   struct hsr_arena *arena;
-  struct hsr_growing heap;                      /* by uncertainty */
-  struct hsr_growing depth[HSR_EB_DEEPEST + 1]; /* by size */
-  int at;                                       /* the size at hand, */
-  size_t next;                                  /* and the next of that size */
+  struct hsr_growing heap;                           /* by uncertainty */
+  struct hsr_growing depth[HSR_BOUNDED_DEEPEST + 1]; /* by size */
+  int at;                                            /* the size at hand, */
+  size_t next; /* and the next of that size */
 };
 
 /* False if memory ran out. */
-bool hsr_eb_push(struct hsr_eb_queue *queue, struct hsr_eb_item item);
+bool hsr_bounded_push(struct hsr_bounded_queue *queue,
+                      struct hsr_bounded_item item);
 
 /* False if the queue is empty. */
-bool hsr_eb_pop(struct hsr_eb_queue *queue, struct hsr_eb_item *item);
+bool hsr_bounded_pop(struct hsr_bounded_queue *queue,
+                     struct hsr_bounded_item *item);
 
 #ifdef __cplusplus
 }

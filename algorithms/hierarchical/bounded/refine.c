@@ -5,27 +5,27 @@
 
 #include <math.h>
 
-double hsr_eb_width(const double lo[3], const double hi[3]) {
+double hsr_bounded_width(const double lo[3], const double hi[3]) {
   double width = 0;
   for (int c = 0; c < 3; c++)
     width = fmax(width, hi[c] - lo[c]);
   return width;
 }
 
-void hsr_eb_accept(const struct hsr_eb_refining *r, int i, int j) {
-  const struct hsr_eb_tree *t = r->tree;
+void hsr_bounded_accept(const struct hsr_bounded_refining *r, int i, int j) {
+  const struct hsr_bounded_tree *t = r->tree;
   size_t at = (size_t)j * (size_t)t->job->answer->m + (size_t)i;
-  HSR_ACCEPTED(t->tally, HSR_EB_PIXELS, HSR_NOTHING, HSR_NOTHING, HSR_AT(i, j),
-               r->answer + 3 * at);
+  HSR_ACCEPTED(t->tally, HSR_BOUNDED_PIXELS, HSR_NOTHING, HSR_NOTHING,
+               HSR_AT(i, j), r->answer + 3 * at);
 }
 
 /* Has a limit been reached? */
-static bool is_over(const struct hsr_eb_refining *r) {
+static bool is_over(const struct hsr_bounded_refining *r) {
   return r->tree->n_cells > r->limits->cells || hsr_bounded_is_late(r->tree);
 }
 
-static void end_pass(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
-                     int *pass) {
+static void end_pass(struct hsr_bounded_refining *r,
+                     const struct hsr_bounded_way *way, int *pass) {
   const struct hsr_job *job = r->tree->job;
   if (!job->passes)
     return;
@@ -34,12 +34,12 @@ static void end_pass(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
 }
 
 /* A pass is one size, or as many cells as there were pixels to be refined. */
-static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
-                   int *pass) {
+static bool refine(struct hsr_bounded_refining *r,
+                   const struct hsr_bounded_way *way, int *pass) {
   uint64_t steps = 0, first = r->unfinished;
-  struct hsr_eb_item item;
-  for (int size = 0; r->unfinished && hsr_eb_pop(&r->queue, &item);) {
-    if (r->queue.order == HSR_EB_LEVELS && r->queue.at != size) {
+  struct hsr_bounded_item item;
+  for (int size = 0; r->unfinished && hsr_bounded_pop(&r->queue, &item);) {
+    if (r->queue.order == HSR_BOUNDED_LEVELS && r->queue.at != size) {
       size = r->queue.at;
       if (steps)
         end_pass(r, way, pass);
@@ -48,24 +48,25 @@ static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
       return true;
     if (!way->is_wanted(r, &item))
       continue;
-    HSR_STEP(r->tree->tally, HSR_EB_REFINED,
-             hsr_eb_subject(hsr_eb_cell(r->tree, item.cell)), HSR_NOTHING,
-             hsr_eb_window(r->tree, hsr_eb_cell(r->tree, item.cell)), 0);
+    HSR_STEP(
+        r->tree->tally, HSR_BOUNDED_REFINED,
+        hsr_bounded_subject(hsr_bounded_cell(r->tree, item.cell)), HSR_NOTHING,
+        hsr_bounded_window(r->tree, hsr_bounded_cell(r->tree, item.cell)), 0);
     if (!way->refine(r, &item))
       return false;
-    if (++steps % first == 0 && r->queue.order == HSR_EB_QUEUE)
+    if (++steps % first == 0 && r->queue.order == HSR_BOUNDED_QUEUE)
       end_pass(r, way, pass);
   }
   return true;
 }
 
-enum hsr_status hsr_bounded_refine(struct hsr_eb_tree *t,
-                                   const struct hsr_eb_limits *limits,
+enum hsr_status hsr_bounded_refine(struct hsr_bounded_tree *t,
+                                   const struct hsr_bounded_limits *limits,
                                    struct hsr_error *err) {
-  const struct hsr_eb_way *way = limits->form.filter == HSR_AREA_BOX
-                                     ? &hsr_eb_within_pixels
-                                     : &hsr_eb_across_pixels;
-  struct hsr_eb_refining r = {
+  const struct hsr_bounded_way *way = limits->form.filter == HSR_AREA_BOX
+                                          ? &hsr_bounded_within_pixels
+                                          : &hsr_bounded_across_pixels;
+  struct hsr_bounded_refining r = {
       .tree = t,
       .limits = limits,
       .answer = hsr_answer_areas_of(t->job->answer),

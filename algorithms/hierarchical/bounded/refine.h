@@ -11,41 +11,43 @@
 extern "C" {
 #endif
 
-struct hsr_eb_refining {
-  struct hsr_eb_tree *tree;
-  const struct hsr_eb_limits *limits;
+struct hsr_bounded_refining {
+  struct hsr_bounded_tree *tree;
+  const struct hsr_bounded_limits *limits;
   struct hsr_area_bounds *answer; /* of all the picture */
-  struct hsr_eb_queue queue;
-  uint64_t unfinished;          /* pixels */
-  struct hsr_eb_spread *spread; /* across pixels only */
+  struct hsr_bounded_queue queue;
+  uint64_t unfinished;               /* pixels */
+  struct hsr_bounded_spread *spread; /* across pixels only */
 };
 
-struct hsr_eb_way {
+struct hsr_bounded_way {
   /* Bounds what the tiling pass left, and fills the queue; accepts the pixels
    * that are known well enough. False if memory ran out. */
-  bool (*begin)(struct hsr_eb_refining *r);
+  bool (*begin)(struct hsr_bounded_refining *r);
   /* Is a leaf from the queue still there, and of use? */
-  bool (*is_wanted)(const struct hsr_eb_refining *r,
-                    const struct hsr_eb_item *item);
+  bool (*is_wanted)(const struct hsr_bounded_refining *r,
+                    const struct hsr_bounded_item *item);
   /* Divides a leaf. False if memory ran out. */
-  bool (*refine)(struct hsr_eb_refining *r, const struct hsr_eb_item *item);
+  bool (*refine)(struct hsr_bounded_refining *r,
+                 const struct hsr_bounded_item *item);
   /* Writes the pixels that are not accepted as they are; and accepts them. */
-  void (*write)(struct hsr_eb_refining *r);
-  void (*accept_rest)(struct hsr_eb_refining *r);
+  void (*write)(struct hsr_bounded_refining *r);
+  void (*accept_rest)(struct hsr_bounded_refining *r);
 };
-extern const struct hsr_eb_way hsr_eb_within_pixels, hsr_eb_across_pixels;
+extern const struct hsr_bounded_way hsr_bounded_within_pixels,
+    hsr_bounded_across_pixels;
 
 /* The widest interval of a cell. */
-double hsr_eb_width(const double lo[3], const double hi[3]);
+double hsr_bounded_width(const double lo[3], const double hi[3]);
 
 /* Tells that pixel (i, j), which is written, is done. */
-void hsr_eb_accept(const struct hsr_eb_refining *r, int i, int j);
+void hsr_bounded_accept(const struct hsr_bounded_refining *r, int i, int j);
 
 /* x, not negative, moved outward by a share of itself. */
-static inline double hsr_eb_down(double x, double by) {
+static inline double hsr_bounded_down(double x, double by) {
   return x - by * x;
 }
-static inline double hsr_eb_up(double x, double by) {
+static inline double hsr_bounded_up(double x, double by) {
   return x + by * x;
 }
 

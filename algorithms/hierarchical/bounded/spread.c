@@ -31,7 +31,7 @@ struct sum {
   bool done;
 };
 
-struct hsr_eb_spread {
+struct hsr_bounded_spread {
   struct sum *sum; /* of the window's pixels, row by row */
   double *across,
       *down; /* the filter's integral over the screen, of each column and
@@ -100,10 +100,10 @@ static struct stretch stretch_of(enum hsr_area_filter filter, double from,
 /* --- What a cell gives to pixels ------------------------------------------ */
 
 /* The pixels of the window that a cell counts in. */
-static struct hsr_window reached(const struct hsr_eb_refining *r,
-                                 const struct hsr_eb_cell *cell) {
+static struct hsr_window reached(const struct hsr_bounded_refining *r,
+                                 const struct hsr_bounded_cell *cell) {
   const struct hsr_window *w = &r->spread->window;
-  struct hsr_square s = hsr_eb_square(cell);
+  struct hsr_square s = hsr_bounded_square(cell);
   int by = hsr_bounded_reach(r->limits->form.filter);
   int x0 = (int)floor(s.x - s.half) - by, y0 = (int)floor(s.y - s.half) - by;
   int x1 = (int)ceil(s.x + s.half) + by, y1 = (int)ceil(s.y + s.half) + by;
@@ -111,7 +111,7 @@ static struct hsr_window reached(const struct hsr_eb_refining *r,
                          x1 < w->x1 ? x1 : w->x1, y1 < w->y1 ? y1 : w->y1);
 }
 
-static struct sum *sum_of(const struct hsr_eb_refining *r, int i, int j) {
+static struct sum *sum_of(const struct hsr_bounded_refining *r, int i, int j) {
   const struct hsr_window *w = &r->spread->window;
   return &r->spread->sum[(size_t)(j - w->y0) * (size_t)(w->x1 - w->x0) +
                          (size_t)(i - w->x0)];
@@ -122,8 +122,8 @@ struct colours {
   double least[3], most[3], mean_lo[3], mean_hi[3];
 };
 
-static struct colours colours_of(const struct hsr_eb_refining *r,
-                                 const struct hsr_eb_cell *cell) {
+static struct colours colours_of(const struct hsr_bounded_refining *r,
+                                 const struct hsr_bounded_cell *cell) {
   struct colours of;
   hsr_bounded_hull(r->tree, cell, of.least, of.most);
   for (int c = 0; c < 3; c++) {
@@ -148,10 +148,10 @@ static void give(const struct colours *of, const struct hsr_square *square,
 
 /* Adds what a leaf gives to its pixels, or takes it back: sign -1. Returns the
  * most uncertainty that it gives to a pixel that is not done. */
-static double add_cell(struct hsr_eb_refining *r,
-                       const struct hsr_eb_cell *cell, int sign) {
+static double add_cell(struct hsr_bounded_refining *r,
+                       const struct hsr_bounded_cell *cell, int sign) {
   enum hsr_area_filter filter = r->limits->form.filter;
-  struct hsr_square s = hsr_eb_square(cell);
+  struct hsr_square s = hsr_bounded_square(cell);
   struct hsr_window w = reached(r, cell);
   struct colours of = colours_of(r, cell);
   double most = 0, lo[3], hi[3];
@@ -169,7 +169,7 @@ static double add_cell(struct hsr_eb_refining *r,
       }
       sum->slack += 0x1p-47 * s.half + 0x1p-50;
       if (!sum->done)
-        most = fmax(most, hsr_eb_width(lo, hi));
+        most = fmax(most, hsr_bounded_width(lo, hi));
     }
   }
   return most;
@@ -178,20 +178,20 @@ static double add_cell(struct hsr_eb_refining *r,
 /* --- Pixels --------------------------------------------------------------- */
 
 /* The value is the integral over the filter's integral over the screen. */
-static void update(const struct hsr_eb_refining *r, int i, int j) {
-  const struct hsr_eb_spread *spread = r->spread;
+static void update(const struct hsr_bounded_refining *r, int i, int j) {
+  const struct hsr_bounded_spread *spread = r->spread;
   struct sum *sum = sum_of(r, i, j);
   double whole = spread->across[i - spread->window.x0] *
                  spread->down[j - spread->window.y0];
   for (int c = 0; c < 3; c++) {
     double lo = fmax(0, (sum->lo[c] - sum->slack) / whole);
     double hi = (sum->hi[c] + sum->slack) / whole;
-    sum->best_lo[c] = fmax(sum->best_lo[c], hsr_eb_down(lo, 0x1p-47));
-    sum->best_hi[c] = fmin(sum->best_hi[c], hsr_eb_up(hi, 0x1p-47));
+    sum->best_lo[c] = fmax(sum->best_lo[c], hsr_bounded_down(lo, 0x1p-47));
+    sum->best_hi[c] = fmin(sum->best_hi[c], hsr_bounded_up(hi, 0x1p-47));
   }
 }
 
-static void write_pixel(const struct hsr_eb_refining *r, int i, int j) {
+static void write_pixel(const struct hsr_bounded_refining *r, int i, int j) {
   const struct sum *sum = sum_of(r, i, j);
   struct hsr_area_bounds *to =
       r->answer + 3 * ((size_t)j * (size_t)r->tree->job->answer->m + (size_t)i);
@@ -199,43 +199,44 @@ static void write_pixel(const struct hsr_eb_refining *r, int i, int j) {
     to[c] = (struct hsr_area_bounds){sum->best_lo[c], sum->best_hi[c]};
 }
 
-static void accept(struct hsr_eb_refining *r, int i, int j) {
+static void accept(struct hsr_bounded_refining *r, int i, int j) {
   sum_of(r, i, j)->done = true;
   write_pixel(r, i, j);
-  hsr_eb_accept(r, i, j);
+  hsr_bounded_accept(r, i, j);
   r->unfinished--;
 }
 
 /* The pixels of a part of the window: the narrow ones are accepted. */
-static void look_at(struct hsr_eb_refining *r, struct hsr_window w) {
+static void look_at(struct hsr_bounded_refining *r, struct hsr_window w) {
   for (int j = w.y0; j < w.y1; j++)
     for (int i = w.x0; i < w.x1; i++) {
       struct sum *sum = sum_of(r, i, j);
       if (sum->done)
         continue;
       update(r, i, j);
-      if (hsr_eb_width(sum->best_lo, sum->best_hi) <= r->limits->form.eps)
+      if (hsr_bounded_width(sum->best_lo, sum->best_hi) <= r->limits->form.eps)
         accept(r, i, j);
     }
 }
 
 /* --- What the tiling pass left -------------------------------------------- */
 
-static bool make_spread(struct hsr_eb_refining *r) {
+static bool make_spread(struct hsr_bounded_refining *r) {
   const struct hsr_job *job = r->tree->job;
   struct hsr_arena *arena = job->scratch;
   struct hsr_window w = r->limits->window;
   enum hsr_area_filter filter = r->limits->form.filter;
   size_t m = (size_t)(w.x1 - w.x0), n = (size_t)(w.y1 - w.y0);
-  struct hsr_eb_spread *spread = HSR_NEW(arena, struct hsr_eb_spread, 1);
+  struct hsr_bounded_spread *spread =
+      HSR_NEW(arena, struct hsr_bounded_spread, 1);
   r->spread = spread;
   if (!spread)
     return false;
-  *spread =
-      (struct hsr_eb_spread){.sum = HSR_NEW_ZEROED(arena, struct sum, m * n),
-                             .across = HSR_NEW(arena, double, m),
-                             .down = HSR_NEW(arena, double, n),
-                             .window = w};
+  *spread = (struct hsr_bounded_spread){
+      .sum = HSR_NEW_ZEROED(arena, struct sum, m * n),
+      .across = HSR_NEW(arena, double, m),
+      .down = HSR_NEW(arena, double, n),
+      .window = w};
   if (!spread->sum || !spread->across || !spread->down)
     return false;
   for (int i = w.x0; i < w.x1; i++)
@@ -252,19 +253,19 @@ static bool make_spread(struct hsr_eb_refining *r) {
 }
 
 /* Bounds the mean over a leaf, adds it to its pixels, and queues the leaf. */
-static bool add_leaf(struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
+static bool add_leaf(struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
   hsr_bounded_mean(r->tree, cell, r->limits->exact, cell->lo, cell->hi);
-  struct hsr_eb_item item = {add_cell(r, cell, 1), c, c, -cell->level};
+  struct hsr_bounded_item item = {add_cell(r, cell, 1), c, c, -cell->level};
   return item.depth < 0 || item.depth >= r->limits->deepest ||
-         !(item.uncertainty > 0) || hsr_eb_push(&r->queue, item);
+         !(item.uncertainty > 0) || hsr_bounded_push(&r->queue, item);
 }
 
 /* All leaves. One of more than a pixel is divided unless it has one colour, while
  * there is time. */
-static bool add_all(struct hsr_eb_refining *r, uint32_t c) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
-  if (cell->place == HSR_EB_OUTSIDE)
+static bool add_all(struct hsr_bounded_refining *r, uint32_t c) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, c);
+  if (cell->place == HSR_BOUNDED_OUTSIDE)
     return true;
   if (!cell->child && hsr_bounded_is_late(r->tree))
     return add_leaf(r, c);
@@ -272,7 +273,7 @@ static bool add_all(struct hsr_eb_refining *r, uint32_t c) {
     double low[3], high[3];
     hsr_bounded_settle(r->tree, c);
     hsr_bounded_hull(r->tree, cell, low, high);
-    if (cell->level <= 0 || !(hsr_eb_width(low, high) > 0))
+    if (cell->level <= 0 || !(hsr_bounded_width(low, high) > 0))
       return add_leaf(r, c);
     if (!hsr_bounded_split(r->tree, c))
       return false;
@@ -283,7 +284,7 @@ static bool add_all(struct hsr_eb_refining *r, uint32_t c) {
   return true;
 }
 
-static bool begin(struct hsr_eb_refining *r) {
+static bool begin(struct hsr_bounded_refining *r) {
   if (!make_spread(r) || !add_all(r, 0))
     return false;
   look_at(r, r->spread->window);
@@ -292,9 +293,9 @@ static bool begin(struct hsr_eb_refining *r) {
 
 /* --- Refining ------------------------------------------------------------- */
 
-static bool is_wanted(const struct hsr_eb_refining *r,
-                      const struct hsr_eb_item *item) {
-  struct hsr_window w = reached(r, hsr_eb_cell(r->tree, item->cell));
+static bool is_wanted(const struct hsr_bounded_refining *r,
+                      const struct hsr_bounded_item *item) {
+  struct hsr_window w = reached(r, hsr_bounded_cell(r->tree, item->cell));
   for (int j = w.y0; j < w.y1; j++)
     for (int i = w.x0; i < w.x1; i++)
       if (!sum_of(r, i, j)->done)
@@ -302,8 +303,9 @@ static bool is_wanted(const struct hsr_eb_refining *r,
   return false;
 }
 
-static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_item *item) {
-  struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, item->cell);
+static bool refine(struct hsr_bounded_refining *r,
+                   const struct hsr_bounded_item *item) {
+  struct hsr_bounded_cell *cell = hsr_bounded_cell(r->tree, item->cell);
   add_cell(r, cell, -1);
   if (!hsr_bounded_split(r->tree, item->cell))
     return false;
@@ -316,7 +318,7 @@ static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_item *item) {
 
 /* --- Pixels that are not done --------------------------------------------- */
 
-static void write(struct hsr_eb_refining *r) {
+static void write(struct hsr_bounded_refining *r) {
   const struct hsr_window *w = &r->spread->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
@@ -324,7 +326,7 @@ static void write(struct hsr_eb_refining *r) {
         write_pixel(r, i, j);
 }
 
-static void accept_rest(struct hsr_eb_refining *r) {
+static void accept_rest(struct hsr_bounded_refining *r) {
   const struct hsr_window *w = &r->spread->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
@@ -332,8 +334,9 @@ static void accept_rest(struct hsr_eb_refining *r) {
         accept(r, i, j);
 }
 
-const struct hsr_eb_way hsr_eb_across_pixels = {.begin = begin,
-                                                .is_wanted = is_wanted,
-                                                .refine = refine,
-                                                .write = write,
-                                                .accept_rest = accept_rest};
+const struct hsr_bounded_way hsr_bounded_across_pixels = {
+    .begin = begin,
+    .is_wanted = is_wanted,
+    .refine = refine,
+    .write = write,
+    .accept_rest = accept_rest};

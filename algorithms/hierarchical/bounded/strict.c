@@ -152,7 +152,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   (void)facing;
   if (w->failed || w->is_loose[f])
     return;
-  HSR_STEP(tally, HSR_EB_FACES, HSR_FACE(f), w->cube, HSR_NOWHERE, 0);
+  HSR_STEP(tally, HSR_BOUNDED_FACES, HSR_FACE(f), w->cube, HSR_NOWHERE, 0);
   hsr_screen_plane(&w->screen, f);
   const struct hsr_shape_cut *cut =
       cuts_of(&w->strict->bsp, piece, w->tree->job->scratch, &n);
@@ -181,7 +181,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
 static bool add_loose(struct hsr_strict_walk *w, uint32_t f) {
   struct hsr_tally *tally = w->tree->tally;
   w->is_loose[f] = true;
-  HSR_STEP(tally, HSR_EB_FACES, HSR_FACE(f), HSR_CELL(0, HSR_NO_ID, 0),
+  HSR_STEP(tally, HSR_BOUNDED_FACES, HSR_FACE(f), HSR_CELL(0, HSR_NO_ID, 0),
            HSR_NOWHERE, 0);
   return !hsr_face_exists(&w->screen, f, tally) ||
          hsr_bounded_add(w->tree, &w->screen, f, f);

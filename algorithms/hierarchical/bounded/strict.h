@@ -42,7 +42,7 @@ void hsr_strict_free(struct hsr_strict *strict);
 
 struct hsr_strict_walk {
   const struct hsr_strict *strict;
-  struct hsr_eb_tree *tree;
+  struct hsr_bounded_tree *tree;
   /* CouldCubeBeVisible; n pieces are in the cube. */
   bool (*could_be_visible)(void *context, const struct hsr_octree_box *cube,
                            uint64_t n, struct hsr_subject subject);
