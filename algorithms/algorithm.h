@@ -49,19 +49,19 @@ enum {
   HSR_FRAME_STATE = 1 << 2,  /* one render at a time on a prepared object */
   HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
   HSR_VISIBLE_ONLY = 1 << 4, /* of segments: all invisibility over 0 is 1 */
-  HSR_INSTANCED = 1 << 5,    /* takes a world that is an outline, too */
+  HSR_INSTANCED = 1 << 5,    /* takes a world that is a roster, too */
   HSR_FILTERS = 1 << 6,      /* filters by itself, if asked to */
   HSR_FILTERS_FINELY = 1 << 9, /* with HSR_FILTERS: pixels of 64 x 64, too */
   HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE: what it has prepared goes on in
                            another frame of a scene that is laid out. It holds
                            numbers of faces, and nothing of where they are */
-  HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes an outline only if
+  HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes a roster only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
   HSR_LAID_OUT_UNLESS_LARGE = 1 << 10, /* with HSR_INSTANCED: goes through all
-                      faces. To save memory it takes an outline of HSR_LARGE to
+                      faces. To save memory it takes a roster of HSR_LARGE to
                       HSR_MOST_LAID_OUT faces, for its own kind of answer */
   HSR_NEEDS_LAID_OUT =
-      1 << 11,       /* of what is chosen: takes no outline after all */
+      1 << 11,       /* of what is chosen: takes no roster after all */
   HSR_SUMS = 1 << 12 /* adds to the sums of an answer that has them */
 };
 
@@ -172,9 +172,9 @@ struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
 
-/* Whether an algorithm, so chosen, takes an outline. */
-bool hsr_choice_takes_outline(const struct hsr_algorithm *algorithm,
-                              const struct hsr_choice *choice);
+/* Whether an algorithm, so chosen, takes a roster. */
+bool hsr_choice_takes_roster(const struct hsr_algorithm *algorithm,
+                             const struct hsr_choice *choice);
 
 /* How many faces a scene may have to be laid out for an algorithm. `choice` is
  * NULL for the standard one. */

@@ -19,8 +19,8 @@ bool hsr_makes_also(const struct hsr_algorithm *a,
   return false;
 }
 
-bool hsr_choice_takes_outline(const struct hsr_algorithm *a,
-                              const struct hsr_choice *choice) {
+bool hsr_choice_takes_roster(const struct hsr_algorithm *a,
+                             const struct hsr_choice *choice) {
   unsigned flags = hsr_choice_flags(a, choice);
   bool own_only = flags & HSR_LAID_OUT_UNLESS_LARGE;
   return flags & HSR_INSTANCED && !(flags & HSR_NEEDS_LAID_OUT) &&
@@ -30,7 +30,7 @@ bool hsr_choice_takes_outline(const struct hsr_algorithm *a,
 uint32_t hsr_most_laid_out(const struct hsr_algorithm *a,
                            const struct hsr_choice *choice) {
   struct hsr_choice standard = hsr_choice_standard(a);
-  return !hsr_choice_takes_outline(a, choice ? choice : &standard)
+  return !hsr_choice_takes_roster(a, choice ? choice : &standard)
              ? HSR_MOST_LAID_OUT
          : a->flags & HSR_RATHER_LAID_OUT       ? HSR_RATHER_MOST
          : a->flags & HSR_LAID_OUT_UNLESS_LARGE ? HSR_LARGE

@@ -6,7 +6,7 @@
 static enum hsr_status apply(struct hsr_setup *setup,
                              const struct hsr_adapter *adapter,
                              struct hsr_error *err) {
-  struct hsr_world out = {.outline.scene = NULL};
+  struct hsr_world out = {.roster.scene = NULL};
   bool changed = false;
   double begin = hsr_seconds_now();
   enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);
@@ -40,7 +40,7 @@ enum hsr_status hsr_setup_world(struct hsr_world *world,
                                 struct hsr_scene *scene,
                                 struct hsr_error *err) {
   return scene->grid && takes(algorithm, HSR_GRID)
-             ? hsr_world_outline(world, scene, err)
+             ? hsr_world_roster(world, scene, err)
              : hsr_world_open(world, scene,
                               hsr_most_laid_out(algorithm, choice), err);
 }
@@ -49,7 +49,7 @@ enum hsr_status hsr_setup_world(struct hsr_world *world,
 static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
                                      const struct hsr_world *world,
                                      struct hsr_error *err) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   enum hsr_scene_subject subject = scene->subject;
   if (takes(algorithm, subject))
     return HSR_OK;
@@ -61,9 +61,9 @@ static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
 
 static bool takes_it(const struct hsr_setup *setup,
                      const struct hsr_world *world) {
-  if (!hsr_is_outline(world))
+  if (!hsr_is_roster(world))
     return true;
-  return hsr_choice_takes_outline(setup->algorithm, &setup->choice) &&
+  return hsr_choice_takes_roster(setup->algorithm, &setup->choice) &&
          (!(setup->flags & HSR_LAID_OUT_UNLESS_LARGE) ||
           world->n_faces <= HSR_MOST_LAID_OUT);
 }
@@ -80,7 +80,7 @@ static enum hsr_status adapt(struct hsr_setup *setup,
   if (!takes_it(setup, world))
     return too_many_faces(world, err);
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
-    if (!hsr_is_outline(world) &&
+    if (!hsr_is_roster(world) &&
         (algorithm->restrictions & a->mends) == a->mends)
       status = apply(setup, a, err);
   return status;

@@ -37,7 +37,7 @@ struct hsr_setup {
 };
 
 /* Opens the world of a scene as this algorithm takes it best: laid out, or an
- * outline, which of a grid that it takes has no faces. `choice` is NULL for the
+ * roster, which of a grid that it takes has no faces. `choice` is NULL for the
  * standard one. As hsr_world_open. */
 enum hsr_status hsr_setup_world(struct hsr_world *world,
                                 const struct hsr_algorithm *algorithm,
@@ -47,7 +47,7 @@ enum hsr_status hsr_setup_world(struct hsr_world *world,
 /* `choice` is NULL for the standard one. `world` is borrowed and outlives the
  * setup. Freed with hsr_setup_free, also after a failure: HSR_E_NOMEM;
  * HSR_E_REFUSED where the scene is of a subject that the algorithm does not
- * take, or breaks a restriction and cannot be adapted, or is an outline and the
+ * take, or breaks a restriction and cannot be adapted, or is a roster and the
  * algorithm needs it laid out. */
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_algorithm *algorithm,

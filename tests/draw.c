@@ -195,7 +195,7 @@ void open_worlds(struct both_worlds *w, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_open(name, NULL, &w->scene, &err) ||
       hsr_world_init(&w->world, w->scene, &err) ||
-      hsr_world_outline(&w->outline, w->scene, &err)) {
+      hsr_world_roster(&w->roster, w->scene, &err)) {
     printf("Bail out! %s: %s\n", name, err.text);
     exit(99);
   }
@@ -203,7 +203,7 @@ void open_worlds(struct both_worlds *w, const char *name) {
 
 void close_worlds(struct both_worlds *w) {
   hsr_world_free(&w->world);
-  hsr_world_free(&w->outline);
+  hsr_world_free(&w->roster);
   hsr_scene_delete(w->scene);
 }
 

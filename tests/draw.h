@@ -79,11 +79,11 @@ int counter_of(const struct hsr_algorithm *algorithm, const char *name);
 uint64_t counted(const struct hsr_algorithm *algorithm,
                  const struct hsr_tally *tally, const char *name);
 
-/* A named scene, both laid out as a world and as an outline. Opening aborts the
+/* A named scene, both laid out as a world and as a roster. Opening aborts the
  * test program on failure. */
 struct both_worlds {
   struct hsr_scene *scene;
-  struct hsr_world world, outline;
+  struct hsr_world world, roster;
 };
 void open_worlds(struct both_worlds *worlds, const char *name);
 void close_worlds(struct both_worlds *worlds);

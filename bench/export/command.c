@@ -331,7 +331,7 @@ static enum hsr_status open_world(struct export *e,
   const struct options *o = e->options;
   enum hsr_status status =
       hsr_world_open(&e->world, e->scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&e->world))
+  if (!status && hsr_is_roster(&e->world))
     return hsr_fail(err, HSR_E_NOMEM,
                     "%u faces are more than %u; .glb files keep instances",
                     e->world.n_faces, HSR_MOST_LAID_OUT);

@@ -37,7 +37,7 @@ static enum hsr_status write_answer(const struct compared_files *files,
   const struct hsr_answer_type *type = answer->form.type;
   struct hsr_showing showing = {.world = files->world,
                                 .view = view,
-                                .scene = files->world->outline.scene->name,
+                                .scene = files->world->roster.scene->name,
                                 .title = path,
                                 .description = "What hsr check compared.",
                                 .supersamples = 1,
@@ -65,7 +65,7 @@ static void name_files(const struct compared_files *files,
                        const struct hsr_answer *got, char path[PATH]) {
   char name[PATH / 2];
   snprintf(name, sizeof name, "%.80s-%d-%dx%d-%.200s%s",
-           files->world->outline.scene->name, files->view, got->m, got->n,
+           files->world->roster.scene->name, files->view, got->m, got->n,
            files->algorithm, files->counts ? "-counting" : "");
   for (char *c = name; *c; c++)
     if (!isalnum((unsigned char)*c) && !strchr("-.=", *c))

@@ -173,7 +173,7 @@ struct still {
 /* Whether a frame may be laid out in the place of the last one. */
 static bool may_follow(const struct still *still, const struct hsr_scene *last,
                        const struct hsr_scene *now) {
-  return !hsr_is_outline(&still->world) && still->setup.flags & HSR_FOLLOWS &&
+  return !hsr_is_roster(&still->world) && still->setup.flags & HSR_FOLLOWS &&
          hsr_scene_has_objects(last, now);
 }
 
@@ -236,7 +236,7 @@ static enum hsr_status judge_walk(const struct group *g,
                                  &err)
                : HSR_OK;
   if (!status)
-    status = follower && hsr_is_outline(&world)
+    status = follower && hsr_is_roster(&world)
                  ? follow_walk(g, player, &world, wanted, &err)
                  : judge_frames(g, player, wanted, &err);
   if (status == HSR_E_REFUSED)
@@ -287,7 +287,7 @@ static enum hsr_status judge(const struct group *g, const struct player *player,
 /* Is more to be done than the time that a picture may take lets one do? What
  * takes no outline will refuse it. */
 static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
-  if (!a->expense || (hsr_is_outline(g->world) && !(a->flags & HSR_INSTANCED)))
+  if (!a->expense || (hsr_is_roster(g->world) && !(a->flags & HSR_INSTANCED)))
     return false;
   for (int k = 0; k < g->n_views; k++)
     if (hsr_form_pictures(&g->form, &g->view[k]) *

@@ -30,11 +30,11 @@ struct nearest_face {
                                         faces_at_hand *faces, double sx,
                                         double sy) {
   const Upward upward;
-  const bool instanced = hsr_is_outline(job.world);
+  const bool instanced = hsr_is_roster(job.world);
   faces->begin_sample();
   const sample s = make_sample(job, &faces->world, &faces->known, sx, sy);
   nearest_face seen;
-  way w(s, t, instanced ? job.world->outline.scene : nullptr, faces, &seen);
+  way w(s, t, instanced ? job.world->roster.scene : nullptr, faces, &seen);
   w.go();
   const uint32_t f = seen.nearest.face;
   return instanced && f != HSR_BACKGROUND ? id_of(s, f) : f;

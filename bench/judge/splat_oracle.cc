@@ -1044,7 +1044,7 @@ static enum hsr_status render(const struct hsr_job *job,
       return hsr_fail(err, HSR_E_INTERNAL,
                       "splat-oracle: directed rounding has no effect here");
     const hsr_splatting asked = hsr_form_splatting(&job->answer->form);
-    const scenery seen(*job->view, *job->world->outline.scene->grid, asked);
+    const scenery seen(*job->view, *job->world->roster.scene->grid, asked);
     draw(seen, tables_of(asked.kernel), *job);
     return HSR_OK;
   });

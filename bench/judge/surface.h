@@ -734,7 +734,7 @@ inline faces_at_hand::faces_at_hand(const hsr_world &all,
                                     const hsr_window &asked)
     : world(all), whole(all) {
   const double signs = 32.0 * (asked.x1 - asked.x0) * (asked.y1 - asked.y0);
-  if (hsr_is_outline(&whole)) {
+  if (hsr_is_roster(&whole)) {
     world = {};
   } else if (signs > world.mesh.n_vertices && signs > world.n_faces) {
     known.row.resize(world.mesh.n_vertices);
@@ -747,7 +747,7 @@ inline void faces_at_hand::begin_row() {
 }
 
 inline void faces_at_hand::begin_sample() {
-  if (!hsr_is_outline(&whole))
+  if (!hsr_is_roster(&whole))
     return;
   world.n_faces = 0;
   for (std::vector<double> *axis : {&x, &y, &z})
@@ -772,14 +772,14 @@ inline void faces_at_hand::add_vertex(const hsr_instance &instance,
 }
 
 inline uint32_t faces_at_hand::add(uint32_t i, uint32_t k) {
-  const hsr_instance &instance = whole.outline.scene->instances[i];
-  const hsr_object &object = whole.outline.scene->objects[instance.object];
+  const hsr_instance &instance = whole.roster.scene->instances[i];
+  const hsr_object &object = whole.roster.scene->objects[instance.object];
   const object_faces faces = {object};
   const Nearest to_nearest;
   for (uint32_t c = object.start[k]; c < object.start[k + 1]; c++)
     add_vertex(instance, faces.corner(c));
   start.push_back(uint32_t(vertex.size()));
-  id.push_back(whole.outline.first[i] + k);
+  id.push_back(whole.roster.first[i] + k);
   one_sided.push_back({object.one_sided});
   known.c.push_back(memo::UNKNOWN);
 
@@ -804,13 +804,13 @@ struct trees {
 
 inline void build_trees(const hsr_world &world, trees *made) {
   const Upward upward;
-  if (!hsr_is_outline(&world)) {
+  if (!hsr_is_roster(&world)) {
     for (uint32_t f = 0; f < world.n_faces; f++)
       made->world.items.push_back(f);
     build(world_faces{world}, world.n_faces, &made->world);
     return;
   }
-  const hsr_scene &scene = *world.outline.scene;
+  const hsr_scene &scene = *world.roster.scene;
   made->objects.resize(scene.n_objects);
   for (uint32_t o = 0; o < scene.n_objects; o++) {
     const uint32_t n = scene.objects[o].n_faces;

@@ -45,7 +45,7 @@ class palette {
 public:
   explicit palette(const hsr_job &asked) : job(asked) {
     background = tint_of(job, HSR_BACKGROUND);
-    if (!hsr_is_outline(job.world))
+    if (!hsr_is_roster(job.world))
       kept.resize(job.world->n_faces);
   }
   const tint &of(uint32_t id) {
@@ -123,7 +123,7 @@ void fold_all(const sample &s, faces_met *met, enum hsr_mix mix,
                                  double sx, double sy, uint16_t out[3]) {
   const Upward upward;
   const hsr_scene *instanced =
-      hsr_is_outline(job.world) ? job.world->outline.scene : nullptr;
+      hsr_is_roster(job.world) ? job.world->roster.scene : nullptr;
   faces->begin_sample();
   const sample s = make_sample(job, &faces->world, &faces->known, sx, sy);
   faces_met met(known);

@@ -58,7 +58,7 @@ long samples_to_compare(const struct hsr_world *world,
                         const struct hsr_form *form, long wanted) {
   if (wanted)
     return wanted;
-  if (!hsr_is_outline(world) || world->n_faces <= HSR_MOST_LAID_OUT)
+  if (!hsr_is_roster(world) || world->n_faces <= HSR_MOST_LAID_OUT)
     return 0;
   int side = HSR_SUB * hsr_filter_cells(hsr_form_filtering(form).filter);
   return form->type->fold ? SAMPLES_OF_MANY_FACES / (side * side)

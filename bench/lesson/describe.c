@@ -51,7 +51,7 @@ static json_t *letters_json(const struct hsr_table1 *table) {
 /* Where the vertices of the header are in the world. */
 static json_t *points_json(const struct trace_run *run) {
   const struct hsr_world *world =
-      hsr_is_outline(run->setup.world) ? &run->laid_out : run->setup.world;
+      hsr_is_roster(run->setup.world) ? &run->laid_out : run->setup.world;
   const struct hsr_mesh *mesh = &world->mesh;
   json_t *points = json_array();
   for (uint32_t v = 0; v < mesh->n_vertices; v++)

@@ -236,7 +236,7 @@ static bool add_grove(json_t **to, const struct trace_run *run, uint32_t leaf) {
        k++) {
     const struct hsr_instance *i = &run->scene->instances[k];
     good = add_tree(&f, &(struct tree){&grove.tree[i->object].bsp,
-                                       world->outline.first[k],
+                                       world->roster.first[k],
                                        k,
                                        {i->m[3], i->m[7], i->m[11]}});
   }

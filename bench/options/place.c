@@ -13,7 +13,7 @@ enum hsr_status place_open(struct place *place, struct scene_options *scene,
   if (!status)
     status =
         hsr_world_open(&place->world, place->scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&place->world))
+  if (!status && hsr_is_roster(&place->world))
     status =
         hsr_fail(err, HSR_E_NOMEM, "%s: %u faces are too many to be laid out",
                  command, place->world.n_faces);

@@ -162,7 +162,7 @@ static enum hsr_status lay_out_objects(struct run *run, struct hsr_error *err) {
 
 static bool is_drawn_by_objects(const struct run *run) {
   return run->peer->outlines != OUTLINES_REFUSED &&
-         hsr_is_outline(&run->stage.world);
+         hsr_is_roster(&run->stage.world);
 }
 
 /* Until they are drawn, the ids are those of no face. */

@@ -55,7 +55,7 @@ static uint32_t *list_seen(const uint32_t *picture, size_t n, size_t *n_seen) {
 static void add_placed(struct loose_faces *out, const struct hsr_world *world,
                        struct hsr_place at, uint32_t id) {
   const struct hsr_object *object = at.object;
-  const double *m = world->outline.scene->instances[at.instance].m;
+  const double *m = world->roster.scene->instances[at.instance].m;
   const float *rgb =
       object->rgb ? object->rgb + 3 * (size_t)at.face : object->colour;
   uint32_t start = object->start[at.face], end = object->start[at.face + 1];

@@ -302,7 +302,7 @@ static bool may_follow(const struct render *r, const struct hsr_scene *then) {
 }
 
 /* Goes on to the frame at hand. What is prepared is kept if nothing moves; or if
- * objects move, and the algorithm takes them as an outline, or follows. If not,
+ * objects move, and the algorithm takes them as a roster, or follows. If not,
  * all is made anew. */
 static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,
                              struct hsr_variant *variant,
@@ -311,16 +311,16 @@ static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,
   enum hsr_status status = open_named(r, &then, err);
   if (status)
     return status;
-  bool outline = hsr_is_outline(&r->world), kept = true;
+  bool roster = hsr_is_roster(&r->world), kept = true;
   bool stays = hsr_scene_is_same(r->scene, then);
-  bool moves = outline && hsr_scene_moves(r->scene) &&
+  bool moves = roster && hsr_scene_moves(r->scene) &&
                hsr_scene_has_frame(r->scene, then);
   if (stays || moves) {
     status = choose_place(r, then, err);
     if (!status && moves)
       status = follow(r, then, err);
     hsr_scene_delete(then);
-  } else if (!outline && may_follow(r, then)) {
+  } else if (!roster && may_follow(r, then)) {
     status = lay_out(r, a, then, &kept, err);
   } else {
     kept = false;

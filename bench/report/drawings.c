@@ -504,7 +504,7 @@ static enum hsr_status open_sheet(struct sheet *s, struct hsr_error *err) {
   enum hsr_status status = stage_open(
       &s->stage, results_text(s->subject->view, "scene"), HSR_MOST_LAID_OUT,
       results_number(s->subject->view, "view"), m, n, 1, err);
-  if (!status && hsr_is_outline(&s->stage.world))
+  if (!status && hsr_is_roster(&s->stage.world))
     status = hsr_fail(err, HSR_E_REFUSED, "too many faces");
   if (status)
     return status;

@@ -34,11 +34,11 @@ static json_t *objects_json(const struct stage *stage) {
   json_t *objects = json_array();
   for (uint32_t k = 0; k < scene->n_instances; k++) {
     const char *name = scene->objects[scene->instances[k].object].name;
-    hsr_json_append(&objects,
-                    json_pack("[sII]", name ? name : "",
-                              (json_int_t)world->outline.first[k],
-                              (json_int_t)(world->outline.first[k + 1] -
-                                           world->outline.first[k])));
+    hsr_json_append(
+        &objects,
+        json_pack(
+            "[sII]", name ? name : "", (json_int_t)world->roster.first[k],
+            (json_int_t)(world->roster.first[k + 1] - world->roster.first[k])));
   }
   return objects;
 }

@@ -115,7 +115,7 @@ static void judge_form(const struct place_run *run, struct hsr_form form) {
 
 /* Measures Table I, if the faces are laid out. */
 static void judge_statistics(const struct place_run *run) {
-  if (hsr_is_outline(&run->stage.world))
+  if (hsr_is_roster(&run->stage.world))
     end_process(HSR_OK);
   enum hsr_status status =
       measure_table1(&run->stage.world, run->view, &run->shared->table1, NULL);

@@ -164,7 +164,7 @@ static void vertex_of(const struct hsr_world *world, uint32_t v,
 /* If the algorithm got a scene laid out, these are the vertices that it got:
  * adapters add some to the scene's own. */
 static json_t *vertices_json(const struct trace_header *h) {
-  const struct hsr_world *world = hsr_is_outline(h->run->setup.world)
+  const struct hsr_world *world = hsr_is_roster(h->run->setup.world)
                                       ? &h->run->laid_out
                                       : h->run->setup.world;
   json_t *vertices = json_array();
@@ -298,6 +298,6 @@ json_t *trace_header_json(const struct trace_header *h) {
                    "counters", counters_json(a), "step_kinds",
                    step_kinds_json(), "subjects", subjects_json(), "places",
                    places_json(), "background", colour_json(h, HSR_BACKGROUND),
-                   "objects", objects_json(h->run->laid_out.outline.scene),
+                   "objects", objects_json(h->run->laid_out.roster.scene),
                    "vertices", vertices_json(h), "faces", faces_json(h));
 }

@@ -25,7 +25,7 @@ static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
       hsr_world_open(&r->laid_out, r->scene, r->most_faces, err);
   if (status)
     return status;
-  if (hsr_is_outline(&r->laid_out))
+  if (hsr_is_roster(&r->laid_out))
     return hsr_fail(err, HSR_E_REFUSED,
                     "%s: %u faces are more than the %u that a %s tells of",
                     r->command, r->laid_out.n_faces, r->most_faces, r->command);
@@ -47,7 +47,7 @@ enum hsr_status trace_run_open(struct trace_run *r, struct hsr_error *err) {
   if (!status)
     status = hsr_setup_init(
         &r->setup, r->variant->listed->counting, &r->variant->choice,
-        r->instanced.outline.scene ? &r->instanced : &r->laid_out, err);
+        r->instanced.roster.scene ? &r->instanced : &r->laid_out, err);
   if (!status)
     status = trace_answer_init(&r->answer, &r->setup, &r->view, err);
   return status;

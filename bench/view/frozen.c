@@ -99,7 +99,7 @@ static enum hsr_status make(struct frozen *f, struct hsr_error *err) {
     status = player_open(&f->player, name_with_tree(v), PLAYER_COUNTS, v, err);
   if (!status)
     status = hsr_world_open(&f->world, v->scene, MOST_FROZEN, err);
-  if (!status && hsr_is_outline(&f->world))
+  if (!status && hsr_is_roster(&f->world))
     status = hsr_fail(err, HSR_E_REFUSED,
                       "a scene of so many faces cannot be frozen");
   if (!status)

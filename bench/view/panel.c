@@ -100,7 +100,7 @@ static void add_counts(struct viewer *v, char *text) {
   struct player *counter = &v->counter;
   enum hsr_status status = viewer_view(v, v->m, v->coarse, &view, &err);
   const struct hsr_world *world = &v->player[0]->render.world;
-  bool has_table = !status && !hsr_is_outline(world) &&
+  bool has_table = !status && !hsr_is_roster(world) &&
                    !measure_table1(world, &view, &table, &err);
   if (v->page == PAGE_TABLE) {
     if (has_table)

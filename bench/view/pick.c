@@ -26,14 +26,14 @@ static void add_face(struct viewer *v, const struct hsr_world *world,
 static bool find_plane(const struct hsr_world *world, uint32_t id,
                        double normal[3], double anchor[3]) {
   const struct hsr_mesh *mesh = &world->mesh;
-  if (!hsr_is_outline(world)) {
+  if (!hsr_is_roster(world)) {
     memcpy(normal, (double[]){mesh->nx[id], mesh->ny[id], mesh->nz[id]},
            3 * sizeof *normal);
     memcpy(anchor, (double[]){mesh->px[id], mesh->py[id], mesh->pz[id]},
            3 * sizeof *anchor);
     return true;
   }
-  if (hsr_scene_lacks_faces(world->outline.scene))
+  if (hsr_scene_lacks_faces(world->roster.scene))
     return false;
   hsr_place_plane(world, hsr_place_of(world, id), normal, anchor);
   return true;
@@ -135,7 +135,7 @@ void pick(struct viewer *v, int x, int y) {
   view.window = (struct hsr_window){i, j, i + 1, j + 1};
   add(v, "sample (%d, %d), from front to back; t: depth along the view\n", i,
       j);
-  if (hsr_is_outline(world))
+  if (hsr_is_roster(world))
     add_visible(v, &view, i, j);
   else
     status = add_faces(v, world, &view, i, j, &err);

@@ -16,9 +16,9 @@ enum { MOST_COLOURED = 1000000 };
 /* The scene laid out; NULL if it is not. */
 static const struct hsr_world *laid_out(const struct player *p) {
   const struct hsr_world *own = &p->render.world;
-  return !hsr_is_outline(own)        ? own
-         : p->laid_out.outline.scene ? &p->laid_out
-                                     : NULL;
+  return !hsr_is_roster(own)        ? own
+         : p->laid_out.roster.scene ? &p->laid_out
+                                    : NULL;
 }
 
 void player_close(struct player *player) {
@@ -59,7 +59,7 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
   r->build = hsr_seconds_now() - begin;
   if (!status)
     status = hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);
-  if (!status && hsr_is_outline(&r->world) && !scene->grid &&
+  if (!status && hsr_is_roster(&r->world) && !scene->grid &&
       r->world.n_faces <= MOST_COLOURED)
     status = hsr_world_open(&p->laid_out, scene, MOST_COLOURED, err);
   if (status)

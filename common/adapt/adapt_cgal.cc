@@ -230,7 +230,7 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
                            hsr_world *out, bool *changed, hsr_error *err) {
   return guarded(err, [&]() -> hsr_status {
     *changed = false;
-    if (in->outline.all_triangles)
+    if (in->roster.all_triangles)
       return HSR_OK;
     List list;
     for (uint32_t f = 0; f < in->n_faces; f++) {

@@ -151,7 +151,7 @@ static uint16_t in_16_bits(float value) {
 static bool is_face(const struct hsr_world *world, uint32_t id) {
   if (world->pieces)
     world = world->pieces->whole;
-  return id < world->outline.first[world->outline.scene->n_instances];
+  return id < world->roster.first[world->roster.scene->n_instances];
 }
 
 /* Depends on the scene alone, so that every form of the world gives the same

@@ -48,7 +48,7 @@ enum hsr_status hsr_shades_init(struct hsr_shades *shades,
   normalise(shades->light);
   if (shades->parts & HSR_PART_CORNERS)
     shades->normals =
-        HSR_NEW_ZEROED(arena, double *, world->outline.scene->n_objects);
+        HSR_NEW_ZEROED(arena, double *, world->roster.scene->n_objects);
   return shades->parts & HSR_PART_CORNERS && !shades->normals ? HSR_E_NOMEM
                                                               : HSR_OK;
 }
@@ -76,7 +76,7 @@ static void face_normal(const struct hsr_object *object, uint32_t f,
 /* Of each vertex of an object, the sum of its faces' normals. */
 static const double *vertex_normals(struct hsr_shades *s,
                                     const struct hsr_object *object) {
-  double **normals = &s->normals[object - s->world->outline.scene->objects];
+  double **normals = &s->normals[object - s->world->roster.scene->objects];
   if (*normals)
     return *normals;
   *normals = HSR_NEW_ZEROED(s->arena, double, 3 * (size_t)object->n_vertices);
@@ -110,7 +110,7 @@ static uint16_t in_16_bits(double value) {
 static bool shade_corners(struct hsr_shades *s, const struct hsr_place *at,
                           struct hsr_shaded_face *face) {
   const struct hsr_object *object = at->object;
-  const double *m = s->world->outline.scene->instances[at->instance].m;
+  const double *m = s->world->roster.scene->instances[at->instance].m;
   const double *normals = vertex_normals(s, object);
   const float *own =
       object->rgb ? object->rgb + 3 * (size_t)at->face : object->colour;
@@ -151,7 +151,7 @@ bool hsr_shades_face(struct hsr_shades *s, uint32_t id,
     face->normal[k] = -face->normal[k];
   face->by_corners =
       s->parts & HSR_PART_CORNERS &&
-      !hsr_scene_lacks_faces(s->world->outline.scene) &&
+      !hsr_scene_lacks_faces(s->world->roster.scene) &&
       at.object->start[at.face + 1] - at.object->start[at.face] == 3;
   return !face->by_corners || shade_corners(s, &at, face);
 }

@@ -6,13 +6,13 @@ enum hsr_status hsr_alone_init(struct hsr_alone *alone,
                                const struct hsr_world *scene,
                                const struct hsr_view *view,
                                struct hsr_arena *arena) {
-  uint32_t corners = hsr_largest_face(scene->outline.scene);
+  uint32_t corners = hsr_largest_face(scene->roster.scene);
   alone->id = HSR_NO_ID;
-  alone->world = (struct hsr_world){.outline.scene = scene->outline.scene,
+  alone->world = (struct hsr_world){.roster.scene = scene->roster.scene,
                                     .mesh.n_vertices = corners,
                                     .n_faces = 1,
                                     .mesh.n_corners = corners,
-                                    .outline.first = scene->outline.first,
+                                    .roster.first = scene->roster.first,
                                     .id = &alone->id};
   if (hsr_world_allocate(&alone->world, arena))
     return HSR_E_NOMEM;

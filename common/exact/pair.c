@@ -16,12 +16,12 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_world *scene,
                               const struct hsr_view *view,
                               struct hsr_arena *arena) {
-  uint32_t corners = 2 * hsr_largest_face(scene->outline.scene);
-  pair->world = (struct hsr_world){.outline.scene = scene->outline.scene,
+  uint32_t corners = 2 * hsr_largest_face(scene->roster.scene);
+  pair->world = (struct hsr_world){.roster.scene = scene->roster.scene,
                                    .mesh.n_vertices = corners,
                                    .n_faces = 2,
                                    .mesh.n_corners = corners,
-                                   .outline.first = scene->outline.first,
+                                   .roster.first = scene->roster.first,
                                    .id = pair->id};
   return hsr_world_allocate(&pair->world, arena) ||
                  hsr_screen_init(&pair->screen, &pair->world, view, arena)

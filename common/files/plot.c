@@ -82,7 +82,7 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                             .stroke =
                                 malloc((drawing->n + 1) * sizeof *plot->stroke),
                             .paper = {1, 1, 1},
-                            .scene = world->outline.scene};
+                            .scene = world->roster.scene};
   uint32_t *object = find_objects(world);
   if (!plot->stroke || !object) {
     free(object);
@@ -112,7 +112,7 @@ enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
       .n = view->n,
       .polygons = polygons,
       .fill = malloc((polygons->n_regions + 1) * sizeof *plot->fill),
-      .scene = world->outline.scene};
+      .scene = world->roster.scene};
   if (!plot->fill)
     return hsr_fail_nomem(err);
   for (size_t r = 0; r < polygons->n_regions; r++)

@@ -18,14 +18,14 @@ static void set_vertex(struct hsr_world *out, uint32_t c, const double p[3]) {
 
 static void set_object(struct hsr_world *out, uint32_t f, uint32_t instance,
                        bool one_sided) {
-  out->mesh.object[f] = out->outline.scene->instances[instance].object;
+  out->mesh.object[f] = out->roster.scene->instances[instance].object;
   out->mesh.instance[f] = instance;
   out->mesh.one_sided[f] = one_sided;
 }
 
 /* Face id[f] of a grid whose faces are not made. */
 static void lay_out_side(struct hsr_world *out, uint32_t f) {
-  const struct hsr_grid *grid = out->outline.scene->grid;
+  const struct hsr_grid *grid = out->roster.scene->grid;
   uint32_t cell, at[3];
   int side;
   double corner[4][3];
@@ -39,16 +39,15 @@ static void lay_out_side(struct hsr_world *out, uint32_t f) {
 }
 
 void hsr_world_lay_out(struct hsr_world *out, uint32_t f) {
-  if (hsr_scene_lacks_faces(out->outline.scene)) {
+  if (hsr_scene_lacks_faces(out->roster.scene)) {
     lay_out_side(out, f);
     return;
   }
   struct hsr_place at = hsr_place_of(out, out->id[f]);
   const struct hsr_instance *instance =
-      &out->outline.scene->instances[at.instance];
+      &out->roster.scene->instances[at.instance];
   const uint32_t *vertex = at.object->vertex + at.object->start[at.face];
-  out->mesh.start[f + 1] =
-      out->mesh.start[f] + size_of(out->outline.scene, &at);
+  out->mesh.start[f + 1] = out->mesh.start[f] + size_of(out->roster.scene, &at);
   for (uint32_t c = out->mesh.start[f]; c < out->mesh.start[f + 1];
        c++, vertex++) {
     double p[3];
@@ -62,16 +61,16 @@ enum hsr_status hsr_world_extract(struct hsr_world *out,
                                   const struct hsr_world *world,
                                   const uint32_t *id, uint32_t n,
                                   struct hsr_error *err) {
-  *out = (struct hsr_world){.outline.scene = world->outline.scene,
+  *out = (struct hsr_world){.roster.scene = world->roster.scene,
                             .n_faces = n,
-                            .outline.first = world->outline.first,
+                            .roster.first = world->roster.first,
                             .id = id,
-                            .outline.all_triangles = true};
+                            .roster.all_triangles = true};
   for (uint32_t f = 0; f < n; f++) {
     struct hsr_place at = hsr_place_of(world, id[f]);
-    uint32_t size = size_of(out->outline.scene, &at);
+    uint32_t size = size_of(out->roster.scene, &at);
     out->mesh.n_corners += size;
-    out->outline.all_triangles &= size == 3;
+    out->roster.all_triangles &= size == 3;
   }
   out->mesh.n_vertices = out->mesh.n_corners;
   if (hsr_world_allocate(out, &out->arena))

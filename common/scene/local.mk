@@ -11,7 +11,7 @@ libhsr_a_SOURCES += \
   %D%/extract.c \
   %D%/grid_object.c \
   %D%/motion.c \
-  %D%/outline.c \
+  %D%/roster.c \
   %D%/part.c \
   %D%/pieces.c \
   %D%/plane_classes.c \

@@ -66,7 +66,7 @@ enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
                                     const struct hsr_world *whole,
                                     const struct hsr_piece_list *list,
                                     struct hsr_error *err) {
-  *world = (struct hsr_world){.outline.scene = whole->outline.scene,
+  *world = (struct hsr_world){.roster.scene = whole->roster.scene,
                               .mesh.n_vertices = whole->mesh.n_vertices +
                                                  list->outline_start[list->n],
                               .n_faces = list->n,
@@ -90,7 +90,7 @@ enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
          (list->n + 1) * sizeof *list->cut_start);
   memcpy(pieces->outline_start, list->outline_start,
          (list->n + 1) * sizeof *list->outline_start);
-  world->outline.all_triangles = world->mesh.n_corners == 3 * (uint64_t)list->n;
+  world->roster.all_triangles = world->mesh.n_corners == 3 * (uint64_t)list->n;
 
   uint32_t parent = 0;
   for (uint32_t f = 0; f < list->n; f++) {
@@ -99,8 +99,8 @@ enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
       pieces->first[parent++] = f;
   }
   pieces->first[whole->n_faces] = list->n;
-  for (uint32_t i = 0; i <= whole->outline.scene->n_instances; i++)
-    world->outline.first[i] = pieces->first[whole->outline.first[i]];
+  for (uint32_t i = 0; i <= whole->roster.scene->n_instances; i++)
+    world->roster.first[i] = pieces->first[whole->roster.first[i]];
   for (uint32_t c = 0; c < list->cut_start[list->n]; c++)
     pieces->cut[c] =
         (struct hsr_cut){pieces->first[list->cut[c].face], list->cut[c].side};

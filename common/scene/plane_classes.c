@@ -409,7 +409,7 @@ static void find_classes(struct classes *c) {
 enum hsr_status hsr_world_classify_planes(struct hsr_world *world) {
   size_t n = world->n_faces;
   struct classes c = {.world = world,
-                      .threads = hsr_threads(world->outline.scene->threads)};
+                      .threads = hsr_threads(world->roster.scene->threads)};
   c.size = c.threads > 1 ? RANGE : world->n_faces + (world->n_faces == 0);
   c.n_ranges = hsr_n_ranges(world->n_faces, c.size);
   c.lo = malloc((n + 1) * sizeof *c.lo);

@@ -223,7 +223,7 @@ static uint32_t find_range(void *context, uint32_t from, uint32_t to) {
 static enum hsr_status find_all(struct hsr_world *world,
                                 struct hsr_error *err) {
   struct finding finding = {.world = world};
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   enum hsr_status status = check_vertices(&world->mesh, err);
   if (status)
     return status;

@@ -17,9 +17,9 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world,
   world->mesh.object = HSR_NEW(arena, uint32_t, nf);
   world->mesh.instance = HSR_NEW(arena, uint32_t, nf);
   world->mesh.one_sided = HSR_NEW(arena, bool, nf);
-  if (!world->outline.first)
-    world->outline.first =
-        HSR_NEW(arena, uint32_t, (size_t)world->outline.scene->n_instances + 1);
+  if (!world->roster.first)
+    world->roster.first =
+        HSR_NEW(arena, uint32_t, (size_t)world->roster.scene->n_instances + 1);
   world->mesh.nx = HSR_NEW(arena, double, nf);
   world->mesh.ny = HSR_NEW(arena, double, nf);
   world->mesh.nz = HSR_NEW(arena, double, nf);
@@ -33,7 +33,7 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world,
   bool all = world->mesh.x && world->mesh.y && world->mesh.z &&
              world->mesh.start && world->mesh.vertex && world->mesh.object &&
              world->mesh.instance && world->mesh.one_sided &&
-             world->outline.first && world->mesh.nx && world->mesh.ny &&
+             world->roster.first && world->mesh.nx && world->mesh.ny &&
              world->mesh.nz && world->mesh.n_error && world->mesh.px &&
              world->mesh.py && world->mesh.pz && world->mesh.anchor_error &&
              world->mesh.deviation && world->mesh.plane;
@@ -42,7 +42,7 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world,
 
 /* Counts the vertices and corners. */
 static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   uint64_t nv = 0, nc = 0;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
@@ -90,7 +90,7 @@ static void find_places(const struct hsr_scene *scene, struct place *place) {
 }
 
 static uint32_t instance_of_part(const struct expanding *e, uint32_t part) {
-  uint32_t lo = 0, hi = e->world->outline.scene->n_instances;
+  uint32_t lo = 0, hi = e->world->roster.scene->n_instances;
   while (hi - lo > 1) { /* place[lo].part <= part < place[hi].part */
     uint32_t middle = lo + (hi - lo) / 2;
     if (e->place[middle].part <= part)
@@ -112,9 +112,9 @@ static void expand_part(void *context, uint32_t part, int thread) {
   uint32_t i = instance_of_part(e, part);
   const struct place at = e->place[i];
   struct hsr_mesh *mesh = &e->world->mesh;
-  const struct hsr_instance *instance = &e->world->outline.scene->instances[i];
+  const struct hsr_instance *instance = &e->world->roster.scene->instances[i];
   const struct hsr_object *object =
-      &e->world->outline.scene->objects[instance->object];
+      &e->world->roster.scene->objects[instance->object];
   struct hsr_range r = clipped(object->n_vertices, part - at.part);
   (void)thread;
   for (uint32_t k = r.from; k < r.to; k++) {
@@ -137,7 +137,7 @@ static void expand_part(void *context, uint32_t part, int thread) {
 }
 
 static enum hsr_status expand(struct hsr_world *world) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   uint32_t n = scene->n_instances;
   struct expanding e = {world, malloc((n + (size_t)1) * sizeof *e.place)};
   if (!e.place)
@@ -151,7 +151,7 @@ static enum hsr_status expand(struct hsr_world *world) {
 
 enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
                                struct hsr_error *err) {
-  enum hsr_status status = hsr_world_outline(world, scene, err);
+  enum hsr_status status = hsr_world_roster(world, scene, err);
   if (!status)
     status = hsr_scene_make_faces(scene, err);
   if (!status)
@@ -180,7 +180,7 @@ enum hsr_status hsr_world_open(struct hsr_world *world, struct hsr_scene *scene,
   uint64_t n = hsr_scene_faces(scene);
   if (n <= most)
     return hsr_world_init(world, scene, err);
-  enum hsr_status status = hsr_world_outline(world, scene, err);
+  enum hsr_status status = hsr_world_roster(world, scene, err);
   return status || n > HSR_MOST_LAID_OUT ? status
                                          : hsr_scene_make_faces(scene, err);
 }

@@ -10,10 +10,10 @@
  *             ties are decided by comparing two integers.
  * Pieces      the faces of one world may be divided into those of another: see
  *             common/scene/pieces.h. A piece lies on its parent's plane.
- * Outline     a scene with too many faces to be laid out has only an outline:
+ * Roster      a scene with too many faces to be laid out has only a roster:
  *             which ids belong to which instance.
  * Grids       laying out a grid scene makes its faces first
- *             (hsr_scene_make_faces). An outline leaves them as they are. */
+ *             (hsr_scene_make_faces). A roster leaves them as they are. */
 #ifndef HSR_COMMON_WORLD_H
 #define HSR_COMMON_WORLD_H
 
@@ -27,14 +27,14 @@ extern "C" {
 #endif
 
 /* Which ids belong to which instance. Every world has this. */
-struct hsr_outline {
+struct hsr_roster {
   const struct hsr_scene *scene; /* borrowed; outlives the world */
   uint32_t *first;    /* n_instances + 1: the first face of each instance */
   bool all_triangles; /* every face of this world */
 };
 
 /* Faces laid out: vertices, corners and planes. All 0 and NULL in a world that
- * is only an outline. */
+ * is only a roster. */
 struct hsr_mesh {
   uint32_t n_vertices, n_corners;
 
@@ -63,8 +63,8 @@ struct hsr_mesh {
 };
 
 struct hsr_world {
-  uint32_t n_faces; /* laid out; in an outline, all faces of the scene */
-  struct hsr_outline outline;
+  uint32_t n_faces; /* laid out; in a roster, all faces of the scene */
+  struct hsr_roster roster;
   struct hsr_mesh mesh;
 
   /* In an extract, the scene's id of each face; borrowed. Else NULL: the id is
@@ -88,14 +88,14 @@ enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
                                struct hsr_error *err);
 void hsr_world_free(struct hsr_world *world);
 
-/* The outline of a finished scene, which must outlive *world; its mesh is
+/* The roster of a finished scene, which must outlive *world; its mesh is
  * empty. *world is written in full, and freed with hsr_world_free also after a
  * failure. HSR_E_NOMEM. */
-enum hsr_status hsr_world_outline(struct hsr_world *world,
-                                  const struct hsr_scene *scene,
-                                  struct hsr_error *err);
+enum hsr_status hsr_world_roster(struct hsr_world *world,
+                                 const struct hsr_scene *scene,
+                                 struct hsr_error *err);
 
-/* hsr_world_init, or hsr_world_outline if the scene has more than `most` faces.
+/* hsr_world_init, or hsr_world_roster if the scene has more than `most` faces.
  * Those of a grid are made even then, unless there are more than
  * HSR_MOST_LAID_OUT. */
 #define HSR_MOST_LAID_OUT (1u << 25)
@@ -103,7 +103,7 @@ enum hsr_status hsr_world_open(struct hsr_world *world, struct hsr_scene *scene,
                                uint32_t most, struct hsr_error *err);
 
 /* Lays out n faces of a scene: face k of *out is face id[k] of `world`, which
- * may be an outline. No two faces of *out share a vertex. `id` and `world` are
+ * may be a roster. No two faces of *out share a vertex. `id` and `world` are
  * borrowed and must outlive *out. *out is freed with hsr_world_free also after
  * a failure. HSR_E_NOMEM; HSR_E_INPUT as hsr_world_init. */
 enum hsr_status hsr_world_extract(struct hsr_world *out,
@@ -111,15 +111,15 @@ enum hsr_status hsr_world_extract(struct hsr_world *out,
                                   const uint32_t *id, uint32_t n,
                                   struct hsr_error *err);
 
-static inline bool hsr_is_outline(const struct hsr_world *world) {
+static inline bool hsr_is_roster(const struct hsr_world *world) {
   return !world->mesh.start;
 }
 
 /* The instance that face f belongs to. */
-uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f);
+uint32_t hsr_instance_of(const struct hsr_roster *roster, uint32_t f);
 
 /* Where the scene has the face with this id. The world may be of any sort: laid
- * out, an outline, an extract, or of pieces. The object of a grid may be empty
+ * out, a roster, an extract, or of pieces. The object of a grid may be empty
  * (hsr_scene_lacks_faces). */
 struct hsr_place {
   const struct hsr_object *object; /* the scene's */
@@ -134,7 +134,7 @@ void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
                      double normal[3], double anchor[3]);
 
 /* For code that makes worlds: allocates every array of the mesh, whose sizes
- * are set, and outline.first if it is NULL. HSR_E_NOMEM. */
+ * are set, and roster.first if it is NULL. HSR_E_NOMEM. */
 enum hsr_status hsr_world_allocate(struct hsr_world *world,
                                    struct hsr_arena *arena);
 

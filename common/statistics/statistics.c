@@ -191,7 +191,7 @@ static enum hsr_status measure_faces(struct survey *s) {
  * F_c    F_t / C_t, as in Table II. */
 static void measure_clusters(struct survey *s) {
   const struct hsr_world *world = s->world;
-  uint32_t total = world->outline.scene->n_instances, n_relevant = 0;
+  uint32_t total = world->roster.scene->n_instances, n_relevant = 0;
   for (uint32_t k = 0; k < s->n_relevant; k++)
     if (!k || world->mesh.instance[s->relevant[k]] !=
                   world->mesh.instance[s->relevant[k - 1]])

@@ -60,7 +60,7 @@ class Maker {
 public:
   Maker(const hsr_world &world, const hsr_bsp_rule &rule)
       : world_(world), most_(rule.most),
-        threads_(hsr_threads(world.outline.scene->threads)), shapes_(world),
+        threads_(hsr_threads(world.roster.scene->threads)), shapes_(world),
         budget_(rule), parts_(world.n_faces), own_shapes_(size_t(threads_)) {
     // What is seen of such a face may be anywhere: it is loose from the start.
     for (uint32_t f = 0; f < world.n_faces; f++)

@@ -218,7 +218,7 @@ enum hsr_status hsr_gouraud_shade(const struct hsr_world *world,
                                   const struct hsr_view *view,
                                   const uint32_t *ids, float *rgb,
                                   struct hsr_error *err) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   struct gouraud g = {
       .world = world, .view = view, .scene = scene, .face.id = HSR_BACKGROUND};
   g.object = calloc(scene->n_objects, sizeof *g.object);

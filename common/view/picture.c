@@ -65,17 +65,17 @@ static void cell_colour(const struct hsr_grid *grid, uint32_t face,
 
 static void face_colour(const struct hsr_world *world, uint32_t f,
                         float rgb[3]) {
-  if (hsr_scene_lacks_faces(world->outline.scene)) {
-    cell_colour(world->outline.scene->grid, scene_id(world, f), rgb);
+  if (hsr_scene_lacks_faces(world->roster.scene)) {
+    cell_colour(world->roster.scene->grid, scene_id(world, f), rgb);
     return;
   }
   const struct hsr_object *object =
-      &world->outline.scene->objects[world->mesh.object[f]];
+      &world->roster.scene->objects[world->mesh.object[f]];
   const float *colour = object->colour;
   if (object->rgb)
     colour = object->rgb +
              3 * (size_t)(scene_id(world, f) -
-                          world->outline.first[world->mesh.instance[f]]);
+                          world->roster.first[world->mesh.instance[f]]);
   for (int k = 0; k < 3; k++)
     rgb[k] = colour[k];
 }
@@ -208,13 +208,13 @@ enum hsr_status hsr_picture_finish(const struct hsr_world *world,
   struct seen seen = {.ids = NULL};
   enum hsr_status status = HSR_OK;
   if (rgb && shading == HSR_SHADE_GOURAUD &&
-      !hsr_scene_lacks_faces(world->outline.scene)) {
+      !hsr_scene_lacks_faces(world->roster.scene)) {
     status = hsr_gouraud_shade(world, view, ids, rgb, err);
     rgb = NULL;
   }
   if (status || !(depth || rgb))
     return status;
-  if (hsr_is_outline(world)) {
+  if (hsr_is_roster(world)) {
     status =
         seen_init(&seen, world, ids, (size_t)view->m * (size_t)view->n, err);
     world = &seen.world;

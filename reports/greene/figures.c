@@ -111,9 +111,9 @@ static void draw_pyramid(const struct both_worlds *worlds, uint32_t k,
   float *rgb = calloc(3 * (size_t)M * SIDE, sizeof *rgb);
   if (!ids || !depth || !rgb)
     stop("out of memory");
-  prepare(&setup, "hzbuffer", &worlds->outline);
+  prepare(&setup, "hzbuffer", &worlds->roster);
   draw(&setup, &view, ids, NULL, NULL);
-  if (hsr_picture_finish(&worlds->outline, &view, ids, HSR_SHADE_LAMBERT, depth,
+  if (hsr_picture_finish(&worlds->roster, &view, ids, HSR_SHADE_LAMBERT, depth,
                          NULL, &err))
     stop(err.text);
   double nearest = INFINITY, farthest = 0;
@@ -164,12 +164,12 @@ static void draw_exposed(const struct both_worlds *worlds, uint32_t k,
   struct passes passes = {.late = calloc(SAMPLES, sizeof(bool))};
   if (!ids || !rgb || !passes.late)
     stop("out of memory");
-  prepare(&setup, "hzbuffer:coherence=passes", &worlds->outline);
+  prepare(&setup, "hzbuffer:coherence=passes", &worlds->roster);
   passes.nodes = number_of(&setup, "nodes visited");
   passes.writes = number_of(&setup, "writes");
   draw(&setup, &before, ids, NULL, NULL);
   draw(&setup, &view, ids, note_pass, &passes);
-  if (hsr_picture_finish(&worlds->outline, &view, ids, HSR_SHADE_LAMBERT, NULL,
+  if (hsr_picture_finish(&worlds->roster, &view, ids, HSR_SHADE_LAMBERT, NULL,
                          rgb, &err))
     stop(err.text);
   for (int s = 0; s < SAMPLES; s++)
@@ -253,9 +253,9 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   struct hsr_error err = {.text = "out of memory"};
   uint32_t *ids = malloc(SAMPLES * sizeof *ids);
   struct map map = {.out = fopen(path, "w"), .cubes = &cubes};
-  if (!ids || !map.out || hsr_cubes_init(&cubes, &worlds->outline, &rule, &err))
+  if (!ids || !map.out || hsr_cubes_init(&cubes, &worlds->roster, &rule, &err))
     stop(map.out ? err.text : path);
-  prepare(&setup, "hzbuffer", &worlds->outline);
+  prepare(&setup, "hzbuffer", &worlds->roster);
   map.visible = number_of(&setup, "cubes visible");
   map.culled = number_of(&setup, "cubes culled");
   map.outside = number_of(&setup, "nodes out");
@@ -287,7 +287,7 @@ int main(int argc, char **argv) {
   struct hsr_error err = {.text = "out of memory"};
   uint32_t view = (uint32_t)atol(argv[3]) - 1;
   if (hsr_scene_open(argv[2], NULL, &worlds.scene, &err) ||
-      hsr_world_outline(&worlds.outline, worlds.scene, &err))
+      hsr_world_roster(&worlds.roster, worlds.scene, &err))
     stop(err.text);
   if (!strcmp(argv[1], "pyramid"))
     draw_pyramid(&worlds, view, argv[4]);
@@ -295,7 +295,7 @@ int main(int argc, char **argv) {
     draw_exposed(&worlds, view, argv[4]);
   else
     draw_above(&worlds, view, argv[4]);
-  hsr_world_free(&worlds.outline);
+  hsr_world_free(&worlds.roster);
   hsr_scene_delete(worlds.scene);
   return 0;
 }

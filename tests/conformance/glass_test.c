@@ -195,7 +195,7 @@ static void check_extremes(struct tap *tap, const char *name) {
   draw_ids(hsr_algorithm_find("oracle")->plain, &worlds.world, &view, ids,
            NULL);
   const uint16_t *solid = judge(&worlds.world, &view, &opaque);
-  const uint16_t *same = judge(&worlds.outline, &view, &instanced);
+  const uint16_t *same = judge(&worlds.roster, &view, &instanced);
   set_opacity(worlds.scene, 0);
   const uint16_t *empty = judge(&worlds.world, &view, &invisible);
   uint16_t background[3];

@@ -70,7 +70,7 @@ static void choose_light(uint64_t *seed, const struct hsr_world *world,
 
 static void choose_view(uint64_t *seed, const struct hsr_world *world,
                         const char *name, struct hsr_view *view) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   struct hsr_error err;
   struct hsr_camera camera =
       scene->views[draw_integer(seed, 0, scene->n_views - 1)];

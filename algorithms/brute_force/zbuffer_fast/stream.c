@@ -75,7 +75,7 @@ static void set_range(const struct hsr_scene *scene, struct hsr_tiler *tiler) {
 enum hsr_status hsr_stream_begin(struct hsr_stream *stream,
                                  const struct hsr_job *job,
                                  struct hsr_tiler *tiler) {
-  const struct hsr_scene *scene = job->world->outline.scene;
+  const struct hsr_scene *scene = job->world->roster.scene;
   struct hsr_arena *arena = job->scratch;
   uint32_t n_vertices = 0, n_faces = 0;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
@@ -85,7 +85,7 @@ enum hsr_status hsr_stream_begin(struct hsr_stream *stream,
     n_faces = object->n_faces > n_faces ? object->n_faces : n_faces;
   }
   stream->scene = job->world;
-  stream->world = (struct hsr_world){.outline = job->world->outline};
+  stream->world = (struct hsr_world){.roster = job->world->roster};
   stream->one_sided = HSR_NEW(arena, bool, n_faces);
   tiler->corner = HSR_NEW(arena, struct hsr_corner, n_vertices);
   tiler->columns = HSR_NEW(arena, int, (size_t)hsr_largest_face(scene) + 4);
@@ -105,13 +105,13 @@ enum hsr_status hsr_stream_begin(struct hsr_stream *stream,
 
 uint32_t hsr_stream_instance(struct hsr_stream *stream, struct hsr_tiler *tiler,
                              uint32_t i, bool snap) {
-  const struct hsr_scene *scene = stream->scene->outline.scene;
+  const struct hsr_scene *scene = stream->scene->roster.scene;
   const struct hsr_object *object = &scene->objects[scene->instances[i].object];
   struct block block;
   stream->world.n_faces = object->n_faces;
   stream->world.mesh.vertex = object->vertex;
   memset(stream->one_sided, object->one_sided, object->n_faces);
-  tiler->first_id = stream->scene->outline.first[i];
+  tiler->first_id = stream->scene->roster.first[i];
   for (uint32_t v = 0; v < object->n_vertices && snap; v += BLOCK) {
     take_block(scene, i, v, &block);
     hsr_tiler_snap_points(tiler, v, block.n, block.x, block.y, block.z);

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 struct hsr_stream {
-  const struct hsr_world *scene; /* an outline; borrowed */
+  const struct hsr_world *scene; /* a roster; borrowed */
   struct hsr_world world;        /* the object at hand: its corner numbers and
                                     sides, and nothing else */
   bool *one_sided;               /* a face of the largest object */
@@ -25,7 +25,7 @@ struct hsr_stream {
   struct hsr_pair pair;
 };
 
-/* Makes a tiler (hsr_tiler_begin) ready for the job's world, an outline whose
+/* Makes a tiler (hsr_tiler_begin) ready for the job's world, a roster whose
  * faces are made. *stream must not be moved, and lasts as long as the job's
  * scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_stream_begin(struct hsr_stream *stream,

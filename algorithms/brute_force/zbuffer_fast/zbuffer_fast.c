@@ -21,7 +21,7 @@
  * small memory of depths and ids. The triangles are set up once and sorted into
  * the parts.
  *
- * A scene of very many faces comes as an outline, to save memory. Its instances
+ * A scene of very many faces comes as a roster, to save memory. Its instances
  * are tiled one after the other (stream.h), in one part. */
 #include "algorithms/brute_force/zbuffer_fast/groups.h"
 #include "algorithms/brute_force/zbuffer_fast/light_view.h"
@@ -56,7 +56,7 @@ struct frame {
   bool fast;               /* triangles only, and samples on the grid */
   const struct hsr_groups *groups; /* NULL: all faces are looked at */
   int *verdict;                    /* a group */
-  struct hsr_stream *stream; /* of an outline; NULL: the world is laid out */
+  struct hsr_stream *stream; /* of a roster; NULL: the world is laid out */
   int parts_across, parts_down;
   struct hsr_triangle
       *kept; /* set up, for all parts; NULL if there is but one */
@@ -258,10 +258,10 @@ static void find_range(struct hsr_tiler *tiler, const struct hsr_mesh *mesh) {
 
 /* --- The algorithm -------------------------------------------------------- */
 
-static enum hsr_status begin_outline(struct frame *t) {
+static enum hsr_status begin_roster(struct frame *t) {
   const struct hsr_job *job = t->job;
   hsr_tiler_begin(&t->tiler, job);
-  t->fast = t->tiler.on_grid && job->world->outline.all_triangles;
+  t->fast = t->tiler.on_grid && job->world->roster.all_triangles;
   t->stream = HSR_NEW(job->scratch, struct hsr_stream, 1);
   return t->stream && !make_memory(t) &&
                  !hsr_stream_begin(t->stream, job, &t->tiler)
@@ -274,13 +274,13 @@ static enum hsr_status begin_frame(struct frame *t) {
   const struct hsr_world *world = job->world;
   struct hsr_tiler *tiler = &t->tiler;
   struct hsr_arena *arena = job->scratch;
-  if (hsr_is_outline(world))
-    return begin_outline(t);
+  if (hsr_is_roster(world))
+    return begin_roster(t);
   hsr_tiler_begin(tiler, job);
   tiler->glass = t->glass;
-  t->fast = tiler->on_grid && world->outline.all_triangles;
+  t->fast = tiler->on_grid && world->roster.all_triangles;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, world->mesh.n_vertices);
-  size_t largest = world->outline.all_triangles ? 3 : hsr_most_corners(world);
+  size_t largest = world->roster.all_triangles ? 3 : hsr_most_corners(world);
   tiler->columns = HSR_NEW(arena, int, largest + 4);
   if (!tiler->corner || !tiler->columns || make_memory(t) ||
       hsr_screen_init(&tiler->screen, world, job->view, arena))
@@ -357,8 +357,8 @@ static enum hsr_status tile_triangles(struct frame *t) {
 }
 
 /* Instance after instance. */
-static void tile_outline(struct frame *t) {
-  for (uint32_t i = 0; i < t->job->world->outline.scene->n_instances; i++) {
+static void tile_roster(struct frame *t) {
+  for (uint32_t i = 0; i < t->job->world->roster.scene->n_instances; i++) {
     uint32_t n = hsr_stream_instance(t->stream, &t->tiler, i, t->fast);
     if (t->fast)
       tile_from(t, 0, n);
@@ -371,7 +371,7 @@ static enum hsr_status tile(struct frame *t) {
   if (!t->kept)
     hsr_tiler_begin_part(&t->tiler, t->tiler.window);
   if (t->stream) {
-    tile_outline(t);
+    tile_roster(t);
     return HSR_OK;
   }
   if (t->fast)
@@ -416,8 +416,7 @@ static enum hsr_status render(const struct hsr_job *job,
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  if (option[0] == NO_GROUPS || !world->outline.all_triangles ||
-      !world->n_faces)
+  if (option[0] == NO_GROUPS || !world->roster.all_triangles || !world->n_faces)
     return HSR_OK;
   struct hsr_groups *groups = malloc(sizeof *groups);
   *prepared = groups;

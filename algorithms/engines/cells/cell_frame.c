@@ -104,7 +104,7 @@ static void clear_ids(const struct hsr_cells *cells) {
 
 enum hsr_status hsr_cells_begin(struct hsr_cells *cells,
                                 const struct hsr_job *job) {
-  const struct hsr_grid *grid = job->world->outline.scene->grid;
+  const struct hsr_grid *grid = job->world->roster.scene->grid;
   *cells = (struct hsr_cells){.job = job,
                               .grid = grid,
                               .tally = job->tally,

@@ -98,26 +98,25 @@ enum hsr_status hsr_cells_begin_sides(struct hsr_cells *cells) {
     s->vertex[k] = k;
   s->one_sided = true;
   double *p = s->plane;
-  s->world =
-      (struct hsr_world){.n_faces = 1,
-                         .outline.scene = cells->job->world->outline.scene,
-                         .mesh = {.n_vertices = 4,
-                                  .n_corners = 4,
-                                  .x = s->x,
-                                  .y = s->y,
-                                  .z = s->z,
-                                  .start = s->start,
-                                  .vertex = s->vertex,
-                                  .one_sided = &s->one_sided,
-                                  .nx = p,
-                                  .ny = p + 1,
-                                  .nz = p + 2,
-                                  .n_error = p + 3,
-                                  .px = p + 4,
-                                  .py = p + 5,
-                                  .pz = p + 6,
-                                  .anchor_error = p + 7,
-                                  .deviation = p + 8}};
+  s->world = (struct hsr_world){.n_faces = 1,
+                                .roster.scene = cells->job->world->roster.scene,
+                                .mesh = {.n_vertices = 4,
+                                         .n_corners = 4,
+                                         .x = s->x,
+                                         .y = s->y,
+                                         .z = s->z,
+                                         .start = s->start,
+                                         .vertex = s->vertex,
+                                         .one_sided = &s->one_sided,
+                                         .nx = p,
+                                         .ny = p + 1,
+                                         .nz = p + 2,
+                                         .n_error = p + 3,
+                                         .px = p + 4,
+                                         .py = p + 5,
+                                         .pz = p + 6,
+                                         .anchor_error = p + 7,
+                                         .deviation = p + 8}};
   return hsr_screen_init(&s->screen, &s->world, cells->job->view,
                          cells->job->scratch);
 }

@@ -144,7 +144,7 @@ void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t i) {
   const struct hsr_instance *instance = &scene->instances[i];
   frame->instance = i;
   frame->object = &frame->cubes->object[instance->object];
-  frame->tiler.first_id = frame->job->world->outline.first[i];
+  frame->tiler.first_id = frame->job->world->roster.first[i];
   frame->world.mesh.one_sided = scene->objects[instance->object].one_sided
                                     ? frame->one_sided
                                     : frame->two_sided;
@@ -441,11 +441,11 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
             root->half,
         frame->range);
 
-  *world = (struct hsr_world){.outline.scene = cubes->scene,
+  *world = (struct hsr_world){.roster.scene = cubes->scene,
                               .mesh.n_vertices = cubes->most_vertices,
                               .n_faces = cubes->most_faces,
                               .mesh.n_corners = cubes->most_corners,
-                              .outline.first = job->world->outline.first};
+                              .roster.first = job->world->roster.first};
   tiler->few = world;
   tiler->pair = &frame->pair;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, cubes->most_vertices);

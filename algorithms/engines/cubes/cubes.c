@@ -179,10 +179,10 @@ static size_t list_loose(const struct hsr_cubes *cubes,
     const struct hsr_cubes_object *c = &cubes->object[o];
     for (uint32_t f = 0;
          id && c->n_loose &&
-         f < world->outline.first[i + 1] - world->outline.first[i];
+         f < world->roster.first[i + 1] - world->roster.first[i];
          f++)
       if (c->is_loose[f])
-        id[n++] = world->outline.first[i] + f;
+        id[n++] = world->roster.first[i] + f;
     n += id ? 0 : c->n_loose;
   }
   return n;
@@ -204,7 +204,7 @@ static enum hsr_status init(struct hsr_cubes *cubes,
                             const struct hsr_world *world,
                             const struct hsr_octree_rule *rule, bool lazily,
                             struct hsr_error *err) {
-  *cubes = (struct hsr_cubes){.scene = world->outline.scene};
+  *cubes = (struct hsr_cubes){.scene = world->roster.scene};
   uint32_t n = cubes->scene->n_objects;
   for (uint32_t o = 0; o < n; o++) {
     const struct hsr_object *object = &cubes->scene->objects[o];

@@ -88,7 +88,7 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                                  const struct hsr_job *job) {
   *s = (struct hsr_splats){.job = job,
                            .view = job->view,
-                           .grid = job->world->outline.scene->grid,
+                           .grid = job->world->roster.scene->grid,
                            .tally = job->tally,
                            .splatting = hsr_form_splatting(&job->answer->form),
                            .window = job->view->window,

@@ -26,14 +26,14 @@ static enum hsr_status lay_out(struct hsr_strict *s,
                                const struct hsr_world *world,
                                struct hsr_error *err) {
   s->world = world;
-  if (!hsr_is_outline(world))
+  if (!hsr_is_roster(world))
     return HSR_OK;
   if (world->n_faces > HSR_RATHER_MOST)
     return hsr_fail(err, HSR_E_REFUSED,
                     "strict order is of no more than %u faces, and these are "
                     "%u",
                     HSR_RATHER_MOST, world->n_faces);
-  s->scene = *world->outline.scene;
+  s->scene = *world->roster.scene;
   s->world = &s->own;
   return hsr_world_init(&s->own, &s->scene, err);
 }

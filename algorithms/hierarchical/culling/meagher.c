@@ -163,7 +163,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   (void)option;
   struct octree *o = calloc(1, sizeof *o);
   uint32_t n;
-  struct leaf *leaf = list_leaves(world->outline.scene->grid, &n);
+  struct leaf *leaf = list_leaves(world->roster.scene->grid, &n);
   *prepared = o;
   enum hsr_status status = o && leaf ? build(o, leaf, n) : HSR_E_NOMEM;
   free(leaf);

@@ -314,7 +314,7 @@ static enum hsr_status build_octree(struct prepared *p,
   for (int a = 0; a < 3; a++)
     side = hsr_max(side, all.hi[a] - all.lo[a]);
   return hsr_octree_init(&p->octree, &primitives, &rule, all.lo, side,
-                         placed->world->outline.scene->threads, &p->arena);
+                         placed->world->roster.scene->threads, &p->arena);
 }
 
 static enum hsr_status prepare(const struct hsr_world *world,

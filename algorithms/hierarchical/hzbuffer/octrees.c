@@ -25,7 +25,7 @@ static void divide_cube(struct hsr_hz_walk *w, uint32_t k) {
   w->out_of_memory |= prepared->half_divided = status;
   HSR_STEP(w->tally, DIVIDED, hsr_cube_subject(i, k), HSR_NOTHING, HSR_NOWHERE,
            0);
-  uint32_t first = w->frame.job->world->outline.first[i];
+  uint32_t first = w->frame.job->world->roster.first[i];
   for (int c = 0; HSR_COUNTING && c < 8; c++) {
     uint32_t child = object->octree.node[k].child[c];
     for (uint32_t n = 0;

@@ -134,7 +134,7 @@ static void enclose(struct hsr_list_group *group,
 
 static bool sort_groups(struct hsr_priority_list *s) {
   struct hsr_list_index *index = s->index;
-  uint32_t n = s->job->world->outline.scene->n_instances;
+  uint32_t n = s->job->world->roster.scene->n_instances;
   index->group = HSR_NEW(s->job->scratch, struct hsr_list_group, n);
   index->order = HSR_NEW(s->job->scratch, uint32_t, n);
   if (!make_chains(s, n) || !index->group || !index->order)

@@ -20,7 +20,7 @@ static int layer_of(const struct hsr_grid *g) {
 enum hsr_status hsr_textures_prepare(const struct hsr_world *world,
                                      const long *option, void **prepared,
                                      struct hsr_error *err) {
-  const struct hsr_grid *g = world->outline.scene->grid;
+  const struct hsr_grid *g = world->roster.scene->grid;
   (void)option;
   *prepared = NULL;
   return layer_of(g) >= 0 ? HSR_OK
@@ -52,7 +52,7 @@ static void fill_texels(struct hsr_texture *x) {
 
 enum hsr_status hsr_textures_begin(struct hsr_texture *x,
                                    const struct hsr_job *job) {
-  const struct hsr_grid *g = job->world->outline.scene->grid;
+  const struct hsr_grid *g = job->world->roster.scene->grid;
   int a = layer_of(g);
   *x = (struct hsr_texture){.view = job->view,
                             .grid = g,

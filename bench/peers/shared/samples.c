@@ -89,7 +89,7 @@ static void colour_around(struct samples *s) {
 enum hsr_status samples_init(struct samples *s, const struct hsr_setup *setup,
                              const struct hsr_view *view,
                              struct hsr_answer *answer, struct hsr_error *err) {
-  const struct hsr_grid *grid = setup->world->outline.scene->grid;
+  const struct hsr_grid *grid = setup->world->roster.scene->grid;
   *s = (struct samples){.count = 0};
   if (!grid_is_even(grid))
     return hsr_fail(err, HSR_E_REFUSED,

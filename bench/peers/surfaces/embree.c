@@ -129,8 +129,8 @@ static enum hsr_status build_part(const struct embree *embree,
 
 static enum hsr_status build_objects(const struct embree *embree,
                                      RTCScene *object, struct hsr_error *err) {
-  const struct hsr_scene *scene = embree->outline->outline.scene;
-  const uint32_t *first = embree->triangles->outline.first;
+  const struct hsr_scene *scene = embree->outline->roster.scene;
+  const uint32_t *first = embree->triangles->roster.first;
   uint32_t first_vertex = 0;
   enum hsr_status status = HSR_OK;
   for (uint32_t o = 0; o < scene->n_objects && !status; o++) {
@@ -148,7 +148,7 @@ static enum hsr_status build_objects(const struct embree *embree,
 static enum hsr_status place_objects(struct embree *embree,
                                      const RTCScene *object,
                                      struct hsr_error *err) {
-  const struct hsr_scene *scene = embree->outline->outline.scene;
+  const struct hsr_scene *scene = embree->outline->roster.scene;
   embree->scene = make_scene(embree);
   if (!embree->scene)
     return embree_fail(embree, "making a scene", err);
@@ -174,7 +174,7 @@ static enum hsr_status place_objects(struct embree *embree,
 /* Instances keep the scenes of their objects. */
 static enum hsr_status build_levels(struct embree *embree,
                                     struct hsr_error *err) {
-  uint32_t n = embree->outline->outline.scene->n_objects;
+  uint32_t n = embree->outline->roster.scene->n_objects;
   RTCScene *object = calloc(n, sizeof *object);
   if (!object)
     return hsr_fail_nomem(err);
@@ -272,11 +272,11 @@ static uint32_t name_in_instance(const struct embree *embree, uint32_t k,
   const struct hsr_world *triangles = embree->triangles;
   const struct hsr_world *faces =
       triangles->pieces ? triangles->pieces->whole : triangles;
-  uint32_t object = embree->outline->outline.scene->instances[instance].object;
+  uint32_t object = embree->outline->roster.scene->instances[instance].object;
   uint32_t face =
-      hsr_world_parent(triangles, triangles->outline.first[object] + k);
-  return embree->outline->outline.first[instance] +
-         (face - faces->outline.first[object]);
+      hsr_world_parent(triangles, triangles->roster.first[object] + k);
+  return embree->outline->roster.first[instance] +
+         (face - faces->roster.first[object]);
 }
 
 /* The face for Embree's numbers of a hit. The triangle's number is still

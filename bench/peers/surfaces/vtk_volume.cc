@@ -105,7 +105,7 @@ double shortest_side(const struct hsr_grid *grid) {
 enum hsr_status volume_setup(const struct peer *peer,
                              const struct peer_canvas *canvas, void **out,
                              struct hsr_error *err) try {
-  const struct hsr_grid *grid = canvas->setup->world->outline.scene->grid;
+  const struct hsr_grid *grid = canvas->setup->world->roster.scene->grid;
   *out = nullptr;
   enum hsr_status status = check_grid(grid, err);
   if (status)

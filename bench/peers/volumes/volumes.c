@@ -171,7 +171,7 @@ static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
   const struct volume_peer *peer = run->request.peer;
   const struct hsr_view *view = &run->stage.view;
   enum hsr_status status = allocate(run, err);
-  if (!status && !run->stage.world.outline.scene->grid)
+  if (!status && !run->stage.world.roster.scene->grid)
     status = hsr_fail(err, HSR_E_REFUSED, "%s: not a grid", peer->name);
   if (!status && peer->parallel && !view->parallel)
     status = hsr_fail(err, HSR_E_REFUSED,

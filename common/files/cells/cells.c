@@ -90,6 +90,6 @@ enum hsr_status hsr_world_triangulate(const struct hsr_world *world,
   while (adapter->mends != HSR_TR)
     adapter++;
   *changed = false;
-  *out = (struct hsr_world){.outline.scene = NULL};
+  *out = (struct hsr_world){.roster.scene = NULL};
   return adapter->adapt(world, out, changed, err);
 }

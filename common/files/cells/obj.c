@@ -59,8 +59,8 @@ static bool is_alone(const struct hsr_scene *scene, uint32_t instance) {
 /* The faces of one instance. `of` are the colours of its object's faces. */
 static void print_instance(const struct hsr_world *world, uint32_t instance,
                            const uint32_t *of, FILE *out) {
-  const struct hsr_scene *scene = world->outline.scene;
-  const uint32_t *first = world->outline.first + instance;
+  const struct hsr_scene *scene = world->roster.scene;
+  const uint32_t *first = world->roster.first + instance;
   fputs("o ", out);
   print_word(scene->objects[scene->instances[instance].object].name, out);
   if (is_alone(scene, instance))
@@ -79,7 +79,7 @@ static void print_instance(const struct hsr_world *world, uint32_t instance,
 
 static void print_mesh(const struct hsr_world *world, const char *materials,
                        const struct hsr_colours *colours, FILE *out) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   const struct hsr_mesh *mesh = &world->mesh;
   fprintf(out, "mtllib %s\n", materials);
   for (uint32_t v = 0; v < mesh->n_vertices; v++) {
@@ -129,7 +129,7 @@ static enum hsr_status write_both(const struct hsr_world *world,
 
 enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   struct hsr_colours colours;
   enum hsr_status status =
       hsr_colours_of(&colours, scene->objects, scene->n_objects, err);

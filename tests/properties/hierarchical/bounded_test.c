@@ -205,7 +205,7 @@ static void check_view(struct tap *tap, const char *scene,
   find_truth(&truth, &worlds->world, view);
   for (int v = 0; v < N_VARIANTS; v++)
     check_variant(tap, scene, number, variants[v],
-                  v % 2 ? &worlds->world : &worlds->outline, view, &truth);
+                  v % 2 ? &worlds->world : &worlds->roster, view, &truth);
   forget_truth(&truth);
 }
 

@@ -102,8 +102,7 @@ static void open_building(struct building *b, const char *name,
   } else {
     b->scene.worlds.scene = random_building(seed);
     if (hsr_world_init(&b->scene.worlds.world, b->scene.worlds.scene, &err) ||
-        hsr_world_outline(&b->scene.worlds.outline, b->scene.worlds.scene,
-                          &err))
+        hsr_world_roster(&b->scene.worlds.roster, b->scene.worlds.scene, &err))
       abort();
   }
   const struct hsr_world *world = &b->scene.worlds.world;
@@ -184,7 +183,7 @@ static void add_cell(void *context, uint32_t cell) {
 static void open_oracle(struct building *b) {
   struct hsr_error err;
   if (hsr_setup_init(&b->oracle, hsr_algorithm_find("oracle")->plain, NULL,
-                     &b->scene.worlds.outline, &err))
+                     &b->scene.worlds.roster, &err))
     abort();
 }
 

@@ -52,7 +52,7 @@ void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
   const struct hsr_world *world =
       hsr_most_laid_out(counts->algorithm, &variant.choice)
           ? &scene->worlds.world
-          : &scene->worlds.outline;
+          : &scene->worlds.roster;
   if (hsr_setup_init(&setup, counts->algorithm, &variant.choice, world, &err) ||
       hsr_setup_render(&setup, &job, &err))
     stop(algorithm, err.text);

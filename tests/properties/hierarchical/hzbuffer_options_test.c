@@ -38,7 +38,7 @@ static void know(struct known *k) {
   const struct hsr_algorithm *zbuffer =
       hsr_algorithm_find("zbuffer-fast")->plain;
   if (hsr_world_init(&k->world, k->scene, &err) ||
-      hsr_world_outline(&k->outline, k->scene, &err))
+      hsr_world_roster(&k->outline, k->scene, &err))
     stop(k->scene->name, err.text);
   for (uint32_t v = 0; v < VIEWS; v++) {
     uint32_t of = v < k->scene->n_views ? v : 0;

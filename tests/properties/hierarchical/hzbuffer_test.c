@@ -61,7 +61,7 @@ static void begin_run(struct run *r, const struct both_worlds *s,
   memset(r, 0, sizeof *r);
   if (hsr_variant_parse(text, &variant, &err) ||
       hsr_setup_init(&r->setup, variant.listed->counting, &variant.choice,
-                     &s->outline, &err))
+                     &s->roster, &err))
     stop(text, err.text);
 }
 
@@ -516,7 +516,7 @@ static long count_twice(struct watched *w) {
 /* Marks the faces that are in visible cubes, or loose. */
 static void mark_in_visible(const struct notes *ns, bool *in) {
   const struct hsr_cubes *cubes = ns->walk.frame.cubes;
-  const uint32_t *first = ns->walk.frame.job->world->outline.first;
+  const uint32_t *first = ns->walk.frame.job->world->roster.first;
   for (uint32_t k = 0; k < cubes->loose.n_faces; k++)
     in[cubes->loose_id[k]] = true;
   for (size_t k = 0; k < ns->n; k++) {

@@ -50,7 +50,7 @@ static struct down divide_all(const struct hsr_world *world) {
   struct down down = {0};
   if (hsr_cubes_init_lazily(&cubes, world, &rule, &err))
     abort();
-  for (uint32_t o = 0; o < world->outline.scene->n_objects; o++) {
+  for (uint32_t o = 0; o < world->roster.scene->n_objects; o++) {
     const struct hsr_cubes_object *object = &cubes.object[o];
     for (uint32_t k = 0; k < object->octree.n_nodes; k++)
       down.cubes += hsr_cubes_divide(&cubes, o, k, &status);
@@ -85,7 +85,7 @@ static uint64_t divided_again(const struct claim_scene *scene,
   static uint32_t ids[M * N];
   if (hsr_variant_parse("hzbuffer:octree=lazy", &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
-                     &scene->worlds.outline, &err))
+                     &scene->worlds.roster, &err))
     abort();
   for (int k = 0; k < 2; k++) {
     struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
@@ -126,7 +126,7 @@ static void open_flat(struct claim_scene *scene) {
   if (!good || hsr_scene_view(flat, &office.scene->views[0]) ||
       hsr_scene_finish(flat, &err) ||
       hsr_world_init(&scene->worlds.world, flat, &err) ||
-      hsr_world_outline(&scene->worlds.outline, flat, &err) ||
+      hsr_world_roster(&scene->worlds.roster, flat, &err) ||
       hsr_view_init(&scene->view, &flat->views[0], M, N, &err))
     abort();
   scene->worlds.scene = flat;
@@ -145,7 +145,7 @@ static void check(struct tap *tap, const char *name, double part) {
   claim_draw(&whole, &scene, "hzbuffer", NULL, NULL);
   claim_draw(&lazy, &scene, "hzbuffer:octree=lazy", NULL, NULL);
   long wrong = count_differences(&scene.view, lazy.ids, whole.ids);
-  struct down all = divide_all(&scene.worlds.outline), some = down_in(&lazy);
+  struct down all = divide_all(&scene.worlds.roster), some = down_in(&lazy);
   uint64_t again = divided_again(&scene, whole.ids, &wrong);
   ok(tap, !wrong && are_alike(&whole, &lazy),
      "%s: the same picture (%ld) and the same counts", name, wrong);
@@ -179,7 +179,7 @@ static void check_walk(struct tap *tap, const char *way) {
   open_worlds(&worlds, "office:2");
   if (hsr_variant_parse(way, &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                     &worlds.outline, &err))
+                     &worlds.roster, &err))
     abort();
   for (uint32_t v = 0; v < 40; v += 2, views++) {
     struct hsr_view view;
@@ -189,7 +189,7 @@ static void check_walk(struct tap *tap, const char *way) {
         .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     if (hsr_view_init(&view, &worlds.scene->views[v], M, N, &err))
       abort();
-    draw_ids(hsr_algorithm_find("clark")->plain, &worlds.outline, &view, right,
+    draw_ids(hsr_algorithm_find("clark")->plain, &worlds.roster, &view, right,
              NULL);
     memset(ids, 0xfe, sizeof ids);
     hsr_arena_reset(&scratch);

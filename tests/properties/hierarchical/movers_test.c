@@ -93,7 +93,7 @@ static long carts_in(const struct hsr_world *world, const uint32_t *ids) {
   long n = 0;
   for (int k = 0; k < M * N; k++)
     n += ids[k] != HSR_BACKGROUND &&
-         world->outline.scene->objects[world->mesh.object[ids[k]]].moves;
+         world->roster.scene->objects[world->mesh.object[ids[k]]].moves;
   return n;
 }
 
@@ -107,7 +107,7 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
   struct hsr_world outline;
   struct hsr_view view;
   long carts = 0;
-  if (hsr_world_outline(&outline, scene, &err) ||
+  if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[of], M, N, &err))
     stop(err.text);
   for (int k = 0; k < VARIANTS; k++) {
@@ -206,7 +206,7 @@ static void check_knowing(struct tap *tap, int per_cent, int way, uint32_t of) {
   struct hsr_world outline;
   struct hsr_view view;
   long carts = 0, frames = sizeof at / sizeof *at;
-  if (hsr_world_outline(&outline, scene, &err) ||
+  if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[of], M, N, &err))
     stop(err.text);
   for (int k = 0; k < KNOWING; k++)
@@ -286,7 +286,7 @@ static void check_emerging(struct tap *tap) {
   struct hsr_world outline;
   struct hsr_view view;
   long seen[8] = {0};
-  if (hsr_world_outline(&outline, scene, &err) ||
+  if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[0], M, N, &err))
     stop(err.text);
   begin(&ready, "hzbuffer:movers=bounded:interval=8", &outline);
@@ -350,7 +350,7 @@ static void measure(int per_cent, int way, struct cost cost[WAYS]) {
   struct hsr_world outline;
   struct hsr_view view;
   struct cost first[WAYS];
-  if (hsr_world_outline(&outline, scene, &err) ||
+  if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[60], M, N, &err))
     stop(err.text);
   for (int k = 0; k < WAYS; k++)
@@ -427,7 +427,7 @@ static void check_update(struct tap *tap) {
   struct hsr_world outline;
   struct hsr_view view;
   uint64_t first = 0, movers = 0;
-  if (hsr_world_outline(&outline, scene, &err) ||
+  if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[60], M, N, &err))
     stop(err.text);
   for (uint32_t i = 0; i < scene->n_instances; i++)

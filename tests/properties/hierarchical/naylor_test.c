@@ -78,7 +78,7 @@ static struct result draw_wall(int n, const char *algorithm) {
   if (hsr_scene_view(scene.worlds.scene, &camera) ||
       hsr_scene_finish(scene.worlds.scene, &err) ||
       hsr_world_init(&scene.worlds.world, scene.worlds.scene, &err) ||
-      hsr_world_outline(&scene.worlds.outline, scene.worlds.scene, &err) ||
+      hsr_world_roster(&scene.worlds.roster, scene.worlds.scene, &err) ||
       hsr_view_init(&scene.view, &camera, M, N, &err))
     fail(&err);
   claim_draw(&counts, &scene, algorithm, NULL, NULL);

@@ -159,7 +159,7 @@ static void check_partition(struct tap *tap, bool halves) {
     abort();
   drawn.worlds.scene = scene;
   if (hsr_world_init(&drawn.worlds.world, scene, &err) ||
-      hsr_world_outline(&drawn.worlds.outline, scene, &err) ||
+      hsr_world_roster(&drawn.worlds.roster, scene, &err) ||
       hsr_view_init(&drawn.view, &camera, M, N, &err))
     abort();
   claim_draw(&right, &drawn, "oracle", NULL, NULL);

@@ -75,7 +75,7 @@ static void check_latency(struct tap *tap) {
       hsr_variant_parse("hzbuffer:pyramid=queries:threshold=200:latency=2000",
                         &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                     &scene.worlds.outline, &err))
+                     &scene.worlds.roster, &err))
     abort();
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.work = NULL};

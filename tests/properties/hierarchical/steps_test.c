@@ -513,8 +513,8 @@ static void check_looked(struct frame *f, const char *text, bool again) {
     expect(f, !again || e->outcome, "what has not moved leaves its cube");
     seen |= 1u << e->a.id[0];
   }
-  bool bodies = f->world->outline.scene->n_objects == 2 &&
-                hsr_scene_moves(f->world->outline.scene);
+  bool bodies = f->world->roster.scene->n_objects == 2 &&
+                hsr_scene_moves(f->world->roster.scene);
   expect(f, !bodies || !strstr(text, "update") || seen == 0x7e,
          "an instance is not looked at");
 }
@@ -737,7 +737,7 @@ int main(int argc, char **argv) {
     name[s] = s == NAMED ? "bodies" : "bodies outside";
     worlds[s] = (struct both_worlds){.scene = make_bodies(s > NAMED)};
     if (hsr_world_init(&worlds[s].world, worlds[s].scene, &err) ||
-        hsr_world_outline(&worlds[s].outline, worlds[s].scene, &err))
+        hsr_world_roster(&worlds[s].roster, worlds[s].scene, &err))
       stop("bodies", err.text);
   }
   for (int k = 0; k < VARIANTS; k++) {

@@ -39,7 +39,7 @@ static long compare(const struct hsr_algorithm *a,
   static const int same[] = {HSR_FAST, HSR_GENERAL, HSR_UNSURE_COVER};
   static struct drawn laid_out, streamed;
   draw_from(a, &worlds->world, view, &laid_out);
-  draw_from(a, &worlds->outline, view, &streamed);
+  draw_from(a, &worlds->roster, view, &streamed);
   long differ = count_differences(view, laid_out.ids, streamed.ids);
   for (size_t k = 0; k < sizeof same / sizeof *same; k++)
     differ += hsr_tally_count(&laid_out.tally, same[k]) !=
@@ -96,7 +96,7 @@ static void test_choice(struct tap *tap, const struct both_worlds *worlds,
                         const struct hsr_choice *choice, const char *what) {
   const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer-fast")->plain;
   ok(tap,
-     is_refused(choice, &worlds->outline) &&
+     is_refused(choice, &worlds->roster) &&
          !is_refused(choice, &worlds->world) &&
          hsr_most_laid_out(a, choice) == HSR_MOST_LAID_OUT,
      "%s: the scene is laid out", what);
@@ -114,10 +114,10 @@ static void test_choices(struct tap *tap) {
   test_choice(tap, &worlds, &shadows, "shadows");
   test_choice(tap, &worlds, &groups, "groups");
   ok(tap,
-     !is_refused(NULL, &worlds.outline) &&
+     !is_refused(NULL, &worlds.roster) &&
          hsr_most_laid_out(a, NULL) == HSR_LARGE,
      "many faces come as an outline");
-  struct hsr_world larger = worlds.outline;
+  struct hsr_world larger = worlds.roster;
   larger.n_faces = HSR_MOST_LAID_OUT + 1;
   ok(tap, is_refused(NULL, &larger), "and too many are refused");
   close_worlds(&worlds);

@@ -65,7 +65,7 @@ static void draw_work(const struct claim_scene *scene, const char *algorithm,
                         .answer = &answer};
   if (!ids || hsr_variant_parse(algorithm, &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
-                     &scene->worlds.outline, &err) ||
+                     &scene->worlds.roster, &err) ||
       hsr_setup_render(&setup, &job, &err))
     abort();
   hsr_setup_free(&setup);

@@ -306,7 +306,7 @@ static void check_traffic(struct tap *tap, int per_cent) {
   struct hsr_world outline;
   struct ready merged, hzbuffer;
   long wrong = 0, carts = 0;
-  must(hsr_world_outline(&outline, scene, &err), &err);
+  must(hsr_world_roster(&outline, scene, &err), &err);
   make_ready(&merged, "tiling-merged", true, &outline);
   make_ready(&hzbuffer, "hzbuffer", false, &outline);
   for (int frame = 0; frame < FRAMES; frame++) {

@@ -115,7 +115,7 @@ struct right {
 /* Tries one choice of options, in windows and on threads, or whole. */
 static void try(const struct right *right, const struct hsr_world *world,
                 const char *text, long threads, struct found *found) {
-  const char *name = world->outline.scene->name;
+  const char *name = world->roster.scene->name;
   struct run r;
   bool counting = threads == 1;
   if (!begin_run(&r, world, text, counting))
@@ -175,7 +175,7 @@ static void test_pictures(struct tap *tap, const char *name) {
     if (many && k >= 4 && k != 6)
       continue;
     bool as_outline = many && k != 6; /* instances are apart, or only one */
-    try(&right, as_outline ? &s.outline : &s.world, choices[k].text,
+    try(&right, as_outline ? &s.roster : &s.world, choices[k].text,
         choices[k].threads, &found);
   }
   ok(tap, !found.wrong, "%s: %ld pictures as by the %s, %ld samples wrong",

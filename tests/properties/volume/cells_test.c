@@ -74,7 +74,7 @@ static void make_volume(struct volume *v) {
   v->scene = hsr_scene_new("cells");
   if (hsr_grid_init(&grid, &samples, &keep, &err) ||
       hsr_scene_set_grid(v->scene, &grid) || hsr_scene_finish(v->scene, &err) ||
-      hsr_world_outline(&v->outline, v->scene, &err) ||
+      hsr_world_roster(&v->outline, v->scene, &err) ||
       hsr_world_init(&v->world, v->scene, &err))
     stop("no grid");
 }

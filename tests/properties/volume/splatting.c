@@ -36,7 +36,7 @@ static void give_colour(void *data, const uint32_t at[3], float density,
 static void finish_stage(struct stage *s) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_finish(s->scene, &err) ||
-      hsr_world_outline(&s->world, s->scene, &err))
+      hsr_world_roster(&s->world, s->scene, &err))
     stop(err.text);
 }
 
@@ -63,7 +63,7 @@ void open_stage(struct stage *s, const struct field *field) {
 void open_named_stage(struct stage *s, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_open(name, NULL, &s->scene, &err) ||
-      hsr_world_outline(&s->world, s->scene, &err))
+      hsr_world_roster(&s->world, s->scene, &err))
     stop(err.text);
 }
 

@@ -29,7 +29,7 @@ struct laid_out {
 static void lay_out(struct laid_out *l) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_world_init(&l->world, l->scene, &err) ||
-      hsr_world_outline(&l->outline, l->scene, &err))
+      hsr_world_roster(&l->outline, l->scene, &err))
     stop(l->scene->name, err.text);
 }
 
@@ -112,7 +112,7 @@ static bool is_flat_everywhere(const struct laid_out *l, uint32_t object,
                                uint32_t f) {
   for (uint32_t i = 0; i < l->scene->n_instances; i++)
     if (l->scene->instances[i].object == object &&
-        l->world.mesh.deviation[l->world.outline.first[i] + f] > 0)
+        l->world.mesh.deviation[l->world.roster.first[i] + f] > 0)
       return false;
   return true;
 }
@@ -147,7 +147,7 @@ static void test_loose_world(struct tap *tap, const struct laid_out *l,
   uint32_t n = 0;
   bool good = true;
   for (uint32_t g = 0; g < world->n_faces; g++) {
-    uint32_t f = g - world->outline.first[world->mesh.instance[g]];
+    uint32_t f = g - world->roster.first[world->mesh.instance[g]];
     if (!cubes->object[world->mesh.object[g]].is_loose[f])
       continue;
     good &= n < loose->n_faces && cubes->loose_id[n] == g &&
@@ -242,7 +242,7 @@ static void test_cells(struct tap *tap, struct frame *f,
   bool good = match_cells(f, l, times);
   long most = 0;
   for (uint32_t g = 0; g < world->n_faces; g++) {
-    uint32_t face = g - world->outline.first[world->mesh.instance[g]];
+    uint32_t face = g - world->roster.first[world->mesh.instance[g]];
     bool loose = cubes->object[world->mesh.object[g]].is_loose[face];
     good &= loose ? !times[g] : times[g] > 0;
     most = times[g] > most ? times[g] : most;
@@ -283,7 +283,7 @@ static void test_bounds(struct tap *tap, const struct laid_out *l,
     uint32_t i = world->mesh.instance[g];
     struct hsr_box box = hsr_cubes_bounds(cubes, i);
     if (cubes->object[world->mesh.object[g]]
-            .is_loose[g - world->outline.first[i]])
+            .is_loose[g - world->roster.first[i]])
       continue;
     for (uint32_t c = world->mesh.start[g]; c < world->mesh.start[g + 1]; c++) {
       uint32_t v = world->mesh.vertex[c];

@@ -77,7 +77,7 @@ static void open_stage(struct stage *s, struct hsr_scene *scene) {
   struct hsr_error err = {.text = "out of memory"};
   s->scene = scene;
   if (hsr_scene_finish(scene, &err) || hsr_world_init(&s->world, scene, &err) ||
-      hsr_world_outline(&s->outline, scene, &err))
+      hsr_world_roster(&s->outline, scene, &err))
     stop(scene->name, err.text);
 }
 

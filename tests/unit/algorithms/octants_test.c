@@ -109,7 +109,7 @@ static void test_octants(struct tap *tap, const char *name, uint64_t *seed) {
   struct held held = {.wrong = 0};
   struct hsr_scene *scene = NULL;
   if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_outline(&outline, scene, &err) ||
+      hsr_world_roster(&outline, scene, &err) ||
       hsr_cubes_init(&cubes, &outline, &rule, &err))
     stop(err.text);
   for (int c = 0; c < 6; c++) {

@@ -162,7 +162,7 @@ static void make_cubes(const char *name, int threads, struct hsr_scene **scene,
   static const struct hsr_octree_rule rule = {0.1, 20, 20};
   struct hsr_error err = {.text = "out of memory"};
   *scene = open_by(name, threads);
-  if (hsr_world_outline(world, *scene, &err) ||
+  if (hsr_world_roster(world, *scene, &err) ||
       hsr_cubes_init(cubes, world, &rule, &err))
     stop(name, err.text);
 }

@@ -44,8 +44,7 @@ static bool is_faithful(const struct hsr_algorithm *a,
 static void open_bare(struct hsr_scene **scene, struct hsr_world *world) {
   struct hsr_error err;
   if (hsr_scene_open("checker-cube:4", NULL, scene, &err) ||
-      hsr_world_outline(world, *scene, &err) ||
-      !hsr_scene_lacks_faces(*scene)) {
+      hsr_world_roster(world, *scene, &err) || !hsr_scene_lacks_faces(*scene)) {
     printf("Bail out! no grid\n");
     exit(99);
   }

@@ -145,7 +145,7 @@ public:
     grid.palette = of.palette;
     scene.subject = HSR_GRID;
     scene.grid = &grid;
-    world.outline.scene = &scene;
+    world.roster.scene = &scene;
   }
   stage(const stage &) = delete;
   stage &operator=(const stage &) = delete;

@@ -101,11 +101,11 @@ static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
   struct hsr_setup setup;
   if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
     fail(&err);
-  bool good = setup.world->outline.all_triangles;
+  bool good = setup.world->roster.all_triangles;
   for (uint32_t f = 0; f + 1 < setup.world->n_faces; f++)
     good &= hsr_world_parent(setup.world, f) <=
             hsr_world_parent(setup.world, f + 1);
-  const uint32_t *first = setup.world->outline.first;
+  const uint32_t *first = setup.world->roster.first;
   for (uint32_t i = 0; i < x->scene->n_instances; i++)
     for (uint32_t f = first[i]; f < first[i + 1]; f++)
       good &= setup.world->mesh.instance[f] == i;

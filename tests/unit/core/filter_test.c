@@ -189,7 +189,7 @@ static void open_stage(struct stage *stage, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_open(name, NULL, &stage->scene, &err) ||
       hsr_world_init(&stage->world, stage->scene, &err) ||
-      hsr_world_outline(&stage->outline, stage->scene, &err) ||
+      hsr_world_roster(&stage->outline, stage->scene, &err) ||
       hsr_view_init(&stage->pixels, &stage->scene->views[0], COLUMNS, ROWS,
                     &err) ||
       hsr_view_init(&stage->fine, &stage->scene->views[0], 8 * COLUMNS,

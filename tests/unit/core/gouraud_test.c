@@ -107,7 +107,7 @@ static void check_ball(struct tap *tap, struct stage *s) {
      "and it has the light of a ball: %.1f wrong in all, not %.1f", wrong[1],
      wrong[0]);
   memcpy(s->flat, s->smooth, sizeof s->flat);
-  finish_picture(s, &s->worlds.outline, HSR_SHADE_GOURAUD, s->smooth);
+  finish_picture(s, &s->worlds.roster, HSR_SHADE_GOURAUD, s->smooth);
   ok(tap, !memcmp(s->flat, s->smooth, sizeof s->flat),
      "by instances it is the same picture");
   close_worlds(&s->worlds);

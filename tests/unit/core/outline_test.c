@@ -109,7 +109,7 @@ static void test_large(struct tap *tap) {
   uint32_t *ids = malloc(SIDE * SIDE * sizeof *ids);
   long before_kb = peak_kb(); /* libraries, and an earlier test's */
   clock_t begin = clock();
-  if (!ids || hsr_world_outline(&world, scene, &err) ||
+  if (!ids || hsr_world_roster(&world, scene, &err) ||
       hsr_view_init(&view, &scene->views[0], SIDE, SIDE, &err) ||
       hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world,
                      &err))
@@ -126,8 +126,8 @@ static void test_large(struct tap *tap) {
     if (id == HSR_BACKGROUND)
       continue;
     n_faces++;
-    n_instances += hsr_instance_of(&world.outline, id) != last;
-    last = hsr_instance_of(&world.outline, id);
+    n_instances += hsr_instance_of(&world.roster, id) != last;
+    last = hsr_instance_of(&world.roster, id);
   }
   double all = (double)(clock() - begin) / CLOCKS_PER_SEC;
   ok(tap, n_faces > SAMPLES / 2 && n_instances > SAMPLES / 4 && all < 40,
@@ -162,7 +162,7 @@ static bool compare(struct hsr_scene *scene, struct found *found) {
     hsr_world_free(&laid_out);
     return false;
   }
-  if (status || hsr_world_outline(&outline, scene, &err))
+  if (status || hsr_world_roster(&outline, scene, &err))
     fail(scene->name, &err);
   for (uint32_t v = 0; v < scene->n_views; v++) {
     uint32_t wanted[M * N], got[M * N];
@@ -191,7 +191,7 @@ static void test_builtins(struct tap *tap) {
     if (b->package)
       continue;
     if (hsr_scene_open(b->name, NULL, &scene, &err) ||
-        hsr_world_outline(&outline, scene, &err))
+        hsr_world_roster(&outline, scene, &err))
       fail(b->name, &err);
     if (outline.n_faces <= MOST_FACES) {
       bool compared = compare(scene, &found);

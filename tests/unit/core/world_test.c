@@ -74,7 +74,7 @@ static bool extracts(const struct hsr_world *from, const struct hsr_world *all,
     good = is_same(&few, f, all, id[f]);
     all_triangles &= hsr_face_size(&few, f) == 3;
   }
-  good = good && few.outline.all_triangles == all_triangles &&
+  good = good && few.roster.all_triangles == all_triangles &&
          is_classed(&few, id, all) && few.id == id;
   hsr_world_free(&few);
   return good;
@@ -86,24 +86,24 @@ static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_open(name, NULL, &scene, &err) ||
       hsr_world_init(&all, scene, &err) ||
-      hsr_world_outline(&outline, scene, &err) ||
+      hsr_world_roster(&outline, scene, &err) ||
       hsr_world_open(&opened, scene, 0, &err))
     stop(name, err.text);
   uint32_t n = all.n_faces, k = scene->n_instances;
   ok(tap,
-     hsr_is_outline(&outline) && !hsr_is_outline(&all) &&
-         hsr_is_outline(&opened) && outline.n_faces == n &&
+     hsr_is_roster(&outline) && !hsr_is_roster(&all) &&
+         hsr_is_roster(&opened) && outline.n_faces == n &&
          !outline.mesh.n_vertices && !outline.mesh.n_corners &&
-         outline.outline.all_triangles == all.outline.all_triangles &&
-         !memcmp(outline.outline.first, all.outline.first,
-                 (k + 1) * sizeof *all.outline.first) &&
-         all.outline.first[k] == n,
+         outline.roster.all_triangles == all.roster.all_triangles &&
+         !memcmp(outline.roster.first, all.roster.first,
+                 (k + 1) * sizeof *all.roster.first) &&
+         all.roster.first[k] == n,
      "%s: the outline numbers %u faces of %u instances", name, (unsigned)n,
      (unsigned)k);
   long wrong = 0;
   for (uint32_t f = 0; f < n; f++)
-    wrong += hsr_instance_of(&all.outline, f) != all.mesh.instance[f] ||
-             hsr_instance_of(&outline.outline, f) != all.mesh.instance[f];
+    wrong += hsr_instance_of(&all.roster, f) != all.mesh.instance[f] ||
+             hsr_instance_of(&outline.roster, f) != all.mesh.instance[f];
   ok(tap, !wrong, "%s: every face is of its instance", name);
 
   enum { MOST = 4000 };
@@ -134,10 +134,10 @@ static void test_limit(struct tap *tap) {
       hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, &err))
     stop("office:14", err.text);
   uint32_t n = world.n_faces;
-  bool good = hsr_is_outline(&world) && n > HSR_MOST_LAID_OUT &&
-              world.outline.all_triangles &&
-              hsr_instance_of(&world.outline, 0) == 0 &&
-              hsr_instance_of(&world.outline, n - 1) == scene->n_instances - 1;
+  bool good = hsr_is_roster(&world) && n > HSR_MOST_LAID_OUT &&
+              world.roster.all_triangles &&
+              hsr_instance_of(&world.roster, 0) == 0 &&
+              hsr_instance_of(&world.roster, n - 1) == scene->n_instances - 1;
   ok(tap, good, "%u faces are not laid out", (unsigned)n);
   hsr_world_free(&world);
   hsr_scene_delete(scene);
@@ -251,11 +251,11 @@ static void test_scene(struct tap *tap) {
          scene->instances[2].object == 1 && scene->instances[3].object == 2,
      "an object without instances has one, in its place: %s", err.text);
   bool laid_out = !hsr_world_open(&world, scene, 5, &err) &&
-                  !hsr_is_outline(&world) && world.n_faces == 5;
+                  !hsr_is_roster(&world) && world.n_faces == 5;
   hsr_world_free(&world);
   ok(tap,
      laid_out && !hsr_world_open(&world, scene, 4, &err) &&
-         hsr_is_outline(&world),
+         hsr_is_roster(&world),
      "as many faces as may be are laid out, more are not");
   hsr_world_free(&world);
   memcpy(scene->instances[3].m, flat, sizeof flat);

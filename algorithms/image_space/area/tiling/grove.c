@@ -165,7 +165,7 @@ static bool put_in_order(struct ordering *o, uint32_t *instance, uint32_t n,
 /* Boxes of all instances: *fit is false if one is not exact. */
 static enum hsr_status place(struct hsr_grove *g, struct hsr_box *box,
                              bool *fit) {
-  const struct hsr_scene *scene = g->world->outline.scene;
+  const struct hsr_scene *scene = g->world->roster.scene;
   struct hsr_box *object = malloc((scene->n_objects + 1) * sizeof *object);
   int *grain = malloc((scene->n_objects + 1) * sizeof *grain);
   *fit = true;
@@ -198,7 +198,7 @@ static enum hsr_status place(struct hsr_grove *g, struct hsr_box *box,
 
 /* Makes the nodes: *fit is false if the instances cannot be put in order. */
 static enum hsr_status order_instances(struct hsr_grove *g, bool *fit) {
-  const struct hsr_scene *scene = g->world->outline.scene;
+  const struct hsr_scene *scene = g->world->roster.scene;
   size_t n = scene->n_instances;
   struct hsr_box *box = malloc((n + 1) * sizeof *box);
   uint32_t *instance = malloc((n + 1) * sizeof *instance);
@@ -255,7 +255,7 @@ static enum hsr_status check_faces(const struct hsr_world *world,
 static enum hsr_status check_medians(const struct hsr_grove *g, uint32_t object,
                                      const struct hsr_bsp *bsp,
                                      struct hsr_error *err) {
-  const struct hsr_scene *scene = g->world->outline.scene;
+  const struct hsr_scene *scene = g->world->roster.scene;
   const struct hsr_object *of = &scene->objects[object];
   int grain = hsr_grain(of->xyz, 3 * (size_t)of->n_vertices);
   for (uint32_t k = 0; k < bsp->n_medians; k++) {
@@ -277,8 +277,8 @@ static enum hsr_status plant(struct hsr_grove *g, uint32_t object,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err) {
   struct hsr_grove_tree *tree = &g->tree[object];
-  tree->scene = *g->world->outline.scene;
-  tree->scene.objects = &g->world->outline.scene->objects[object];
+  tree->scene = *g->world->roster.scene;
+  tree->scene.objects = &g->world->roster.scene->objects[object];
   tree->scene.instances = &tree->instance;
   tree->scene.n_objects = tree->scene.n_instances = 1;
   tree->instance =
@@ -308,7 +308,7 @@ static void fell(struct hsr_grove *g) {
 static enum hsr_status plant_all(struct hsr_grove *g,
                                  const struct hsr_bsp_rule *rule,
                                  struct hsr_error *err) {
-  const struct hsr_scene *scene = g->world->outline.scene;
+  const struct hsr_scene *scene = g->world->roster.scene;
   enum hsr_status status = HSR_OK;
   g->tree = HSR_NEW_ZEROED(&g->arena, struct hsr_grove_tree, scene->n_objects);
   if (!g->tree)
@@ -334,9 +334,9 @@ enum hsr_status hsr_grove_init(struct hsr_grove *g,
                                const struct hsr_bsp_rule *rule,
                                struct hsr_error *err) {
   *g = (struct hsr_grove){.world = world};
-  bool outline = hsr_is_outline(world);
+  bool outline = hsr_is_roster(world);
   bool fit =
-      outline || (!world->pieces && world->outline.scene->n_instances > 1);
+      outline || (!world->pieces && world->roster.scene->n_instances > 1);
   if (fit && order_instances(g, &fit))
     return hsr_fail_nomem(err);
   if (!fit && outline)

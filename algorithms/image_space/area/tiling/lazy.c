@@ -90,7 +90,7 @@ static enum hsr_status make_octree(struct prepared *p,
   /* A little larger, for what is rounded. */
   side = 1.0009765625 * side + 0x1p-900;
   return hsr_octree_init(&p->octree, &faces, &rule, box.lo, side,
-                         world->outline.scene->threads, &p->arena);
+                         world->roster.scene->threads, &p->arena);
 }
 
 static void release(void *prepared) {

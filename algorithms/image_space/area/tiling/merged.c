@@ -62,13 +62,13 @@ struct prepared {
 };
 
 static bool moves(const struct hsr_world *world, uint32_t instance) {
-  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_scene *scene = world->roster.scene;
   return scene->objects[scene->instances[instance].object].moves;
 }
 
 /* What moves, and what does not. */
 static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
-  uint32_t n = world->outline.scene->n_instances;
+  uint32_t n = world->roster.scene->n_instances;
   p->mover = HSR_NEW(&p->arena, uint32_t, n);
   p->id = HSR_NEW(&p->arena, uint32_t, world->n_faces);
   if (!p->mover || !p->id)
@@ -77,8 +77,8 @@ static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
     if (moves(world, i))
       p->mover[p->n_movers++] = i;
     else
-      for (uint32_t f = world->outline.first[i];
-           f < world->outline.first[i + 1]; f++)
+      for (uint32_t f = world->roster.first[i]; f < world->roster.first[i + 1];
+           f++)
         p->id[p->n_still++] = f;
   return HSR_OK;
 }
@@ -93,7 +93,7 @@ static bool is_flat(const struct hsr_world *world) {
 static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err) {
-  bool outline = hsr_is_outline(world);
+  bool outline = hsr_is_roster(world);
   p->is_whole = !outline && (world->pieces || !is_flat(world));
   if (!p->is_whole && part(p, world))
     return hsr_fail_nomem(err);
@@ -384,7 +384,7 @@ static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
   for (uint32_t c = object->start[place.face];
        c < object->start[place.face + 1]; c++)
     add_vertex(&box, object, object->vertex[c],
-               world->outline.scene->instances[place.instance].m);
+               world->roster.scene->instances[place.instance].m);
   return box;
 }
 
@@ -706,10 +706,10 @@ static void tile_bodies(struct frame *f) {
   for (uint32_t k = 0; k < p->n_movers; k++) {
     uint32_t i = p->mover[k];
     f->mover[k].instance = i;
-    f->mover[k].first = world->outline.first[i];
-    f->mover[k].n = world->outline.first[i + 1] - world->outline.first[i];
+    f->mover[k].first = world->roster.first[i];
+    f->mover[k].n = world->roster.first[i + 1] - world->roster.first[i];
     node[n++] = (struct node){&f->mover[k], HSR_NO_BSP,
-                              box_of_instance(world->outline.scene, i)};
+                              box_of_instance(world->roster.scene, i)};
   }
   tile_region(f, &all, node, n);
   for (uint32_t k = 0; k < p->n_movers; k++)

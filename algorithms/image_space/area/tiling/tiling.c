@@ -296,10 +296,10 @@ static void tile_instances(struct frame *f, uint32_t number) {
     return;
   }
   const struct hsr_instance *instance =
-      &grove->world->outline.scene->instances[node->instance];
+      &grove->world->roster.scene->instances[node->instance];
   const double shift[3] = {instance->m[3], instance->m[7], instance->m[11]};
   tile_tree(f, &grove->tree[instance->object].bsp, shift,
-            grove->world->outline.first[node->instance], node->instance);
+            grove->world->roster.first[node->instance], node->instance);
 }
 
 static enum hsr_status render(const struct hsr_job *job,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Outlines: which ids belong to which instance, and where a face stands. */
+/* Rosters: which ids belong to which instance, and where a face stands. */
 #include "common/scene/pieces.h"
 #include "common/scene/planes.h"
 
@@ -8,40 +8,40 @@
 /* Counts the faces, and finds the first id of each instance. */
 static enum hsr_status number_faces(struct hsr_world *world,
                                     struct hsr_error *err) {
-  const struct hsr_scene *scene = world->outline.scene;
-  world->outline.first =
+  const struct hsr_scene *scene = world->roster.scene;
+  world->roster.first =
       HSR_NEW(&world->arena, uint32_t, (size_t)scene->n_instances + 1);
-  if (!world->outline.first)
+  if (!world->roster.first)
     return hsr_fail_nomem(err);
-  world->outline.all_triangles = true;
+  world->roster.all_triangles = true;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
-    world->outline.first[i] = world->n_faces;
+    world->roster.first[i] = world->n_faces;
     world->n_faces += object->n_faces;
     if (object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
-      world->outline.all_triangles = false;
+      world->roster.all_triangles = false;
   }
   if (scene->grid) {
     world->n_faces = scene->grid->n_faces;
-    world->outline.all_triangles = false;
+    world->roster.all_triangles = false;
   }
-  world->outline.first[scene->n_instances] = world->n_faces;
+  world->roster.first[scene->n_instances] = world->n_faces;
   return HSR_OK;
 }
 
-enum hsr_status hsr_world_outline(struct hsr_world *world,
-                                  const struct hsr_scene *scene,
-                                  struct hsr_error *err) {
-  *world = (struct hsr_world){.outline.scene = scene};
+enum hsr_status hsr_world_roster(struct hsr_world *world,
+                                 const struct hsr_scene *scene,
+                                 struct hsr_error *err) {
+  *world = (struct hsr_world){.roster.scene = scene};
   return number_faces(world, err);
 }
 
-uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f) {
-  uint32_t lo = 0, hi = outline->scene->n_instances;
+uint32_t hsr_instance_of(const struct hsr_roster *roster, uint32_t f) {
+  uint32_t lo = 0, hi = roster->scene->n_instances;
   while (hi - lo > 1) { /* first[lo] <= f < first[hi] */
     uint32_t middle = lo + (hi - lo) / 2;
-    if (outline->first[middle] <= f)
+    if (roster->first[middle] <= f)
       lo = middle;
     else
       hi = middle;
@@ -50,18 +50,18 @@ uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f) {
 }
 
 struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id) {
-  const struct hsr_outline *outline =
-      world->pieces ? &world->pieces->whole->outline : &world->outline;
-  uint32_t i = hsr_instance_of(outline, id);
-  const struct hsr_scene *scene = outline->scene;
+  const struct hsr_roster *roster =
+      world->pieces ? &world->pieces->whole->roster : &world->roster;
+  uint32_t i = hsr_instance_of(roster, id);
+  const struct hsr_scene *scene = roster->scene;
   return (struct hsr_place){&scene->objects[scene->instances[i].object], i,
-                            id - outline->first[i]};
+                            id - roster->first[i]};
 }
 
 void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
                      double normal[3], double anchor[3]) {
   const struct hsr_object *object = place.object;
-  const double *m = world->outline.scene->instances[place.instance].m;
+  const double *m = world->roster.scene->instances[place.instance].m;
   struct hsr_newell plane = {.n = 0};
   for (uint32_t c = object->start[place.face];
        c < object->start[place.face + 1]; c++) {
