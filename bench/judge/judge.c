@@ -221,7 +221,7 @@ static enum hsr_status judge_frames(const struct group *g,
   return status;
 }
 
-/* As hsr render draws frames: where the algorithm takes the scene as an outline,
+/* As hsr render draws frames: where the algorithm takes the scene as a roster,
  * from one prepared object. In a process of its own. */
 static enum hsr_status judge_walk(const struct group *g,
                                   const struct player *player,
@@ -285,7 +285,7 @@ static enum hsr_status judge(const struct group *g, const struct player *player,
 }
 
 /* Is more to be done than the time that a picture may take lets one do? What
- * takes no outline will refuse it. */
+ * takes no roster will refuse it. */
 static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
   if (!a->expense || (hsr_is_roster(g->world) && !(a->flags & HSR_INSTANCED)))
     return false;

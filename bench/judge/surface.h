@@ -3,8 +3,8 @@
  * share, in the words of docs/correct-picture.md.
  *
  * Source      docs/correct-picture.md, in whose words this file is written.
- * Input       the world's vertices, face lists and one_sided flags, or of an
- *             outline the scene's objects and instances; and the view's E, F,
+ * Input       the world's vertices, face lists and one_sided flags, or of a
+ *             roster the scene's objects and instances; and the view's E, F,
  *             R, U, near, m, n, offsets and window; neither the world's
  *             approximate planes nor the view's matrices. The judge shares no
  *             code with whom it judges: neither common/exact/screen.h nor
@@ -17,8 +17,8 @@
  * Method      a ray for each sample; a hierarchy of boxes says which faces it
  *             may meet, and these are put to the definition. A sign is sought
  *             in CGAL's interval arithmetic; where the interval holds zero, it
- *             is taken in exact arithmetic along D, then R, then -U. Of an
- *             outline there is a hierarchy over the instances, and one over
+ *             is taken in exact arithmetic along D, then R, then -U. Of a
+ *             roster there is a hierarchy over the instances, and one over
  *             each object's faces, whose boxes are moved into the world as the
  *             ray comes to them; only the faces that it may meet are laid out.
  * Invariants  a box is passed over only if no face in it covers the sample
@@ -29,7 +29,7 @@
  * Cost        some dozens of boxes and a dozen faces a sample, and more where
  *             faces are not exactly planar, for then depth prunes nothing.
  *             Exact only where a sample is within rounding of an edge or of a
- *             line where planes meet, or where they are equal. An outline takes
+ *             line where planes meet, or where they are equal. A roster takes
  *             memory for the faces of its objects and for its instances.
  *
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
@@ -137,7 +137,7 @@ int remember(std::vector<signed char> &kept, uint32_t index, Find find) {
 }
 
 struct sample {
-  const hsr_world *world; /* that holds the faces; of an outline, those that
+  const hsr_world *world; /* that holds the faces; of a roster, those that
                              are laid out for this sample */
   const hsr_view *view;
   hsr_tally *tally;
@@ -705,7 +705,7 @@ struct scene_instances {
   hsr_instance_vertex(instance.m, in, out);
 }
 
-/* The faces that are laid out: all of the world; or of an outline those that
+/* The faces that are laid out: all of the world; or of a roster those that
  * the sample may meet, no two sharing a vertex. */
 class faces_at_hand {
 public:
@@ -717,7 +717,7 @@ public:
   void begin_sample();
   uint32_t add(uint32_t i, uint32_t k); /* of instance i, face k; its number */
 
-  hsr_world world; /* of an outline: what the definition asks for, no more */
+  hsr_world world; /* of a roster: what the definition asks for, no more */
   memo known;
 
 private:
