@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws figures 3.4, 3.6 and 3.7 of N. Greene's thesis (UC Santa Cruz, 1995) of
- * other scenes:
+/* Draws figures 3.4, 3.6 and 3.7 of N. Greene's thesis (UC Santa Cruz, 1995), and
+ * the panels of figure 1 of 1993, of other scenes:
  *
  *   pyramid SCENE VIEW FILE   a z-pyramid, the nearest bright: the finest level
  *                             at the left, each coarser one above the next
@@ -9,7 +9,11 @@
  *   above SCENE VIEW FILE     from above, as .svg: the frustum, and the cubes
  *                             visited: visible blue, hidden red, outside grey
  *
- * usage: figures WHAT SCENE VIEW FILE      VIEW from 1; reports/greene/make */
+ *   work SCENE VIEW FILE ALGORITHM COUNTER...
+ *                             where an algorithm raises these counters: each
+ *                             step adds 1, shared out over its samples
+ *
+ * usage: figures WHAT SCENE VIEW FILE ...      VIEW from 1; reports/greene/make */
 #include "algorithms/engines/cubes/cubes.h"
 #include "algorithms/variant.h"
 #include "common/files/image.h"
@@ -75,8 +79,11 @@ static void prepare(struct hsr_setup *setup, const char *variant,
 
 static int number_of(const struct hsr_setup *setup, const char *counter) {
   int k = 0;
-  while (strcmp(setup->algorithm->counters[k].name, counter) != 0)
+  while (setup->algorithm->counters[k].name &&
+         strcmp(setup->algorithm->counters[k].name, counter) != 0)
     k++;
+  if (!setup->algorithm->counters[k].name)
+    stop("no such counter");
   return k;
 }
 
@@ -282,9 +289,48 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   free(ids);
 }
 
+/* --- Work ----------------------------------------------------------------- */
+
+struct work {
+  bool shown[HSR_MAX_COUNTERS];
+  float *at; /* a sample */
+};
+
+static void note_work(void *context, const struct hsr_event *event) {
+  struct work *work = context;
+  const struct hsr_window *w = &event->window;
+  if (!work->shown[event->counter])
+    return;
+  float share = 1.0f / (float)((w->x1 - w->x0) * (w->y1 - w->y0));
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++)
+      work->at[j * SIDE + i] += share;
+}
+
+static void draw_work(const struct both_worlds *worlds, uint32_t k,
+                      const char *path, const char *algorithm,
+                      char **counters) {
+  struct hsr_view view = view_of(worlds, k);
+  struct hsr_setup setup;
+  struct hsr_error err = {.text = "cannot be written"};
+  uint32_t *ids = malloc(SAMPLES * sizeof *ids);
+  struct work work = {.at = calloc(SAMPLES, sizeof *work.at)};
+  if (!ids || !work.at)
+    stop("out of memory");
+  prepare(&setup, algorithm, &worlds->outline);
+  for (; *counters; counters++)
+    work.shown[number_of(&setup, *counters)] = true;
+  draw(&setup, &view, ids, note_work, &work);
+  if (hsr_image_write_work(path, SIDE, SIDE, work.at, &err))
+    stop(err.text);
+  hsr_setup_free(&setup);
+  free(ids);
+  free(work.at);
+}
+
 int main(int argc, char **argv) {
-  if (argc != 5)
-    stop("usage: figures pyramid|exposed|above SCENE VIEW FILE");
+  if (argc < 5)
+    stop("usage: figures pyramid|exposed|above|work SCENE VIEW FILE ...");
   struct both_worlds worlds = {.scene = NULL};
   struct hsr_error err = {.text = "out of memory"};
   uint32_t view = (uint32_t)atol(argv[3]) - 1;
@@ -295,6 +341,8 @@ int main(int argc, char **argv) {
     draw_pyramid(&worlds, view, argv[4]);
   else if (!strcmp(argv[1], "exposed"))
     draw_exposed(&worlds, view, argv[4]);
+  else if (!strcmp(argv[1], "work") && argc > 6)
+    draw_work(&worlds, view, argv[4], argv[5], argv + 6);
   else
     draw_above(&worlds, view, argv[4]);
   hsr_world_free(&worlds.outline);

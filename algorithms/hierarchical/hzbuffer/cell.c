@@ -66,7 +66,7 @@ static void filter(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++)
     drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
   hsr_tiler_drop(b, drop);
-  if (w->option[PYRAMID] != ON || w->option[POLYGONS] == NONE || w->plain)
+  if (w->option[PYRAMID] == OFF || w->option[POLYGONS] == NONE || w->plain)
     return;
   hsr_hz_read_for(w, FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
@@ -110,7 +110,7 @@ void hsr_hz_tile_face(struct hsr_hz_walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
            window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
-  if (w->option[PYRAMID] == ON && !w->plain)
+  if (w->option[PYRAMID] != OFF && !w->plain)
     make_stale(w, t->screen.bounds[f]);
 }
 
@@ -157,11 +157,10 @@ static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
 
 static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
-  bool tests = w->option[PYRAMID] == ON && !w->plain;
+  bool tests = w->option[PYRAMID] != OFF && !w->plain;
   if (tests && w->option[POLYGONS] == DEFINITIVE)
     filter_definitively(w, b);
-  hsr_hz_touch_for(w, WORK_POLYGONS);
-  if (tests && w->option[NEAR])
+  if (tests && w->option[PYRAMID] == DUAL)
     tile_before_all(w, b);
   hsr_tiler_tile_batch(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
@@ -196,7 +195,6 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t place) {
     hsr_tiler_set_up(t, &batch);
     tile_batch(w, &batch);
   }
-  hsr_hz_touch_for(w, WORK_POLYGONS);
   for (uint32_t f = n; f < cell->n_faces; f++)
     if (!is_repeated(w, f))
       tile_generally(w, f);

@@ -41,7 +41,6 @@ static void prune(struct hsr_hz_walk *w) {
       bool inside = false;
       if (hsr_hz_is_cube_visible(
               w, &w->frame.placing, &w->frame.object->octree.node[cube[k]],
-              hsr_hz_faces_in(w, cube[k]),
               hsr_cube_subject(group->instance, cube[k]), &inside) &&
           !hsr_cube_list_add(kept, group->instance, cube[k]))
         w->out_of_memory = true;

@@ -2,7 +2,6 @@
 /* Is a cube visible? cube_visible of the thesis, and the sides of cubes as in
  * 1993. See hzbuffer.c for the sources, and walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
-#include "common/base/clock.h"
 
 #include <math.h>
 
@@ -32,34 +31,6 @@ static bool row_of_side(const struct hsr_cube_image *image,
   return *lo <= *hi;
 }
 
-/* Tags a sample that is before the side of a cube. Cubes come from front to
- * back, so nothing that is still to come is nearer there. */
-static void complete(struct hsr_hz_walk *w, struct hsr_subject cube, float *z,
-                     int i, int j) {
-  if (*z == HUGE_VALF)
-    return;
-  *z = HUGE_VALF;
-  HSR_STEP(w->tally, COMPLETED, cube, HSR_THE_WINDOW, HSR_AT(i, j), 0);
-  hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
-}
-
-/* Is a point on the screen within a side, wherever its corners are within
- * HSR_CUBE_MARGIN? */
-static bool is_within(const struct hsr_cube_image *image,
-                      const unsigned char *corner, double x, double y) {
-  int turns = 0;
-  for (int k = 0; k < 4; k++) {
-    int a = corner[k], b = corner[(k + 1) % 4];
-    double dx = image->x[b] - image->x[a], dy = image->y[b] - image->y[a];
-    double e = dx * (y - image->y[a]) - dy * (x - image->x[a]);
-    double bound = 4 * HSR_CUBE_MARGIN *
-                   (fabs(dx) + fabs(dy) + fabs(x - image->x[a]) +
-                    fabs(y - image->y[a]) + 2 * HSR_CUBE_MARGIN);
-    turns += e > bound ? 1 : e < -bound ? -1 : 0;
-  }
-  return turns == 4 || turns == -4;
-}
-
 /* Scan-converts a side, to the first sample where it is not hidden. */
 static bool scan_side(struct hsr_hz_walk *w, const struct hsr_placing *placing,
                       const struct hsr_octree_box *cube,
@@ -70,13 +41,11 @@ static bool scan_side(struct hsr_hz_walk *w, const struct hsr_placing *placing,
   const struct hsr_tiler *t = &w->frame.tiler;
   struct hsr_side_depth depth =
       hsr_cube_side_depth(&w->frame, placing, cube, image, side);
-  bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
-  hsr_hz_touch_for(w, WORK_BOXES);
   for (int j = box->y0; j < box->y1; j++) {
     double y = hsr_sample_y(view, j), lo, hi;
     if (!row_of_side(image, hsr_cube_side[side], y, &lo, &hi))
       continue;
-    float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
+    const float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
     for (int i = box->x0; i < box->x1; i++) {
       double x = hsr_sample_x(view, i);
       if (x < lo || x > hi)
@@ -90,8 +59,6 @@ static bool scan_side(struct hsr_hz_walk *w, const struct hsr_placing *placing,
                visible);
       if (visible)
         return true;
-      if (tags && is_within(image, hsr_cube_side[side], x, y))
-        complete(w, subject, &z[i - t->part.x0], i, j);
     }
   }
   return false;
@@ -106,13 +73,14 @@ static float nearest_of(const struct hsr_cube_image *image,
   return q;
 }
 
-/* Does the pyramid hide a rectangle of a cube, whose depth is q? *visible: the
- * pyramid of the nearest tells that it is visible. */
+/* Does the pyramid hide a rectangle of a cube, whose depth is q? Where the
+ * rectangle is visible, the pyramid of the nearest may tell at once. */
 static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
-                                float q, bool *visible) {
-  *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
-             hsr_pyramid_before(&w->pyramid, box, q);
-  return !*visible && hsr_pyramid_hides(&w->pyramid, box, q);
+                                float q) {
+  if (w->option[PYRAMID] == DUAL && w->option[CUBES] != SIDES &&
+      hsr_pyramid_before(&w->pyramid, box, q))
+    return false;
+  return hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
 /* Is a front side not known to be hidden? */
@@ -125,13 +93,12 @@ static bool is_side_visible(struct hsr_hz_walk *w,
   struct hsr_bounds box;
   if (!hsr_cube_bounds(&w->frame, image, corner, 4, &box))
     return false;
-  bool visible = false;
-  if (w->option[PYRAMID] == ON &&
-      is_rectangle_hidden(w, box, nearest_of(image, corner), &visible))
+  if (w->option[PYRAMID] != OFF &&
+      is_rectangle_hidden(w, box, nearest_of(image, corner)))
     return false;
-  if (w->option[CUBES] != SIDES && w->option[PYRAMID] != BY_QUERIES)
+  if (w->option[CUBES] != SIDES)
     return true;
-  visible = scan_side(w, placing, cube, image, side, &box, subject);
+  bool visible = scan_side(w, placing, cube, image, side, &box, subject);
   HSR_STEP(w->tally, SIDES_SCANNED, subject, HSR_THE_WINDOW,
            hsr_window_make(box.x0, box.y0, box.x1, box.y1), visible);
   return visible;
@@ -142,10 +109,9 @@ static bool is_whole_visible(struct hsr_hz_walk *w,
                              const struct hsr_cube_image *image) {
   static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   struct hsr_bounds box;
-  bool visible;
   return hsr_cube_bounds(&w->frame, image, all, 8, &box) &&
-         !(w->option[PYRAMID] == ON &&
-           is_rectangle_hidden(w, box, image->nearest, &visible));
+         !(w->option[PYRAMID] != OFF &&
+           is_rectangle_hidden(w, box, image->nearest));
 }
 
 static bool is_any_side_visible(struct hsr_hz_walk *w,
@@ -158,22 +124,6 @@ static bool is_any_side_visible(struct hsr_hz_walk *w,
         is_side_visible(w, placing, cube, image, side, subject))
       return true;
   return false;
-}
-
-/* What a machine answers: whether a sample of the cube's front sides is
- * visible, as the z-buffer is now. In the build that is timed, it takes the
- * time that the option says, or longer if the sides take longer. */
-static bool ask(struct hsr_hz_walk *w, const struct hsr_placing *placing,
-                const struct hsr_octree_box *cube,
-                const struct hsr_cube_image *image,
-                struct hsr_subject subject) {
-  double begin = w->option[LATENCY] && !HSR_COUNTING ? hsr_seconds_now() : 0;
-  bool visible = is_any_side_visible(w, placing, cube, image, subject);
-  HSR_STEP(w->tally, QUERIES, subject, HSR_NOTHING, HSR_NOWHERE, visible);
-  while (w->option[LATENCY] && !HSR_COUNTING &&
-         hsr_seconds_now() - begin < 1e-6 * (double)w->option[LATENCY])
-    ;
-  return visible;
 }
 
 /* *inside: the cube is all inside of the frustum, and so are the cubes in it. */
@@ -192,22 +142,18 @@ static bool is_in_frustum(struct hsr_hz_walk *w,
   return verdict != HSR_BOX_OUT;
 }
 
-/* cube_visible of the thesis. n_faces: as many are in the cube. */
+/* cube_visible of the thesis. */
 bool hsr_hz_is_box_visible(struct hsr_hz_walk *w,
                            const struct hsr_placing *placing,
-                           struct hsr_octree_box cube, uint64_t n_faces,
+                           struct hsr_octree_box cube,
                            struct hsr_subject subject, bool *inside) {
   if (!is_in_frustum(w, placing, &cube, subject, inside))
     return false;
   struct hsr_cube_image image;
-  bool asks = w->option[PYRAMID] == BY_QUERIES;
-  if (asks && n_faces < (uint64_t)w->option[THRESHOLD])
-    return true;
   if (!hsr_cube_project(&w->frame, placing, &cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   hsr_hz_read_for(w, CUBE_READS, subject);
-  bool visible = asks ? ask(w, placing, &cube, &image, subject)
-                 : w->option[CUBES] == WHOLE
+  bool visible = w->option[CUBES] == WHOLE
                      ? is_whole_visible(w, &image)
                      : is_any_side_visible(w, placing, &cube, &image, subject);
   HSR_STEP(w->tally, CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE, visible);
@@ -219,18 +165,16 @@ bool hsr_hz_is_box_visible(struct hsr_hz_walk *w,
 bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
                             const struct hsr_placing *placing,
                             const struct hsr_octree_node *node,
-                            uint64_t n_faces, struct hsr_subject subject,
-                            bool *inside) {
+                            struct hsr_subject subject, bool *inside) {
   return hsr_hz_is_box_visible(
       w, placing,
       w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node),
-      n_faces, subject, inside);
+      subject, inside);
 }
 
 bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
   return !HSR_COUNTING && w->option[PYRAMID] == ON &&
-         w->option[CUBES] != SIDES && !w->option[NEAR] &&
-         !w->frame.job->view->parallel;
+         w->option[CUBES] != SIDES && !w->frame.job->view->parallel;
 }
 
 /* What hides the whole hides each of its sides. */
@@ -256,31 +200,4 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
         !hsr_pyramid_hides(&w->pyramid, box, octants->q[side][o]))
       return true;
   return false;
-}
-
-uint64_t hsr_hz_faces_in(const struct hsr_hz_walk *w, uint32_t k) {
-  const struct hsr_hz_prepared *prepared = w->frame.job->prepared;
-  const struct hsr_lazy_octree *lazy = w->frame.object->lazy;
-  uint32_t object = w->frame.cubes->scene->instances[w->frame.instance].object;
-  if (lazy)
-    return hsr_lazy_node(lazy, k)->n;
-  return prepared->in_object ? prepared->in_object[object][k] : 0;
-}
-
-/* What was handed down to a cube of instances. */
-static uint64_t faces_handed_down(const struct hsr_cubes *cubes, uint32_t k) {
-  const struct hsr_lazy_node *node = hsr_lazy_node(cubes->lazy, k);
-  uint64_t n = 0;
-  for (uint32_t i = 0; i < node->n; i++) {
-    uint32_t still = cubes->still[cubes->octree.item[node->first + i]];
-    n += cubes->scene->objects[cubes->scene->instances[still].object].n_faces;
-  }
-  return n;
-}
-
-uint64_t hsr_hz_faces_below(const struct hsr_hz_walk *w, uint32_t k) {
-  const struct hsr_hz_prepared *prepared = w->frame.job->prepared;
-  if (w->option[PYRAMID] == BY_QUERIES && w->frame.cubes->lazy)
-    return faces_handed_down(w->frame.cubes, k);
-  return prepared->below ? prepared->below[k] : 0;
 }

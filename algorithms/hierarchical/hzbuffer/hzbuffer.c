@@ -19,19 +19,18 @@
  *             The fast test begins where the rectangle meets at most four
  *             entries. The standard choice of options is Greene's;
  *             cubes=whole:volumes=tight:least=80 makes the same picture in less
- *             time, by fewer and tighter tests. pyramid=queries emulates a
- *             machine with z-queries (thesis, 3.5.6): its steps are performed
- *             here, and only its latency is a pause. octree=lazy keeps what it
- *             has divided for later frames (thesis, 3.4). The build that is
- *             timed projects the octants of a cube together, and tests the
- *             whole of one before its sides; answers are the same.
+ *             time, by fewer and tighter tests. octree=lazy keeps what it has
+ *             divided for later frames (thesis, 3.4). The build that is timed
+ *             projects the octants of a cube together, and tests the whole of
+ *             one before its sides; answers are the same.
+ * Z-queries   pyramid=off:cubes=sides does what the thesis does on a machine
+ *             with z-queries (3.5.6); least= is the number of polygons from
+ *             which on it asks about a cube.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 #include <stdlib.h>
 
-static const struct hsr_word off_on[] = {
-    {"off", "without it", 0}, {"on", "with it", 0}, {NULL}};
 static const struct hsr_word octrees[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
@@ -42,15 +41,12 @@ static const struct hsr_word octrees[] = {
 static const struct hsr_word pyramids[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
-    {"queries",
-     "without it: by z-queries of a machine, which tell if a sample of a "
-     "cube's sides is visible; as on the Titan and Denali of the thesis",
-     0},
+    {"dual", "with it, and a second one of the nearest depths", 0},
     {NULL}};
 static const struct hsr_word placements[] = {
     {"pushed",
-     "a small face that crosses a median plane goes into the octants "
-     "that it meets",
+     "a face that crosses a median plane goes into the octants that it "
+     "meets, if its area is less than a tenth of a cube's side",
      0},
     {"enclosing", "it stays in the smallest cube that encloses it", 0},
     {NULL}};
@@ -94,45 +90,23 @@ static const struct hsr_word movings[] = {
      "not move; what is not hidden is divided in space or in time",
      HSR_FRAME_STATE},
     {NULL}};
-static const struct hsr_word works[] = {
-    {"all", "everything", 0},
-    {"pyramid", "pyramid tests", 0},
-    {"boxes", "scan-converted sides of cubes", 0},
-    {"polygons", "tiling", 0},
-    {NULL}};
-
 static const struct hsr_option options[] = {
     [OCTREE] = {"octree", "cull by cubes", octrees, 0, 2, ON},
     [PLACEMENT] = {"placement", "in which cube a face is", placements, 0, 1,
                    PUSHED},
     [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
                100000, 20},
-    [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
-               NULL, 1, 100000, 10},
     [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 2, ON},
     [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1, CUBE},
     [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   FAST},
-    [NEAR] = {"near", "a second pyramid, of the nearest depths", off_on, 0, 1,
-              OFF},
-    [COMPLETED_SAMPLES] = {"completed",
-                           "tag samples behind which a cube's side was found, "
-                           "where instances are apart and sides scanned",
-                           off_on, 0, 1, OFF},
     [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
                    0, 2, NO_COHERENCE},
     [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 6,
                 FRESH},
     [INTERVAL] = {"interval", "movers=bounded or space-time: so many frames",
                   NULL, 1, 1024, 16},
-    [THRESHOLD] = {"threshold",
-                   "pyramid=queries: cubes of fewer faces are not asked of",
-                   NULL, 0, 1000000, 800},
-    [LATENCY] = {"latency",
-                 "pyramid=queries: microseconds until a z-query is answered",
-                 NULL, 0, 1000000, 0},
-    [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
     {NULL}};
 
 /* --- A frame -------------------------------------------------------------- */
@@ -141,7 +115,6 @@ static enum hsr_status render_loose(struct hsr_hz_walk *w) {
   struct hsr_tiler t;
   if (hsr_cube_loose(&w->frame, &t))
     return HSR_E_NOMEM;
-  hsr_hz_touch_for(w, WORK_POLYGONS);
   for (uint32_t k = 0; k < t.screen.n_relevant; k++)
     hsr_hz_tile_face(w, &t, t.screen.relevant[k]);
   hsr_hz_refresh(w);
@@ -156,7 +129,6 @@ static enum hsr_status begin(struct hsr_hz_walk *w, const struct hsr_job *job) {
   const struct hsr_window *window = &job->view->window;
   w->option = job->option;
   w->tally = job->tally;
-  w->work = job->tally->work;
   if (w->option[COHERENCE]) {
     w->last = &prepared->list[prepared->last];
     w->next = &prepared->list[prepared->last ^ 1];
@@ -164,10 +136,9 @@ static enum hsr_status begin(struct hsr_hz_walk *w, const struct hsr_job *job) {
   }
   w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
   if (!w->tiled || hsr_cube_frame_begin(&w->frame, job, cubes) ||
-      hsr_pyramid_init(&w->pyramid, window, job->option[NEAR], &t->z_stride,
-                       arena))
+      hsr_pyramid_init(&w->pyramid, window, w->option[PYRAMID] == DUAL,
+                       &t->z_stride, arena))
     return HSR_E_NOMEM;
-  hsr_hz_touch_for(w, WORK_PYRAMID);
   w->pyramid.count =
       (struct hsr_pyramid_count){.tally = job->tally,
                                  .work = job->tally->work,
@@ -196,50 +167,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   if (w.last)
     hsr_hz_end_coherence(&w);
-  job->tally->work = w.work;
   return w.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
-}
-
-/* Children come after their parents. */
-static uint32_t *count_in_object(const struct hsr_cubes_object *object,
-                                 struct hsr_arena *arena) {
-  uint32_t n = object->octree.n_nodes;
-  uint32_t *in = HSR_NEW(arena, uint32_t, n);
-  for (uint32_t k = n; in && k-- > 0;) {
-    in[k] = object->cell[k].n_faces;
-    for (int o = 0; o < 8; o++) {
-      uint32_t child = object->octree.node[k].child[o];
-      in[k] += child == HSR_NO_NODE ? 0 : in[child];
-    }
-  }
-  return in;
-}
-
-/* An instance that is in several cubes counts in each. */
-static enum hsr_status count_faces(struct hsr_hz_prepared *made) {
-  const struct hsr_cubes *cubes = &made->cubes;
-  const struct hsr_scene *scene = cubes->scene;
-  const struct hsr_octree *octree = &cubes->octree;
-  struct hsr_arena *arena = &made->arena;
-  made->in_object = HSR_NEW(arena, uint32_t *, scene->n_objects);
-  made->below = HSR_NEW(arena, uint64_t, octree->n_nodes);
-  if (!made->in_object || !made->below)
-    return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < scene->n_objects; k++)
-    if (!(made->in_object[k] = count_in_object(&cubes->object[k], arena)))
-      return HSR_E_NOMEM;
-  for (uint32_t k = octree->n_nodes; k-- > 0;) {
-    const struct hsr_octree_node *node = &octree->node[k];
-    made->below[k] = 0;
-    for (uint32_t i = 0; i < node->n; i++) {
-      uint32_t instance = octree->item[node->first + i];
-      made->below[k] += made->in_object[scene->instances[instance].object][0];
-    }
-    for (int o = 0; o < 8; o++)
-      if (node->child[o] != HSR_NO_NODE)
-        made->below[k] += made->below[node->child[o]];
-  }
-  return HSR_OK;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world,
@@ -249,16 +177,12 @@ static enum hsr_status prepare(const struct hsr_world *world,
   *prepared = made;
   if (!made)
     return hsr_fail_nomem(err);
-  struct hsr_octree_rule rule = {
-      .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
-      .most = (uint32_t)option[LEAST],
-      .least = (uint32_t)option[LEAST]};
+  struct hsr_octree_rule rule = {.small = option[PLACEMENT] == PUSHED ? 0.1 : 0,
+                                 .most = (uint32_t)option[LEAST],
+                                 .least = (uint32_t)option[LEAST]};
   if (option[OCTREE] == LAZILY)
     return hsr_cubes_init_lazily(&made->cubes, world, &rule, err);
-  enum hsr_status status = hsr_cubes_init(&made->cubes, world, &rule, err);
-  if (!status && option[PYRAMID] == BY_QUERIES && count_faces(made))
-    return hsr_fail_nomem(err);
-  return status;
+  return hsr_cubes_init(&made->cubes, world, &rule, err);
 }
 
 static void release(void *object) {
@@ -266,7 +190,6 @@ static void release(void *object) {
   hsr_cubes_free(&prepared->cubes);
   hsr_arena_free(&prepared->list[0].arena);
   hsr_arena_free(&prepared->list[1].arena);
-  hsr_arena_free(&prepared->arena);
   hsr_arena_free(&prepared->movers_arena);
   free(prepared);
 }
@@ -287,9 +210,6 @@ static const struct hsr_counter counters[] = {
                       HSR_OF_CELL, HSR_OF_NOTHING},
     [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
                        HSR_OF_CELL, HSR_OF_NOTHING},
-    [QUERIES] = {"z-queries",
-                 "cubes of which it was asked if a sample is visible",
-                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
     [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
                     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
                     HSR_PYRAMID_READ_OUTCOMES},
@@ -314,8 +234,6 @@ static const struct hsr_counter counters[] = {
     [FACES_BEFORE] = {"faces before",
                       "nearer than anything: tiled without comparisons",
                       HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [COMPLETED] = {"completed", "samples known to be done", HSR_RETIRE,
-                   HSR_OF_CELL, HSR_OF_WINDOW},
     [CUBES_AGAIN] = {"cubes again",
                      "rendered first, since they were visible in the frame "
                      "before",
@@ -360,10 +278,8 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(CUBES_TESTED, CUBES_CULLED, CUBES_VISIBLE)},
     {"    for each front face of the cube: is it behind a pyramid value?",
      HSR_RAISES(CUBE_READS)},
-    {"    or ask by a z-query, if it holds enough faces", HSR_RAISES(QUERIES)},
     {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
     {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
-    {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
     {"  lazily: divide the cube, if it is not divided yet",
      HSR_RAISES(DIVIDED)},
     {"    hand a primitive down to an octant",

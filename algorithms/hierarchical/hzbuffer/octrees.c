@@ -73,8 +73,8 @@ static void render_cube(struct hsr_hz_walk *w, uint32_t k, bool inside,
   if (!(rendered && w->option[COHERENCE] == LIST) &&
       !(octants
             ? hsr_hz_is_octant_visible(w, octants, o, node, subject, &inside)
-            : hsr_hz_is_cube_visible(w, &w->frame.placing, node,
-                                     hsr_hz_faces_in(w, k), subject, &inside)))
+            : hsr_hz_is_cube_visible(w, &w->frame.placing, node, subject,
+                                     &inside)))
     return;
   HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (w->next)
@@ -168,10 +168,9 @@ static void render_instances(struct hsr_hz_walk *w,
   if (!single) {
     struct hsr_subject subject =
         node ? hsr_cube_subject(HSR_NO_ID, still) : HSR_MOVERS_CUBE(moving);
-    if (!hsr_hz_is_cube_visible(
-            w, &w->frame.as_it_is, moving == HSR_NO_NODE ? node : cube,
-            moving == HSR_NO_NODE ? hsr_hz_faces_below(w, still) : UINT64_MAX,
-            subject, &inside))
+    if (!hsr_hz_is_cube_visible(w, &w->frame.as_it_is,
+                                moving == HSR_NO_NODE ? node : cube, subject,
+                                &inside))
       return;
     HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   }
@@ -248,7 +247,7 @@ static void render_cluster(struct hsr_hz_walk *w, uint32_t k) {
   if (!c->n ||
       (hsr_box_holds(&root, &c->box) &&
        !hsr_hz_is_box_visible(w, &w->frame.as_it_is, by_its_middle(&c->box),
-                              UINT64_MAX, HSR_MOVERS_CUBE(k), &inside)))
+                              HSR_MOVERS_CUBE(k), &inside)))
     return;
   if (c->n == 1) {
     render_mover(w, hsr_member_at(clusters, c->first)->instance);

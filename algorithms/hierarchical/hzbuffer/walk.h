@@ -24,7 +24,6 @@ enum {
   CUBES_TESTED,
   CUBES_CULLED,
   CUBES_VISIBLE,
-  QUERIES,
   CUBE_READS,
   SIDES_SCANNED,
   SIDE_SAMPLES,
@@ -35,7 +34,6 @@ enum {
   FACES_TILED,
   FACE_READS,
   FACES_BEFORE,
-  COMPLETED,
   CUBES_AGAIN,
   MOVED,
   SPLITS,
@@ -53,21 +51,15 @@ enum {
   OCTREE,
   PLACEMENT,
   LEAST,
-  SMALL,
   PYRAMID,
   VOLUMES,
   CUBES,
   POLYGONS,
-  NEAR,
-  COMPLETED_SAMPLES,
   COHERENCE,
   MOVERS,
-  INTERVAL,
-  THRESHOLD,
-  LATENCY,
-  WORK
+  INTERVAL
 };
-enum { OFF, ON, BY_QUERIES };
+enum { OFF, ON, DUAL };
 enum { LAZILY = 2 };
 enum { PUSHED, ENCLOSING };
 enum { CUBE, TIGHT };
@@ -75,7 +67,6 @@ enum { RECTANGLE, SIDES, WHOLE };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
 enum { FRESH, LAZY, BEHIND, KEPT, BY_SPEED, BY_VOLUME, SPACE_TIME };
-enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 /* What lasts from frame to frame. */
 struct hsr_hz_prepared {
@@ -89,11 +80,6 @@ struct hsr_hz_prepared {
   struct hsr_movers movers;       /* movers=update, bounded, fixed: kept */
   struct hsr_space_time clusters; /* movers=space-time */
   struct hsr_arena movers_arena;  /* of either */
-
-  /* With z-queries: how many faces are in a cube and below. */
-  uint32_t **in_object; /* an object, a node of its octree */
-  uint64_t *below;      /* a node of the octree of instances */
-  struct hsr_arena arena;
 };
 
 struct hsr_hz_walk {
@@ -108,16 +94,9 @@ struct hsr_hz_walk {
   bool plain; /* no tests, and the pyramid is left as it is */
   const long *option;
   struct hsr_tally *tally;
-  float *work;     /* the work picture, or NULL */
   uint32_t *tiled; /* a face of the object at hand: the visit when it was met */
   uint32_t visit;
 };
-
-/* Samples that are touched from now on are touched by work of that kind. */
-static inline void hsr_hz_touch_for(struct hsr_hz_walk *w, int kind) {
-  long wanted = w->option[WORK];
-  w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
-}
 
 /* What the pyramid is read for from now on. */
 static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
@@ -131,19 +110,18 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
 /* --- Is a cube visible? --------------------------------------------------- */
 
 /* cube_visible of the thesis: false if the box is outside of the frustum, or
- * found to be hidden. n_faces: as many are in the cube, for z-queries. *inside:
- * the box is known to be all inside of the frustum; it is brought up to date. */
+ * found to be hidden. *inside: the box is known to be all inside of the
+ * frustum; it is brought up to date. */
 bool hsr_hz_is_box_visible(struct hsr_hz_walk *walk,
                            const struct hsr_placing *placing,
-                           struct hsr_octree_box cube, uint64_t n_faces,
+                           struct hsr_octree_box cube,
                            struct hsr_subject subject, bool *inside);
 
 /* The same of a node's cube, or of its tight box. */
 bool hsr_hz_is_cube_visible(struct hsr_hz_walk *walk,
                             const struct hsr_placing *placing,
                             const struct hsr_octree_node *node,
-                            uint64_t n_faces, struct hsr_subject subject,
-                            bool *inside);
+                            struct hsr_subject subject, bool *inside);
 
 /* Are octants projected and tested together? Not in the counting build, which
  * counts what the paper's steps read; nor where a test needs more than an
@@ -155,11 +133,6 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *walk,
                               const struct hsr_octants *octants, int o,
                               const struct hsr_octree_node *node,
                               struct hsr_subject subject, bool *inside);
-
-/* How many faces are in cube k of the object at hand, and how many in a cube of
- * the octree of instances and below it; 0 if no z-query needs it. */
-uint64_t hsr_hz_faces_in(const struct hsr_hz_walk *walk, uint32_t k);
-uint64_t hsr_hz_faces_below(const struct hsr_hz_walk *walk, uint32_t k);
 
 /* --- What is in a cube ---------------------------------------------------- */
 

@@ -601,8 +601,8 @@ static void check_frame(struct frame *f, const char *text, bool again) {
   check_lazy_cubes(f);
   bool one_by_one = !strstr(text, "coherence") && !strstr(text, "octree=off");
   if (one_by_one) {
-    check_cubes(f, !strstr(text, "near") && !strstr(text, "sides"));
-    check_faces(f, !strstr(text, "near") && !strstr(text, "polygons") &&
+    check_cubes(f, !strstr(text, "dual") && !strstr(text, "sides"));
+    check_faces(f, !strstr(text, "dual") && !strstr(text, "polygons") &&
                        !strstr(text, "pyramid"));
   }
 }
@@ -667,10 +667,10 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
 static const char *const variants[] = {
     "clark",
     "hzbuffer",
-    "hzbuffer:cubes=sides:completed=on",
+    "hzbuffer:cubes=sides",
     "hzbuffer:cubes=whole:volumes=tight:least=4",
-    "hzbuffer:near=on",
-    "hzbuffer:near=on:cubes=sides",
+    "hzbuffer:pyramid=dual",
+    "hzbuffer:pyramid=dual:cubes=sides",
     "hzbuffer:polygons=basic",
     "hzbuffer:polygons=definitive",
     "hzbuffer:polygons=none:placement=enclosing:least=2",
