@@ -67,10 +67,9 @@ static struct known *open_known(const char *name) {
 
 /* The next combination of words of all options; numbers stay as they are. False
  * after the last. */
-static bool next_choice(const struct hsr_option *option, bool movers,
-                        long *chosen) {
+static bool next_choice(const struct hsr_option *option, long *chosen) {
   for (int k = 0; option[k].name; k++) {
-    if (!option[k].words || (!movers && !strcmp(option[k].name, "movers")))
+    if (!option[k].words)
       continue;
     if (option[k].words[++chosen[k]].name)
       return true;
@@ -121,13 +120,6 @@ static void report(const struct known *k, const struct hsr_option *option,
   putchar('\n');
 }
 
-static bool moves(const struct hsr_scene *scene) {
-  bool any = false;
-  for (uint32_t o = 0; o < scene->n_objects; o++)
-    any |= scene->objects[o].moves;
-  return any;
-}
-
 static void set_number(const struct hsr_option *option, long *chosen,
                        const char *name, long number) {
   for (int k = 0; option[k].name; k++)
@@ -150,7 +142,7 @@ static int try_all(const struct known *k, long *wrong) {
     if (bad && reported++ < 5)
       report(k, option, &choice, bad);
     *wrong += bad;
-  } while (next_choice(option, moves(k->scene), choice.values.option));
+  } while (next_choice(option, choice.values.option));
   return n;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/hierarchical/hzbuffer/movers.h"
+#include "algorithms/hierarchical/hzbuffer/moving/movers.h"
 #include "common/scene/motion.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
 
 enum hsr_status hsr_movers_init(struct hsr_movers *m,
                                 const struct hsr_cubes *cubes,
-                                struct hsr_tally *tally, int moved, int splits,
+                                struct hsr_tally *tally,
                                 struct hsr_arena *arena) {
   uint32_t root;
   struct hsr_box box = hsr_cube_box(&cubes->octree.node[0]);
@@ -32,8 +32,6 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
       .n = cubes->n_movers,
       .outside = HSR_NO_MOVER,
       .tally = tally,
-      .moved = moved,
-      .splits = splits,
       .arena = arena};
   if (!m->mover || !new_node(m, &root))
     return HSR_E_NOMEM;
@@ -49,6 +47,15 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
   return HSR_OK;
 }
 
+/* Only a tree that is kept has octants in which nothing is. */
+uint32_t hsr_mover_octant(const struct hsr_movers *m, uint32_t node, int o) {
+  uint32_t child = hsr_mover_node(m, node)->child[o];
+  return m->is_kept && child != HSR_NO_NODE &&
+                 !hsr_mover_node(m, child)->n_below
+             ? HSR_NO_NODE
+             : child;
+}
+
 bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
                        const struct hsr_octree_node *cube) {
   if (hsr_mover_node(m, node)->divided)
@@ -58,8 +65,8 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
   hsr_mover_node(m, node)->divided = true;
   if (single)
     return true;
-  HSR_STEP(m->tally, m->splits, HSR_MOVERS_CUBE(node), HSR_NOTHING, HSR_NOWHERE,
-           0);
+  HSR_STEP(m->tally, HSR_MOVERS_SPLITS, HSR_MOVERS_CUBE(node), HSR_NOTHING,
+           HSR_NOWHERE, 0);
   hsr_mover_node(m, node)->first = HSR_NO_MOVER;
   for (uint32_t next; k != HSR_NO_MOVER; k = next) {
     next = m->mover[k].next;
@@ -73,7 +80,7 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
       return false;
     hsr_mover_node(m, node)->child[o] = child;
     put(m, &hsr_mover_node(m, child)->first, k);
-    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+    HSR_STEP(m->tally, HSR_MOVERS_DOWN, HSR_VOLUME(m->mover[k].instance),
              HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
   }
   return true;
@@ -147,7 +154,7 @@ static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
       return false;
     hsr_mover_node(m, child)->n_below++;
     *at = child;
-    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+    HSR_STEP(m->tally, HSR_MOVERS_DOWN, HSR_VOLUME(m->mover[k].instance),
              HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
   }
   return true;
@@ -184,6 +191,7 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   uint32_t root;
   m->mover = HSR_NEW(m->arena, struct hsr_mover, cubes->n_movers);
   m->n = cubes->n_movers;
+  m->is_kept = true;
   m->outside = HSR_NO_MOVER;
   if (!m->mover || !new_node(m, &root))
     return HSR_E_NOMEM;
@@ -219,7 +227,7 @@ static struct hsr_box volume_of(const struct hsr_movers *m,
 
 /* Puts mover k where it belongs now. */
 static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                      int looked, uint32_t k) {
+                      uint32_t k) {
   struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
   struct hsr_mover *mover = &m->mover[k];
   uint32_t was = mover->node;
@@ -227,7 +235,7 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
   uint32_t at = go_up(m, was, &mover->bounds);
   bool stays = at == was &&
                (was != HSR_NO_NODE || !hsr_box_holds(&root, &mover->bounds));
-  HSR_STEP(m->tally, looked, HSR_VOLUME(mover->instance),
+  HSR_STEP(m->tally, HSR_MOVERS_LOOKED_AT, HSR_VOLUME(mover->instance),
            was == HSR_NO_NODE ? HSR_NOTHING : HSR_MOVERS_CUBE(was), HSR_NOWHERE,
            stays);
   if (stays)
@@ -246,10 +254,10 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
 
 /* From `first` in steps; all before `end`. */
 static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                     int looked, uint32_t first, uint32_t end, uint32_t step) {
+                     uint32_t first, uint32_t end, uint32_t step) {
   bool good = true;
   for (uint64_t k = first; k < end && good; k += step)
-    good = put_again(m, cubes, looked, (uint32_t)k);
+    good = put_again(m, cubes, (uint32_t)k);
   return good;
 }
 
@@ -257,33 +265,30 @@ static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
  * frame, so that every one comes before ->every frames are over; all, if so
  * many were left out, or time goes back. */
 static bool put_known(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                      int looked, bool begins) {
+                      bool begins) {
   long frame = hsr_scene_frame(cubes->scene), last = m->frame;
   bool speed = m->knowledge == HSR_MOVERS_KNOW_SPEED;
   bool good = true;
   m->frame = frame;
   if (begins || (speed && (frame < last || frame - last >= m->every)))
-    return put_some(m, cubes, looked, 0, m->n_known, 1);
+    return put_some(m, cubes, 0, m->n_known, 1);
   for (long f = last + 1; speed && f <= frame && good; f++) {
     long part = (f % m->every + m->every) % m->every;
-    good = put_some(m, cubes, looked, (uint32_t)part, m->n_known,
-                    (uint32_t)m->every);
+    good = put_some(m, cubes, (uint32_t)part, m->n_known, (uint32_t)m->every);
   }
   return good;
 }
 
 enum hsr_status hsr_movers_update(struct hsr_movers *m,
                                   const struct hsr_cubes *cubes,
-                                  struct hsr_tally *tally, int moved,
-                                  int looked, struct hsr_arena *arena) {
+                                  struct hsr_tally *tally,
+                                  struct hsr_arena *arena) {
   bool begins = !m->mover;
   m->tally = tally;
-  m->moved = moved;
   m->arena = arena;
   if (begins && begin_kept(m, cubes))
     return HSR_E_NOMEM;
-  return put_known(m, cubes, looked, begins) &&
-                 put_some(m, cubes, looked, m->n_known, m->n, 1)
+  return put_known(m, cubes, begins) && put_some(m, cubes, m->n_known, m->n, 1)
              ? HSR_OK
              : HSR_E_NOMEM;
 }

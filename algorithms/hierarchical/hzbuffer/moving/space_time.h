@@ -39,19 +39,13 @@ struct hsr_cluster {
   enum { HSR_UNDIVIDED, HSR_IN_SPACE, HSR_IN_TIME } divided;
 };
 
-/* Counters. */
-struct hsr_space_time_count {
-  struct hsr_tally *tally;
-  int bounded, in_space, in_time, moved;
-};
-
 /* All zero before the first frame. Cluster 0 is of all instances of which
  * enough is known; the others are loose. */
 struct hsr_space_time {
   struct hsr_growing cluster, member;
   uint32_t *loose, n_loose;
   const struct hsr_scene *scene;
-  struct hsr_space_time_count count;
+  struct hsr_tally *tally;
   struct hsr_arena *arena;
 };
 
@@ -70,7 +64,7 @@ hsr_member_at(const struct hsr_space_time *t, uint32_t k) {
  * HSR_E_NOMEM: all is to be thrown away. */
 enum hsr_status hsr_space_time_begin(struct hsr_space_time *t,
                                      const struct hsr_cubes *cubes, long frames,
-                                     const struct hsr_space_time_count *count,
+                                     struct hsr_tally *tally,
                                      struct hsr_arena *arena);
 
 /* Divides a cluster of several members, if it is not yet: the parts, one or

@@ -21,6 +21,16 @@
 extern "C" {
 #endif
 
+/* What hzbuffer-moving counts. */
+enum {
+  HSR_MOVERS_DOWN, /* an instance is moved from a cube to an octant */
+  HSR_MOVERS_SPLITS,
+  HSR_MOVERS_LOOKED_AT, /* an instance that was in its cube: it stayed or left */
+  HSR_MOVERS_MET,
+  HSR_MOVERS_BOUNDED,
+  HSR_MOVERS_SPLITS_IN_TIME
+};
+
 #define HSR_NO_MOVER UINT32_MAX
 
 struct hsr_mover {
@@ -50,33 +60,30 @@ enum hsr_mover_knowledge {
 struct hsr_movers {
   struct hsr_mover *mover;
   uint32_t n, outside; /* the first of those outside the root */
+  bool is_kept;        /* from frame to frame */
   enum hsr_mover_knowledge knowledge;
   long every, frame; /* frames, and the last one */
   uint32_t n_known;  /* of the first ones enough is known */
   struct hsr_growing node;
   struct hsr_tally *tally;
-  int moved, splits; /* counters: an instance is moved from a cube to an octant;
-                        a cube is divided */
   struct hsr_arena *arena;
 };
 
-/* All in the root, or outside. The counters are those of struct hsr_movers; the
- * arrays are the arena's. HSR_E_NOMEM. */
+/* All in the root, or outside. The arrays are the arena's. HSR_E_NOMEM. */
 enum hsr_status hsr_movers_init(struct hsr_movers *movers,
                                 const struct hsr_cubes *cubes,
-                                struct hsr_tally *tally, int moved, int splits,
+                                struct hsr_tally *tally,
                                 struct hsr_arena *arena);
 
 /* Brings a tree up to date that is kept: all zero before the first frame, and
  * `arena` lasts as long. A mover stays where it is while its cube holds it;
- * else it goes up to one that does, and down again from there. `looked` is a
- * counter of movers that stayed or left. ->knowledge and ->every are to be set
- * before the first frame, and then stay. HSR_E_NOMEM: the tree is to be thrown
- * away. */
+ * else it goes up to one that does, and down again from there. ->knowledge and
+ * ->every are to be set before the first frame, and then stay. HSR_E_NOMEM: the
+ * tree is to be thrown away. */
 enum hsr_status hsr_movers_update(struct hsr_movers *movers,
                                   const struct hsr_cubes *cubes,
-                                  struct hsr_tally *tally, int moved,
-                                  int looked, struct hsr_arena *arena);
+                                  struct hsr_tally *tally,
+                                  struct hsr_arena *arena);
 
 /* A cube of the movers' octree as a subject. */
 #define HSR_MOVERS_CUBE(node) HSR_CELL(node, HSR_NO_ID, 1)
@@ -86,11 +93,9 @@ hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {
   return (struct hsr_mover_node *)movers->node.items + k;
 }
 
-/* Whether there is nothing in a cube of a tree that is kept. */
-static inline bool hsr_mover_is_empty(const struct hsr_movers *movers,
-                                      uint32_t node) {
-  return !hsr_mover_node(movers, node)->n_below;
-}
+/* Octant o of a node; HSR_NO_NODE if nothing is in it. */
+uint32_t hsr_mover_octant(const struct hsr_movers *movers, uint32_t node,
+                          int o);
 
 /* Divides a node, whose cube is given, if it is not yet. False for lack of
  * memory. */
