@@ -11,7 +11,7 @@
  *
  *   work SCENE VIEW FILE ALGORITHM COUNTER...
  *                             where an algorithm raises these counters: each
- *                             step adds 1, shared out over its samples
+ *                             step adds 1, shared out over its pixels
  *
  * usage: figures WHAT SCENE VIEW FILE ...      VIEW from 1; reports/greene/make */
 #include "algorithms/engines/cubes/cubes.h"
@@ -77,12 +77,11 @@ static void prepare(struct hsr_setup *setup, const char *variant,
     stop(err.text);
 }
 
-static int number_of(const struct hsr_setup *setup, const char *counter) {
+static int number_of(const struct hsr_algorithm *a, const char *counter) {
   int k = 0;
-  while (setup->algorithm->counters[k].name &&
-         strcmp(setup->algorithm->counters[k].name, counter) != 0)
+  while (a->counters[k].name && strcmp(a->counters[k].name, counter) != 0)
     k++;
-  if (!setup->algorithm->counters[k].name)
+  if (!a->counters[k].name)
     stop("no such counter");
   return k;
 }
@@ -174,8 +173,8 @@ static void draw_exposed(const struct both_worlds *worlds, uint32_t k,
   if (!ids || !rgb || !passes.late)
     stop("out of memory");
   prepare(&setup, "hzbuffer:coherence=passes", &worlds->outline);
-  passes.nodes = number_of(&setup, "nodes visited");
-  passes.writes = number_of(&setup, "writes");
+  passes.nodes = number_of(setup.algorithm, "nodes visited");
+  passes.writes = number_of(setup.algorithm, "writes");
   draw(&setup, &before, ids, NULL, NULL);
   draw(&setup, &view, ids, note_pass, &passes);
   if (hsr_picture_finish(&worlds->outline, &view, ids, HSR_SHADE_LAMBERT, NULL,
@@ -265,9 +264,9 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   if (!ids || !map.out || hsr_cubes_init(&cubes, &worlds->outline, &rule, &err))
     stop(map.out ? err.text : path);
   prepare(&setup, "hzbuffer", &worlds->outline);
-  map.visible = number_of(&setup, "cubes visible");
-  map.culled = number_of(&setup, "cubes culled");
-  map.outside = number_of(&setup, "nodes out");
+  map.visible = number_of(setup.algorithm, "cubes visible");
+  map.culled = number_of(setup.algorithm, "cubes culled");
+  map.outside = number_of(setup.algorithm, "nodes out");
   const struct hsr_octree_node *root = &cubes.octree.node[0];
   fprintf(map.out,
           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" "
@@ -293,7 +292,8 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
 
 struct work {
   bool shown[HSR_MAX_COUNTERS];
-  float *at; /* a sample */
+  int side;  /* samples along a side of a pixel */
+  float *at; /* a pixel */
 };
 
 static void note_work(void *context, const struct hsr_event *event) {
@@ -301,30 +301,38 @@ static void note_work(void *context, const struct hsr_event *event) {
   const struct hsr_window *w = &event->window;
   if (!work->shown[event->counter])
     return;
-  float share = 1.0f / (float)((w->x1 - w->x0) * (w->y1 - w->y0));
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
+  int x0 = w->x0 / work->side, x1 = w->x1 / work->side;
+  int y0 = w->y0 / work->side, y1 = w->y1 / work->side;
+  float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
+  for (int j = y0; j < y1; j++)
+    for (int i = x0; i < x1; i++)
       work->at[j * SIDE + i] += share;
 }
 
+/* A module that filters by itself, as tiling does, tells its windows in
+ * sub-samples. */
 static void draw_work(const struct both_worlds *worlds, uint32_t k,
                       const char *path, const char *algorithm,
                       char **counters) {
   struct hsr_view view = view_of(worlds, k);
-  struct hsr_setup setup;
-  struct hsr_error err = {.text = "cannot be written"};
-  uint32_t *ids = malloc(SAMPLES * sizeof *ids);
+  struct hsr_error err = {.text = "the scene is refused"};
+  struct hsr_variant variant;
+  struct hsr_answer answer;
   struct work work = {.at = calloc(SAMPLES, sizeof *work.at)};
-  if (!ids || !work.at)
-    stop("out of memory");
-  prepare(&setup, algorithm, &worlds->outline);
-  for (; *counters; counters++)
-    work.shown[number_of(&setup, *counters)] = true;
-  draw(&setup, &view, ids, note_work, &work);
-  if (hsr_image_write_work(path, SIDE, SIDE, work.at, &err))
+  if (!work.at || hsr_variant_parse(algorithm, &variant, &err))
     stop(err.text);
-  hsr_setup_free(&setup);
-  free(ids);
+  const struct hsr_algorithm *a = variant.listed->counting;
+  bool filtered = !strcmp(variant.choice.form.type->name, "filtered");
+  work.side = filtered ? HSR_SUB : 1;
+  for (; *counters; counters++)
+    work.shown[number_of(a, *counters)] = true;
+  struct hsr_trace trace = {.listen = note_work, .context = &work};
+  struct hsr_tally tally = {.trace = &trace};
+  if (!draw_chosen(a, &variant.choice, &worlds->outline, &view, &answer,
+                   &tally) ||
+      hsr_image_write_work(path, SIDE, SIDE, work.at, &err))
+    stop(err.text);
+  hsr_answer_free(&answer);
   free(work.at);
 }
 

@@ -174,9 +174,9 @@ static void check_visit(struct frame *f, size_t k) {
 }
 
 static void check_masks(struct frame *f) {
-  int cube_cells = counter(f, "cube cells"), asked = counter(f, "cubes asked");
+  int cube_cells = counter(f, "cube cells"), asked = counter(f, "cubes tested");
   int polygon_cells = counter(f, "polygon cells");
-  int hidden = counter(f, "cubes hidden"), pieces = counter(f, "pieces");
+  int hidden = counter(f, "cubes culled"), pieces = counter(f, "pieces");
   struct hsr_subject cube = HSR_NOTHING, face = HSR_FACE(HSR_BACKGROUND);
   if (pieces < 0)
     pieces = counter(f, "polygons");
@@ -593,7 +593,7 @@ static void check_frame(struct frame *f, const char *text, bool again) {
     return;
   }
   check_frustum(f);
-  if (counter(f, "cubes tested") < 0)
+  if (counter(f, "cube reads") < 0)
     return;
   check_movers(f, text);
   check_looked(f, text, again);
@@ -691,7 +691,7 @@ static const char *const variants[] = {
     "tiling",
     "tiling:leaf=2",
     "tiling:start=root:intervals=8",
-    "tiling:cubes=drawn:masks=table",
+    "tiling:octree=off:masks=table",
     "tiling:filter=box",
     "tiling:filter=cosine:jitter=3",
     "tiling-merged",

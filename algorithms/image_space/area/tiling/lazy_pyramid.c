@@ -567,21 +567,18 @@ void hsr_lazy_resolve(struct hsr_lazy_pyramid *p,
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"fragments", "of polygons, cached in pixels",
-                                HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
-    {"pixels demoted",
-                                       "from tiling to z-buffering",
-                                       HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_FACE},
-    {"samples compared", "by depth",
-                                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                                        "farther|nearer"},
+    {"fragments", "of polygons, cached in pixels", HSR_ACTIVATE, HSR_OF_FACE,
+     HSR_OF_CELL},
+    {"pixels demoted", "from tiling to z-buffering", HSR_SUBDIVIDE, HSR_OF_CELL,
+     HSR_OF_FACE},
+    {"samples compared", "by depth", HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+     "farther|nearer"},
     {"pixels entered",
-         "that in the end are not of one face as all about "
-         "them, or vacant",
-         HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_WINDOW, "tiled|z-buffered"},
-    {"pixels z-buffered",
-                                          "of these, in the end", HSR_SUBDIVIDE,
-                                          HSR_OF_CELL, HSR_OF_WINDOW},
+     "that in the end are not of one face as all about "
+     "them, or vacant",
+     HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_WINDOW, "tiled|z-buffered"},
+    {"pixels z-buffered", "of these, in the end", HSR_SUBDIVIDE, HSR_OF_CELL,
+     HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_line pixel_lines[] = {

@@ -98,12 +98,11 @@ void hsr_loose_draw(struct hsr_loose *l, uint32_t *ids, size_t stride) {
 
 static const struct hsr_counter counters[] = {
     {"thickness checks",
-         "comparisons in depth with faces that are not flat and have "
-         "no place in the trees",
-         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
-    {"loose samples",
-                             "where such a face is the nearest so far: written",
-                             HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     "comparisons in depth with faces that are not flat and have "
+     "no place in the trees",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    {"loose samples", "where such a face is the nearest so far: written",
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_line lines[] = {
