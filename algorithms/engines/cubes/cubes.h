@@ -77,7 +77,8 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                                struct hsr_error *err);
 void hsr_cubes_free(struct hsr_cubes *cubes);
 
-/* The same, but no cube is divided, and cells are empty until their cubes are. */
+/* The same, but no cube is divided; cells are empty until their cubes are
+ * divided. */
 enum hsr_status hsr_cubes_init_lazily(struct hsr_cubes *cubes,
                                       const struct hsr_world *world,
                                       const struct hsr_octree_rule *rule,

@@ -22,7 +22,7 @@ static struct hsr_window window_of(struct hsr_bounds box) {
   return hsr_window_make(box.x0, box.y0, box.x1, box.y1);
 }
 
-/* Was the face met before in this visit? */
+/* Was the face met before? If not, it is from now on. */
 static bool is_repeated(struct hsr_hz_walk *w, uint32_t f) {
   uint32_t *met = &w->met[w->frame.tiler.id[f]];
   if (*met != w->visit) {
@@ -35,7 +35,7 @@ static bool is_repeated(struct hsr_hz_walk *w, uint32_t f) {
   return true;
 }
 
-/* Drops the faces that go the general way and were met before. */
+/* Of the faces that are tiled one by one, leaves out those met before. */
 static void drop_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k))
@@ -66,7 +66,8 @@ static void count_tested(const struct hsr_hz_walk *w,
              window_of(box_of(r, k)), 0);
 }
 
-/* Leaves out of a batch what was met before, and what is hidden. */
+/* Of the triangles that are tiled together, leaves out those met before and
+ * those that are hidden. */
 static void filter(struct hsr_hz_walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
   for (int k = 0; k < b->n_fast; k++)
@@ -98,8 +99,9 @@ static int greater(int a, int b) {
   return a > b ? a : b;
 }
 
-/* Something was tiled in a box. Boxes that one box holds without more samples
- * are brought up to date together. */
+/* Something was tiled in a box: the pyramid above it is not up to date. It is
+ * brought up to date together with that of earlier boxes, if one box around all
+ * of them has no more samples than they have. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
@@ -124,7 +126,7 @@ static void tile_generally(struct hsr_hz_walk *w, uint32_t f) {
     hsr_hz_tile_face(w, &w->frame.tiler, f);
 }
 
-/* The definitive test, of those that are set up and that the fast one left. */
+/* polygons=definitive: tests what the fast test has left. */
 static void filter_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
@@ -139,8 +141,8 @@ static void filter_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
-/* Those that are nearer than anything where they are, by the pyramid of the
- * nearest: their depths need not be compared. */
+/* pyramid=dual: tiles the triangles that are nearer than anything where they
+ * are. Their depths need not be compared. */
 static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
   for (int k = 0; k < b->n_fast; k++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How a frame of the hierarchical z-buffer begins and ends, what is prepared for
- * it, and what is counted. See walk.h. */
+/* How a frame of the hierarchical z-buffer begins and ends, what is prepared
+ * for it, and what is counted. See walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 const struct hsr_word hsr_hz_coherences[] = {

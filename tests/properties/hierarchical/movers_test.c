@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Objects that move between frames: hzbuffer, hzbuffer-moving and clark are
- * prepared once, and must draw the same as the z-buffer, for which the scene is laid out anew in
- * every frame. Carts drive through the office; some frames move them out of the
- * building, or back in time. Greene's thesis, 3.4. */
+ * prepared once, and must draw the same as the z-buffer, for which the scene is
+ * laid out anew in every frame. Carts drive through the office; some frames
+ * move them out of the building, or back in time. Greene's thesis, 3.4. */
 #define HSR_COUNTING 1
 #include "algorithms/counting-names.h" /* the functions of that build */
 #include "scenes/scenes.h"
@@ -146,7 +146,7 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
 
 /* --- With what is known beforehand ---------------------------------------- */
 
-/* Each is used where the motion is known; for movers=update it is as if nothing were. */
+/* Each is used where the motion is known; movers=update makes no use of that. */
 static const char *const knowing[] = {
     "hzbuffer-moving:movers=octree",
     "hzbuffer-moving:movers=update",
@@ -470,8 +470,8 @@ static void check_update(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
-/* The only mover in the cube from -1 to 1, a cube with sides of .2, whose centre is
- * at (x, x, x) in the frame. */
+/* The only mover in the cube from -1 to 1: a cube with sides of .2. Its centre
+ * is at (x, x, x) in the frame. */
 struct single {
   struct hsr_object object;
   struct hsr_instance instance;

@@ -127,8 +127,8 @@ static void take_out(struct hsr_movers *m, uint32_t k) {
   *link = m->mover[k].next;
 }
 
-/* The cubes above `from`, or that one, no longer hold the mover, until one
- * holds its bounds. */
+/* The first cube that holds the bounds, from `from` upwards. Those that do not
+ * have one mover less in them. */
 static uint32_t go_up(struct hsr_movers *m, uint32_t from,
                       const struct hsr_box *bounds) {
   while (from != HSR_NO_NODE) {
@@ -142,7 +142,7 @@ static uint32_t go_up(struct hsr_movers *m, uint32_t from,
   return HSR_NO_NODE;
 }
 
-/* To the smallest octant that holds mover k. */
+/* Goes down from *at to the smallest octant that holds mover k. */
 static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
   for (int depth = 0; depth < DEEPEST; depth++) {
     struct hsr_mover_node *node = hsr_mover_node(m, *at);
@@ -160,7 +160,7 @@ static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
   return true;
 }
 
-/* Whether enough is known of an instance to leave it alone for a while. */
+/* Whether enough is known of an instance not to look at it in every frame. */
 static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
                      uint32_t i) {
   struct hsr_motion motion = hsr_scene_motion(scene, i);
@@ -172,7 +172,7 @@ static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
                                                   : false;
 }
 
-/* Those of which enough is known come first. */
+/* Lists all as outside. Those of which enough is known come first. */
 static void list_movers(struct hsr_movers *m, const struct hsr_cubes *cubes) {
   uint32_t k = 0;
   for (int known = 1; known >= 0; known--) {
@@ -204,8 +204,8 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   return HSR_OK;
 }
 
-/* A box that holds mover k until it is looked at again. What the sums round off
- * is added. */
+/* A box that holds mover k until it is looked at again. It is enlarged by what
+ * the sums may round off. */
 static struct hsr_box volume_of(const struct hsr_movers *m,
                                 const struct hsr_cubes *cubes, uint32_t k) {
   uint32_t i = m->mover[k].instance;
@@ -225,7 +225,7 @@ static struct hsr_box volume_of(const struct hsr_movers *m,
   return box;
 }
 
-/* Puts mover k where it belongs now. */
+/* Looks at mover k. Puts it into another cube if its own does not hold it. */
 static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
                       uint32_t k) {
   struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
@@ -252,7 +252,7 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
   return true;
 }
 
-/* From `first` in steps; all before `end`. */
+/* The same of every `step`-th one from `first` on, before `end`. */
 static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
                      uint32_t first, uint32_t end, uint32_t step) {
   bool good = true;
@@ -261,9 +261,9 @@ static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
   return good;
 }
 
-/* Which of the known ones it is time to look at. A part of them comes in each
- * frame, so that every one comes before ->every frames are over; all, if so
- * many were left out, or time goes back. */
+/* Looks at the known ones whose turn it is: a part of them in each frame, so
+ * that each is looked at once in ->every frames. All of them, if so many frames
+ * were left out, or time goes back. */
 static bool put_known(struct hsr_movers *m, const struct hsr_cubes *cubes,
                       bool begins) {
   long frame = hsr_scene_frame(cubes->scene), last = m->frame;

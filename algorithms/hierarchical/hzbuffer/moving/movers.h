@@ -2,15 +2,15 @@
 /* The instances that move, in an octree of their own.
  *
  * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 3.4: a dynamic octree
- *             of the same cubes as the static one, from scratch in every frame;
- *             whole, or divided only where it is found to be visible; or kept
- *             from frame to frame, and brought up to date; instances by their
- *             bounding volumes, which may hold them for some frames, or for
- *             all.
- * Invariant   an instance is in the smallest cube so far that holds its bounds,
- *             or in the root. Those that do not fit into the root's cube are
- *             outside. A tree that is kept may have larger cubes than a new
- *             one, where an instance moved into an octant of its cube. */
+ *             of the same cubes as the static one. It is made in every frame,
+ *             whole, or divided only where it is found to be visible; or it is
+ *             kept from frame to frame and brought up to date. Instances are in
+ *             it by their bounding volumes, which may hold them for some
+ *             frames, or for all.
+ * Invariant   the cube in which an instance is holds its bounds. Of the cubes
+ *             that are made it was the smallest one when the instance was put
+ *             there. Instances that do not fit into the root's cube are
+ *             outside. */
 #ifndef HSR_ALGORITHMS_MOVERS_H
 #define HSR_ALGORITHMS_MOVERS_H
 
@@ -21,11 +21,11 @@
 extern "C" {
 #endif
 
-/* What hzbuffer-moving counts. */
+/* What hzbuffer-moving counts; hzbuffer_moving.c has their meanings. */
 enum {
-  HSR_MOVERS_DOWN, /* an instance is moved from a cube to an octant */
+  HSR_MOVERS_DOWN,
   HSR_MOVERS_SPLITS,
-  HSR_MOVERS_LOOKED_AT, /* an instance that was in its cube: it stayed or left */
+  HSR_MOVERS_LOOKED_AT,
   HSR_MOVERS_MET,
   HSR_MOVERS_BOUNDED,
   HSR_MOVERS_SPLITS_IN_TIME
@@ -41,20 +41,22 @@ struct hsr_mover {
 
 struct hsr_mover_node {
   uint32_t child[8], first; /* HSR_NO_NODE; HSR_NO_MOVER */
-  bool divided;             /* what fits into octants is there */
+  bool divided;             /* what fits into octants is in them */
 
   /* In a tree that is kept. */
   uint32_t parent, n_below; /* n_below: movers in it and its octants */
   struct hsr_octree_node cube;
 };
 
-/* What is made use of in a tree that is kept. Where it is not known of an
- * instance (common/scene/motion.h), that one is looked at in every frame. */
+/* What is known beforehand of how instances move (common/scene/motion.h), for a
+ * tree that is kept. An instance of which it is not known is looked at in every
+ * frame. */
 enum hsr_mover_knowledge {
   HSR_MOVERS_KNOW_NOTHING,
-  HSR_MOVERS_KNOW_SPEED, /* put again every so many frames, in a box that holds
-                            it for so long */
-  HSR_MOVERS_KNOW_VOLUME /* put once, in the box that it never leaves */
+  HSR_MOVERS_KNOW_SPEED, /* it is looked at every `every` frames, and is in the
+                            tree with a box that holds it for so long */
+  HSR_MOVERS_KNOW_VOLUME /* it is looked at once, and is in the tree with the
+                            box that it never leaves */
 };
 
 struct hsr_movers {
@@ -75,11 +77,11 @@ enum hsr_status hsr_movers_init(struct hsr_movers *movers,
                                 struct hsr_tally *tally,
                                 struct hsr_arena *arena);
 
-/* Brings a tree up to date that is kept: all zero before the first frame, and
- * `arena` lasts as long. A mover stays where it is while its cube holds it;
- * else it goes up to one that does, and down again from there. ->knowledge and
- * ->every are to be set before the first frame, and then stay. HSR_E_NOMEM: the
- * tree is to be thrown away. */
+/* Brings a tree that is kept up to date. It is all zero before the first frame,
+ * and `arena` lasts as long as it does. A mover stays where it is while its
+ * cube holds it. Otherwise it goes up to a cube that does, and down again.
+ * ->knowledge and ->every are set before the first frame, and do not change.
+ * HSR_E_NOMEM: the tree cannot be used any more. */
 enum hsr_status hsr_movers_update(struct hsr_movers *movers,
                                   const struct hsr_cubes *cubes,
                                   struct hsr_tally *tally,
@@ -97,12 +99,12 @@ hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {
 uint32_t hsr_mover_octant(const struct hsr_movers *movers, uint32_t node,
                           int o);
 
-/* Divides a node, whose cube is given, if it is not yet. False for lack of
- * memory. */
+/* Divides a node, whose cube is given, if it is not divided yet. False for lack
+ * of memory. */
 bool hsr_movers_divide(struct hsr_movers *movers, uint32_t node,
                        const struct hsr_octree_node *cube);
 
-/* And all nodes below. */
+/* The same of a node and of all nodes below it. */
 bool hsr_movers_divide_all(struct hsr_movers *movers, uint32_t node,
                            const struct hsr_octree_node *cube);
 

@@ -35,7 +35,7 @@ static bool new_cluster(struct hsr_space_time *t, long from, long to,
   return true;
 }
 
-/* To the newest cluster. */
+/* Adds a member to the newest cluster. */
 static bool add_member(struct hsr_space_time *t, const struct hsr_member *m) {
   struct hsr_member copy = *m;
   if (!hsr_arena_grow(t->arena, &t->member, sizeof copy))
@@ -111,8 +111,9 @@ static bool make_half(struct hsr_space_time *t, uint32_t k, int half) {
   return good;
 }
 
-/* Which members are above the mean of their middles along an axis; if all are
- * on one side, the second half of them. */
+/* Whether member j goes into the upper part: its middle is above the mean of
+ * all middles along an axis. `alike`: all are on one side of the mean; then the
+ * second half of them does. */
 static bool is_above(const struct hsr_space_time *t,
                      const struct hsr_cluster *c, int axis, double mean,
                      bool alike, uint32_t j) {
@@ -147,7 +148,7 @@ static bool divide_in_space(struct hsr_space_time *t, uint32_t k) {
   return good;
 }
 
-/* Whether a cluster is to be divided in time. */
+/* Is a cluster to be divided in time? If not, it is in space. */
 static bool is_long(const struct hsr_cluster *c) {
   return c->to > c->from &&
          c->longest / c->n > 0.5 * side(&c->box, longest_axis(&c->box));

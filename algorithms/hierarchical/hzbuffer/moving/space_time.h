@@ -2,10 +2,10 @@
 /* Clusters of instances whose ways are known, in regions of space for intervals
  * of frames.
  *
- * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 3.4, the end: a volume
- *             that bounds a cluster for a sequence of frames; if it is hidden in
- *             one of them, so is the cluster; if not, it is divided in space or
- *             in time, "as appropriate". He leaves open which.
+ * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, the end of 3.4. A
+ *             volume bounds a cluster for a sequence of frames. If it is hidden
+ *             in one of them, so is the cluster. If not, the cluster is divided
+ *             in space or in time; he leaves open which.
  * Choice      in time where an instance, on the average, passes over more than
  *             half of the cluster's length in the interval: dividing its members
  *             in space would not make the volume much smaller. Otherwise in
