@@ -128,7 +128,7 @@ static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
          !is_rectangle_hidden(w, box, c->image.nearest);
 }
 
-/* *inside: the cube is all inside of the frustum, and so are the cubes in it. */
+/* *inside: the cube, and so each cube in it, is all inside of the frustum. */
 static bool is_in_frustum(struct hsr_hz_walk *w,
                           const struct hsr_placing *placing,
                           const struct hsr_octree_box *cube,

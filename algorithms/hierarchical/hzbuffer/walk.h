@@ -199,8 +199,8 @@ void hsr_hz_refresh(struct hsr_hz_walk *walk);
 
 /* --- Temporal coherence --------------------------------------------------- */
 
-/* Renders the cubes that were visible in the last frame into the plain z-buffer;
- * then builds the pyramid. HSR_E_NOMEM. */
+/* Renders the cubes that were visible in the last frame into the plain
+ * z-buffer; then builds the pyramid. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *walk);
 
 /* Makes the list for the next frame; an empty one, if memory ran out. */

@@ -146,7 +146,7 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
 
 /* --- With what is known beforehand ---------------------------------------- */
 
-/* Each is used where the motion is known; movers=update makes no use of that. */
+/* Each is used where the motion is known; movers=update does not use that. */
 static const char *const knowing[] = {
     "hzbuffer-moving:movers=octree",
     "hzbuffer-moving:movers=update",
