@@ -244,8 +244,7 @@ static const char *const proposals[] = {
 #include "algorithms/proposals.def"
 #undef HSR_PROPOSED
     "zbuffer-fast:groups=cones", "hzbuffer:octree=lazy",
-    "hzbuffer:pyramid=queries:threshold=20", "tiling:counts=on",
-    "pvs:sets=cells"};
+    "hzbuffer:pyramid=off:cubes=sides", "tiling:counts=on", "pvs:sets=cells"};
 enum { N_PROPOSALS = sizeof proposals / sizeof *proposals, MOST_LISTED = 200 };
 
 /* A variant as an algorithm of its own, in one build. */

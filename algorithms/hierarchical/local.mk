@@ -24,11 +24,13 @@ algorithm_files += \
   %D%/hzbuffer/coherence.c \
   %D%/hzbuffer/cube.c \
   %D%/hzbuffer/hzbuffer.c \
-  %D%/hzbuffer/movers.c \
-  %D%/hzbuffer/movers.h \
+  %D%/hzbuffer/hzbuffer_moving.c \
+  %D%/hzbuffer/moving/movers.c \
+  %D%/hzbuffer/moving/movers.h \
+  %D%/hzbuffer/moving/space_time.c \
+  %D%/hzbuffer/moving/space_time.h \
   %D%/hzbuffer/octrees.c \
-  %D%/hzbuffer/space_time.c \
-  %D%/hzbuffer/space_time.h \
+  %D%/hzbuffer/walk.c \
   %D%/hzbuffer/walk.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \

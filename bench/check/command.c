@@ -282,7 +282,7 @@ static const struct argp argp = {
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"
     "  hsr check house mesh:elephant -a watkins --size 97x61,512x512\n"
-    "  hsr check traffic:20:%d --frames 0-9 -a hzbuffer:movers=update",
+    "  hsr check traffic:20:%d --frames 0-9 -a hzbuffer-moving:movers=update",
     NULL,
     NULL,
     NULL};

@@ -300,9 +300,7 @@ static struct hsr_octree_rule cube_rule(const struct hsr_setup *setup) {
   bool pushed = !option_of(setup, "placement", 0);
   uint32_t least = (uint32_t)option_of(setup, "least", 20);
   return (struct hsr_octree_rule){
-      .small = pushed ? 1. / (double)option_of(setup, "small", 10) : 0,
-      .most = least,
-      .least = least};
+      .small = pushed ? 0.1 : 0, .most = least, .least = least};
 }
 
 /* Where the world is. */

@@ -325,7 +325,7 @@ static const struct argp argp = {
     "  hsr render house -a zbuffer-fast:filter=cosine:jitter=4 -o house.png\n"
     "  hsr render house -a line-oracle --hidden dashed -o house.svg\n"
     "  hsr render mesh:elephant --orbit 72 -o turn%02d.png\n"
-    "  hsr render traffic:20:%d --frames 0-99 -a hzbuffer -o t%02d.png",
+    "  hsr render traffic:20:%d --frames 0-99 -a hzbuffer-moving -o t%02d.png",
     NULL,
     NULL,
     NULL};

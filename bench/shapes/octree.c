@@ -123,9 +123,7 @@ static struct hsr_octree_rule rule_of(const struct hsr_setup *setup) {
   uint32_t least = (uint32_t)option(a, &values, "least");
   bool pushed = !option(a, &values, "placement");
   return (struct hsr_octree_rule){
-      .small = pushed ? 1.0 / (double)option(a, &values, "small") : 0,
-      .most = least,
-      .least = least};
+      .small = pushed ? 0.1 : 0, .most = least, .least = least};
 }
 
 enum hsr_status shape_octree(const struct shape_source *source,

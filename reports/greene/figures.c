@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws figures 3.4, 3.6 and 3.7 of N. Greene's thesis (UC Santa Cruz, 1995) of
- * other scenes:
+/* Draws figures 3.4, 3.6 and 3.7 of N. Greene's thesis (UC Santa Cruz, 1995), and
+ * the panels of figure 1 of 1993, of other scenes:
  *
  *   pyramid SCENE VIEW FILE   a z-pyramid, the nearest bright: the finest level
  *                             at the left, each coarser one above the next
@@ -9,7 +9,11 @@
  *   above SCENE VIEW FILE     from above, as .svg: the frustum, and the cubes
  *                             visited: visible blue, hidden red, outside grey
  *
- * usage: figures WHAT SCENE VIEW FILE      VIEW from 1; reports/greene/make */
+ *   work SCENE VIEW FILE ALGORITHM COUNTER...
+ *                             where an algorithm raises these counters: each
+ *                             step adds 1, shared out over its pixels
+ *
+ * usage: figures WHAT SCENE VIEW FILE ...      VIEW from 1; reports/greene/make */
 #include "algorithms/engines/cubes/cubes.h"
 #include "bench/modules/variant.h"
 #include "common/files/image.h"
@@ -71,10 +75,12 @@ static void prepare(struct hsr_setup *setup, const char *variant,
     stop(err.text);
 }
 
-static int number_of(const struct hsr_setup *setup, const char *counter) {
+static int number_of(const struct hsr_algorithm *a, const char *counter) {
   int k = 0;
-  while (strcmp(setup->algorithm->counters[k].name, counter) != 0)
+  while (a->counters[k].name && strcmp(a->counters[k].name, counter) != 0)
     k++;
+  if (!a->counters[k].name)
+    stop("no such counter");
   return k;
 }
 
@@ -165,8 +171,8 @@ static void draw_exposed(const struct both_worlds *worlds, uint32_t k,
   if (!ids || !rgb || !passes.late)
     stop("out of memory");
   prepare(&setup, "hzbuffer:coherence=passes", &worlds->roster);
-  passes.nodes = number_of(&setup, "nodes visited");
-  passes.writes = number_of(&setup, "writes");
+  passes.nodes = number_of(setup.algorithm, "nodes visited");
+  passes.writes = number_of(setup.algorithm, "writes");
   draw(&setup, &before, ids, NULL, NULL);
   draw(&setup, &view, ids, note_pass, &passes);
   if (hsr_picture_finish(&worlds->roster, &view, ids, HSR_SHADE_LAMBERT, NULL,
@@ -256,9 +262,9 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   if (!ids || !map.out || hsr_cubes_init(&cubes, &worlds->roster, &rule, &err))
     stop(map.out ? err.text : path);
   prepare(&setup, "hzbuffer", &worlds->roster);
-  map.visible = number_of(&setup, "cubes visible");
-  map.culled = number_of(&setup, "cubes culled");
-  map.outside = number_of(&setup, "nodes out");
+  map.visible = number_of(setup.algorithm, "cubes visible");
+  map.culled = number_of(setup.algorithm, "cubes culled");
+  map.outside = number_of(setup.algorithm, "nodes out");
   const struct hsr_octree_node *root = &cubes.octree.node[0];
   fprintf(map.out,
           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" "
@@ -280,9 +286,57 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   free(ids);
 }
 
+/* --- Work ----------------------------------------------------------------- */
+
+struct work {
+  bool shown[HSR_MAX_COUNTERS];
+  int side;  /* samples along a side of a pixel */
+  float *at; /* a pixel */
+};
+
+static void note_work(void *context, const struct hsr_event *event) {
+  struct work *work = context;
+  const struct hsr_window *w = &event->window;
+  if (!work->shown[event->counter])
+    return;
+  int x0 = w->x0 / work->side, x1 = w->x1 / work->side;
+  int y0 = w->y0 / work->side, y1 = w->y1 / work->side;
+  float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
+  for (int j = y0; j < y1; j++)
+    for (int i = x0; i < x1; i++)
+      work->at[j * SIDE + i] += share;
+}
+
+/* A module that filters by itself, as tiling does, tells its windows in
+ * sub-samples. */
+static void draw_work(const struct both_worlds *worlds, uint32_t k,
+                      const char *path, const char *algorithm,
+                      char **counters) {
+  struct hsr_view view = view_of(worlds, k);
+  struct hsr_error err = {.text = "the scene is refused"};
+  struct hsr_variant variant;
+  struct hsr_answer answer;
+  struct work work = {.at = calloc(SAMPLES, sizeof *work.at)};
+  if (!work.at || hsr_variant_parse(algorithm, &variant, &err))
+    stop(err.text);
+  const struct hsr_algorithm *a = variant.listed->counting;
+  bool filtered = !strcmp(variant.choice.form.type->name, "filtered");
+  work.side = filtered ? HSR_SUB : 1;
+  for (; *counters; counters++)
+    work.shown[number_of(a, *counters)] = true;
+  struct hsr_trace trace = {.listen = note_work, .context = &work};
+  struct hsr_tally tally = {.trace = &trace};
+  if (!draw_chosen(a, &variant.choice, &worlds->roster, &view, &answer,
+                   &tally) ||
+      hsr_image_write_work(path, SIDE, SIDE, work.at, &err))
+    stop(err.text);
+  hsr_answer_free(&answer);
+  free(work.at);
+}
+
 int main(int argc, char **argv) {
-  if (argc != 5)
-    stop("usage: figures pyramid|exposed|above SCENE VIEW FILE");
+  if (argc < 5)
+    stop("usage: figures pyramid|exposed|above|work SCENE VIEW FILE ...");
   struct both_worlds worlds = {.scene = NULL};
   struct hsr_error err = {.text = "out of memory"};
   uint32_t view = (uint32_t)atol(argv[3]) - 1;
@@ -293,6 +347,8 @@ int main(int argc, char **argv) {
     draw_pyramid(&worlds, view, argv[4]);
   else if (!strcmp(argv[1], "exposed"))
     draw_exposed(&worlds, view, argv[4]);
+  else if (!strcmp(argv[1], "work") && argc > 6)
+    draw_work(&worlds, view, argv[4], argv[5], argv + 6);
   else
     draw_above(&worlds, view, argv[4]);
   hsr_world_free(&worlds.roster);

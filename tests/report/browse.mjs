@@ -219,8 +219,8 @@ async function sampled(folder) {
     assert.match(await hash(), /algorithms=/);
     await page.reload();
     await settle(page);
-    const { watkins, zbuffer } = before;
-    assert.deepEqual(await colours(), { watkins, zbuffer });
+    const { watkins, "zbuffer-fast": zbuffer } = before;
+    assert.deepEqual(await colours(), { watkins, "zbuffer-fast": zbuffer });
     const hue = /--hue-\d/.exec(watkins)[0];
     assert.ok(await page.$(`.plot svg [fill="var(${hue})"]`), "in the plot");
   });

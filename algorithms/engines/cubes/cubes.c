@@ -56,40 +56,6 @@ static double area_of(const void *context, uint32_t k) {
   return side * side;
 }
 
-/* Whether an instance's own root cube lies in a cube. */
-static bool holds_root(const struct hsr_cubes *cubes,
-                       const struct hsr_octree_node *node, uint32_t i) {
-  const struct hsr_instance *instance = &cubes->scene->instances[i];
-  const struct hsr_octree_node *root =
-      &cubes->object[instance->object].octree.node[0];
-  struct hsr_box box = hsr_cube_box(node);
-  for (int k = 0; k < 3; k++) {
-    const double *row = instance->m + 4 * k;
-    double centre = row[0] * root->centre[0] + row[1] * root->centre[1] +
-                    row[2] * root->centre[2] + row[3];
-    double half = (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * root->half;
-    if (centre - half < box.lo[k] || centre + half > box.hi[k])
-      return false;
-  }
-  return true;
-}
-
-static bool are_apart(const struct hsr_cubes *cubes) {
-  const struct hsr_octree *octree = &cubes->octree;
-  bool apart = octree->n_items == cubes->scene->n_instances;
-  for (uint32_t k = 0; k < octree->n_nodes && apart; k++) {
-    const struct hsr_octree_node *node = &octree->node[k];
-    uint32_t children = 0;
-    for (int o = 0; o < 8; o++)
-      children += node->child[o] != HSR_NO_NODE;
-    apart =
-        node->n == 0 || (node->n == 1 && !children &&
-                         (octree->n_items == 1 ||
-                          holds_root(cubes, node, octree->item[node->first])));
-  }
-  return apart;
-}
-
 /* One instance to a cube; those on the planes of a grid stay whole if the
  * cubes' planes are the grid's: the root is a power of two times as large as
  * the largest instance. */
@@ -114,7 +80,6 @@ static enum hsr_status place_still(struct hsr_cubes *cubes,
   }
   for (uint32_t k = 0; k < octree->n_items && !cubes->lazy; k++)
     octree->item[k] = still->instance[octree->item[k]];
-  cubes->apart = !cubes->lazy && are_apart(cubes);
   return HSR_OK;
 }
 

@@ -61,7 +61,6 @@ struct hsr_cubes {
   uint32_t n_movers;
   struct hsr_world loose; /* the loose faces of all instances, laid out */
   uint32_t *loose_id;     /* what they are called in the scene */
-  bool apart; /* none moves, and each has a cube to itself, and no other */
   uint32_t most_vertices, most_faces, most_corners; /* of a cell */
   uint32_t most_object_faces;                       /* of an object */
   struct hsr_arena arena;
@@ -78,8 +77,8 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                                struct hsr_error *err);
 void hsr_cubes_free(struct hsr_cubes *cubes);
 
-/* The same, but no cube is divided, and cells are empty until their cubes are.
- * `apart` is false. */
+/* The same, but no cube is divided; cells are empty until their cubes are
+ * divided. */
 enum hsr_status hsr_cubes_init_lazily(struct hsr_cubes *cubes,
                                       const struct hsr_world *world,
                                       const struct hsr_octree_rule *rule,

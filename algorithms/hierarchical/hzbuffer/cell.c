@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tiling what is in a cube: the faces of a cell, many at a time. See walk.h. */
+/* The polygons of a cube, many at a time: tested, then tiled. See walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
-/* What a face of a tiler's world is called. */
-static uint32_t name_of(const struct hsr_tiler *t, uint32_t f) {
+/* Is there a pyramid, and is it in use? */
+static bool has_pyramid(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid != HSR_HZ_PYRAMID_OFF && !w->plain;
+}
+
+/* The number that a face of a tiler's world has in the scene. */
+static uint32_t number_of(const struct hsr_tiler *t, uint32_t f) {
   return t->id ? t->first_id + t->id[f] : f;
 }
 
@@ -17,19 +22,20 @@ static struct hsr_window window_of(struct hsr_bounds box) {
   return hsr_window_make(box.x0, box.y0, box.x1, box.y1);
 }
 
-/* Was the face met before in this visit? */
+/* Was the face met before? If not, it is from now on. */
 static bool is_repeated(struct hsr_hz_walk *w, uint32_t f) {
-  uint32_t *tiled = &w->tiled[w->frame.tiler.id[f]];
-  if (*tiled != w->visit) {
-    *tiled = w->visit;
+  uint32_t *met = &w->met[w->frame.tiler.id[f]];
+  if (*met != w->visit) {
+    *met = w->visit;
     return false;
   }
-  HSR_STEP(w->tally, REPEATED, HSR_FACE(name_of(&w->frame.tiler, f)),
-           HSR_NOTHING, HSR_NOWHERE, 0);
+  HSR_STEP(w->tally, HSR_HZ_FACES_REPEATED,
+           HSR_FACE(number_of(&w->frame.tiler, f)), HSR_NOTHING, HSR_NOWHERE,
+           0);
   return true;
 }
 
-/* Drops the faces that go the general way and were met before. */
+/* Of the faces that are tiled one by one, leaves out those met before. */
 static void drop_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k))
@@ -40,12 +46,12 @@ static void drop_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
 static void find_hidden(struct hsr_hz_walk *w, const struct hsr_batch *b,
                         int *hidden) {
   const struct hsr_corners *r = &b->corners;
-  if (w->option[POLYGONS] != BASIC) {
+  if (w->choice.polygons != HSR_HZ_POLYGONS_BASIC) {
     hsr_pyramid_hides_triangles(&w->pyramid, b->n_fast, r, hidden);
     return;
   }
   for (int k = 0; k < b->n_fast; k++) {
-    hsr_hz_read_for(w, FACE_READS, HSR_FACE(r->id[k]));
+    hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(r->id[k]));
     hidden[k] =
         hsr_pyramid_basic(&w->pyramid, box_of(r, k), hsr_nearest_corner(r, k));
   }
@@ -53,22 +59,23 @@ static void find_hidden(struct hsr_hz_walk *w, const struct hsr_batch *b,
 
 static void count_tested(const struct hsr_hz_walk *w,
                          const struct hsr_corners *r, int k, bool hidden) {
-  HSR_STEP(w->tally, FACES_TESTED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+  HSR_STEP(w->tally, HSR_HZ_FACES_TESTED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
            window_of(box_of(r, k)), !hidden);
   if (hidden)
-    HSR_STEP(w->tally, FACES_CULLED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+    HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
              window_of(box_of(r, k)), 0);
 }
 
-/* Leaves out of a batch what was met before, and what is hidden. */
+/* Of the triangles that are tiled together, leaves out those met before and
+ * those that are hidden. */
 static void filter(struct hsr_hz_walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
   for (int k = 0; k < b->n_fast; k++)
     drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
   hsr_tiler_drop(b, drop);
-  if (w->option[PYRAMID] != ON || w->option[POLYGONS] == NONE || w->plain)
+  if (!has_pyramid(w) || w->choice.polygons == HSR_HZ_POLYGONS_NONE)
     return;
-  hsr_hz_read_for(w, FACE_READS, HSR_NOTHING);
+  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
   for (int k = 0; HSR_COUNTING && k < b->n_fast; k++)
     count_tested(w, &b->corners, k, drop[k]);
@@ -92,8 +99,9 @@ static int greater(int a, int b) {
   return a > b ? a : b;
 }
 
-/* Something was tiled in a box. Boxes that one box holds without more samples
- * are brought up to date together. */
+/* Something was tiled in a box: the pyramid above it is not up to date. It is
+ * brought up to date together with that of earlier boxes, if one box around all
+ * of them has no more samples than they have. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
@@ -105,12 +113,11 @@ static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   w->stale = both;
 }
 
-/* A face that is placed on the tiler's screen. */
 void hsr_hz_tile_face(struct hsr_hz_walk *w, struct hsr_tiler *t, uint32_t f) {
-  HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
-           window_of(t->screen.bounds[f]), 0);
+  HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(number_of(t, f)),
+           HSR_THE_WINDOW, window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
-  if (w->option[PYRAMID] == ON && !w->plain)
+  if (has_pyramid(w))
     make_stale(w, t->screen.bounds[f]);
 }
 
@@ -119,29 +126,29 @@ static void tile_generally(struct hsr_hz_walk *w, uint32_t f) {
     hsr_hz_tile_face(w, &w->frame.tiler, f);
 }
 
-/* The definitive test, of those that are set up and that the fast one left. */
+/* polygons=definitive: tests what the fast test has left. */
 static void filter_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
     struct hsr_subject face = HSR_FACE(b->corners.id[k]);
-    hsr_hz_read_for(w, FACE_READS, face);
+    hsr_hz_read_for(w, HSR_HZ_FACE_READS, face);
     if (b->good[k] &&
         hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle)) {
-      HSR_STEP(w->tally, FACES_CULLED, face, HSR_THE_WINDOW,
+      HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, face, HSR_THE_WINDOW,
                window_of(box_of(&b->corners, k)), 0);
       b->good[k] = 0;
     }
   }
 }
 
-/* Those that are nearer than anything where they are, by the pyramid of the
- * nearest: their depths need not be compared. */
+/* pyramid=dual: tiles the triangles that are nearer than anything where they
+ * are. Their depths need not be compared. */
 static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_bounds box = box_of(r, k);
     struct hsr_subject face = HSR_FACE(r->id[k]);
-    hsr_hz_read_for(w, FACE_READS, face);
+    hsr_hz_read_for(w, HSR_HZ_FACE_READS, face);
     float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] < q ? r->qc[k] : q;
     if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
@@ -149,25 +156,26 @@ static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
     struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
     hsr_tiler_tile_before(&w->frame.tiler, &triangle);
     hsr_pyramid_update(&w->pyramid, box);
-    HSR_STEP(w->tally, FACES_TILED, face, HSR_THE_WINDOW, window_of(box), 0);
-    HSR_STEP(w->tally, FACES_BEFORE, face, HSR_THE_WINDOW, window_of(box), 0);
+    HSR_STEP(w->tally, HSR_HZ_FACES_TILED, face, HSR_THE_WINDOW, window_of(box),
+             0);
+    HSR_STEP(w->tally, HSR_HZ_FACES_BEFORE, face, HSR_THE_WINDOW,
+             window_of(box), 0);
     b->good[k] = 0;
   }
 }
 
 static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
-  bool tests = w->option[PYRAMID] == ON && !w->plain;
-  if (tests && w->option[POLYGONS] == DEFINITIVE)
+  bool tests = has_pyramid(w);
+  if (tests && w->choice.polygons == HSR_HZ_POLYGONS_DEFINITIVE)
     filter_definitively(w, b);
-  hsr_hz_touch_for(w, WORK_POLYGONS);
-  if (tests && w->option[NEAR])
+  if (tests && w->choice.pyramid == HSR_HZ_PYRAMID_DUAL)
     tile_before_all(w, b);
   hsr_tiler_tile_batch(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
     if (!b->good[k])
       continue;
-    HSR_STEP(w->tally, FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+    HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
              window_of(box_of(r, k)), 0);
     if (tests)
       make_stale(w, box_of(r, k));
@@ -178,17 +186,17 @@ static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   hsr_hz_refresh(w);
 }
 
-/* The faces of a cell of the object at hand. */
-void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t place) {
-  if (!w->frame.object->cell[place].n_faces)
+void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t k) {
+  if (!w->frame.object->cell[k].n_faces)
     return;
-  const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
+  const struct hsr_cell *cell = hsr_cube_cell(&w->frame, k);
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
   struct hsr_batch batch;
-  struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
+  struct hsr_subject cube = hsr_cube_subject(w->frame.instance, k);
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
-    HSR_STEP(w->tally, FACES, HSR_FACE(name_of(t, f)), cube, HSR_NOWHERE, 0);
+    HSR_STEP(w->tally, HSR_HZ_FACES_MET, HSR_FACE(number_of(t, f)), cube,
+             HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     hsr_tiler_look(t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     drop_repeated(w, &batch);
@@ -196,7 +204,6 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t place) {
     hsr_tiler_set_up(t, &batch);
     tile_batch(w, &batch);
   }
-  hsr_hz_touch_for(w, WORK_POLYGONS);
   for (uint32_t f = n; f < cell->n_faces; f++)
     if (!is_repeated(w, f))
       tile_generally(w, f);

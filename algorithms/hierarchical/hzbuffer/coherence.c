@@ -3,18 +3,15 @@
  * that is pruned, as in 1993, or in two passes, as in the thesis. See walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
-/* The cubes that were visible in the last frame, into the plain z-buffer; then
- * the pyramid is built. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
-  const struct hsr_cubes *cubes = w->frame.cubes;
   const struct hsr_window *window = &w->frame.job->view->window;
   w->plain = true;
   for (size_t g = 0; g < w->last->group.n; g++) {
     const struct hsr_listed_instance *group = hsr_cube_list_group(w->last, g);
     const uint32_t *cube = hsr_cube_list_cubes(w->last, group);
-    hsr_hz_take_in_hand(w, group->instance);
+    hsr_hz_set_instance(w, group->instance);
     for (uint32_t k = 0; k < group->n; k++) {
-      HSR_STEP(w->tally, CUBES_AGAIN,
+      HSR_STEP(w->tally, HSR_HZ_CUBES_AGAIN,
                hsr_cube_subject(group->instance, cube[k]), HSR_NOTHING,
                HSR_NOWHERE, 0);
       hsr_hz_tile_cell(w, cube[k]);
@@ -23,7 +20,7 @@ enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
   w->plain = false;
   hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){window->x0, window->y0,
                                                       window->x1, window->y1});
-  return hsr_cube_marks_init(&w->rendered, w->last, cubes,
+  return hsr_cube_marks_init(&w->rendered, w->last, w->frame.cubes,
                              w->frame.job->scratch);
 }
 
@@ -36,26 +33,26 @@ static void prune(struct hsr_hz_walk *w) {
   for (size_t g = 0; g < all->group.n; g++) {
     const struct hsr_listed_instance *group = hsr_cube_list_group(all, g);
     const uint32_t *cube = hsr_cube_list_cubes(all, group);
-    hsr_hz_take_in_hand(w, group->instance);
+    hsr_hz_set_instance(w, group->instance);
     for (uint32_t k = 0; k < group->n; k++) {
+      const struct hsr_octree_node *node =
+          &w->frame.object->octree.node[cube[k]];
       bool inside = false;
-      if (hsr_hz_is_cube_visible(
-              w, &w->frame.placing, &w->frame.object->octree.node[cube[k]],
-              hsr_hz_faces_in(w, cube[k]),
-              hsr_cube_subject(group->instance, cube[k]), &inside) &&
+      if (hsr_hz_is_cube_visible(w, &w->frame.placing, hsr_hz_volume(w, node),
+                                 hsr_cube_subject(group->instance, cube[k]),
+                                 &inside) &&
           !hsr_cube_list_add(kept, group->instance, cube[k]))
         w->out_of_memory = true;
     }
   }
 }
 
-/* The list for the next frame; none, rather than half of one. */
 void hsr_hz_end_coherence(struct hsr_hz_walk *w) {
-  struct hsr_hz_prepared *prepared = w->frame.job->prepared;
-  if (w->option[COHERENCE] == LIST)
+  struct hsr_hz_prepared *p = w->prepared;
+  if (w->choice.coherence == HSR_HZ_COHERENCE_LIST)
     prune(w);
   else
-    prepared->last ^= 1;
+    p->last ^= 1;
   if (w->out_of_memory)
-    hsr_cube_list_clear(&prepared->list[prepared->last]);
+    hsr_cube_list_clear(&p->list[p->last]);
 }

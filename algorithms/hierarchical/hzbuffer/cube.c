@@ -2,11 +2,21 @@
 /* Is a cube visible? cube_visible of the thesis, and the sides of cubes as in
  * 1993. See hzbuffer.c for the sources, and walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
-#include "common/base/clock.h"
 
 #include <math.h>
 
-/* The columns of row j, within HSR_CUBE_MARGIN, of a convex polygon's. */
+/* A cube that is tested. */
+struct tested {
+  const struct hsr_placing *placing;
+  struct hsr_octree_box box;
+  struct hsr_cube_image image;
+  struct hsr_subject subject;
+};
+
+/* --- A side --------------------------------------------------------------- */
+
+/* From which x to which a side may be met at height y, wherever its corners are
+ * within HSR_CUBE_MARGIN: false if nowhere. */
 static bool row_of_side(const struct hsr_cube_image *image,
                         const unsigned char *corner, double y, double *lo,
                         double *hi) {
@@ -32,66 +42,32 @@ static bool row_of_side(const struct hsr_cube_image *image,
   return *lo <= *hi;
 }
 
-/* Tags a sample that is before the side of a cube. Cubes come from front to
- * back, so nothing that is still to come is nearer there. */
-static void complete(struct hsr_hz_walk *w, struct hsr_subject cube, float *z,
-                     int i, int j) {
-  if (*z == HUGE_VALF)
-    return;
-  *z = HUGE_VALF;
-  HSR_STEP(w->tally, COMPLETED, cube, HSR_THE_WINDOW, HSR_AT(i, j), 0);
-  hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
-}
-
-/* Is a point on the screen within a side, wherever its corners are within
- * HSR_CUBE_MARGIN? */
-static bool is_within(const struct hsr_cube_image *image,
-                      const unsigned char *corner, double x, double y) {
-  int turns = 0;
-  for (int k = 0; k < 4; k++) {
-    int a = corner[k], b = corner[(k + 1) % 4];
-    double dx = image->x[b] - image->x[a], dy = image->y[b] - image->y[a];
-    double e = dx * (y - image->y[a]) - dy * (x - image->x[a]);
-    double bound = 4 * HSR_CUBE_MARGIN *
-                   (fabs(dx) + fabs(dy) + fabs(x - image->x[a]) +
-                    fabs(y - image->y[a]) + 2 * HSR_CUBE_MARGIN);
-    turns += e > bound ? 1 : e < -bound ? -1 : 0;
-  }
-  return turns == 4 || turns == -4;
-}
-
-/* Scan-converts a side, to the first sample where it is not hidden. */
-static bool scan_side(struct hsr_hz_walk *w, const struct hsr_placing *placing,
-                      const struct hsr_octree_box *cube,
-                      const struct hsr_cube_image *image, int side,
-                      const struct hsr_bounds *box,
-                      struct hsr_subject subject) {
+/* Scan-converts a side, as in 1993, to the first sample where it is not hidden.
+ */
+static bool scan_side(struct hsr_hz_walk *w, const struct tested *c, int side,
+                      const struct hsr_bounds *box) {
   const struct hsr_view *view = w->frame.job->view;
   const struct hsr_tiler *t = &w->frame.tiler;
   struct hsr_side_depth depth =
-      hsr_cube_side_depth(&w->frame, placing, cube, image, side);
-  bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
-  hsr_hz_touch_for(w, WORK_BOXES);
+      hsr_cube_side_depth(&w->frame, c->placing, &c->box, &c->image, side);
   for (int j = box->y0; j < box->y1; j++) {
     double y = hsr_sample_y(view, j), lo, hi;
-    if (!row_of_side(image, hsr_cube_side[side], y, &lo, &hi))
+    if (!row_of_side(&c->image, hsr_cube_side[side], y, &lo, &hi))
       continue;
-    float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
+    const float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
     for (int i = box->x0; i < box->x1; i++) {
       double x = hsr_sample_x(view, i);
       if (x < lo || x > hi)
         continue;
       HSR_TOUCH(w->tally, i, j);
       float q = (float)(depth.c + depth.a * x + depth.b * y);
-      q = q < image->nearest ? q : image->nearest;
+      q = q < c->image.nearest ? q : c->image.nearest;
       q = q > 0 ? q : 0;
       bool visible = !(q * HSR_CLEAR < z[i - t->part.x0]);
-      HSR_STEP(w->tally, SIDE_SAMPLES, subject, HSR_THE_WINDOW, HSR_AT(i, j),
-               visible);
+      HSR_STEP(w->tally, HSR_HZ_SIDE_SAMPLES, c->subject, HSR_THE_WINDOW,
+               HSR_AT(i, j), visible);
       if (visible)
         return true;
-      if (tags && is_within(image, hsr_cube_side[side], x, y))
-        complete(w, subject, &z[i - t->part.x0], i, j);
     }
   }
   return false;
@@ -106,140 +82,103 @@ static float nearest_of(const struct hsr_cube_image *image,
   return q;
 }
 
-/* Does the pyramid hide a rectangle of a cube, whose depth is q? *visible: the
- * pyramid of the nearest tells that it is visible. */
+/* Does the pyramid hide a rectangle of a cube, whose depth is q? If it is
+ * visible, the pyramid of the nearest may tell so at once. */
 static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
-                                float q, bool *visible) {
-  *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
-             hsr_pyramid_before(&w->pyramid, box, q);
-  return !*visible && hsr_pyramid_hides(&w->pyramid, box, q);
+                                float q) {
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_OFF)
+    return false;
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_DUAL &&
+      w->choice.cubes != HSR_HZ_CUBES_SIDES &&
+      hsr_pyramid_before(&w->pyramid, box, q))
+    return false;
+  return hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
 /* Is a front side not known to be hidden? */
-static bool is_side_visible(struct hsr_hz_walk *w,
-                            const struct hsr_placing *placing,
-                            const struct hsr_octree_box *cube,
-                            const struct hsr_cube_image *image, int side,
-                            struct hsr_subject subject) {
+static bool is_side_visible(struct hsr_hz_walk *w, const struct tested *c,
+                            int side) {
   const unsigned char *corner = hsr_cube_side[side];
   struct hsr_bounds box;
-  if (!hsr_cube_bounds(&w->frame, image, corner, 4, &box))
+  if (!hsr_cube_bounds(&w->frame, &c->image, corner, 4, &box) ||
+      is_rectangle_hidden(w, box, nearest_of(&c->image, corner)))
     return false;
-  bool visible = false;
-  if (w->option[PYRAMID] == ON &&
-      is_rectangle_hidden(w, box, nearest_of(image, corner), &visible))
-    return false;
-  if (w->option[CUBES] != SIDES && w->option[PYRAMID] != BY_QUERIES)
+  if (w->choice.cubes != HSR_HZ_CUBES_SIDES)
     return true;
-  visible = scan_side(w, placing, cube, image, side, &box, subject);
-  HSR_STEP(w->tally, SIDES_SCANNED, subject, HSR_THE_WINDOW,
+  bool visible = scan_side(w, c, side, &box);
+  HSR_STEP(w->tally, HSR_HZ_SIDES_SCANNED, c->subject, HSR_THE_WINDOW,
            hsr_window_make(box.x0, box.y0, box.x1, box.y1), visible);
   return visible;
 }
 
-/* The same of the cube as a whole. */
-static bool is_whole_visible(struct hsr_hz_walk *w,
-                             const struct hsr_cube_image *image) {
-  static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  struct hsr_bounds box;
-  bool visible;
-  return hsr_cube_bounds(&w->frame, image, all, 8, &box) &&
-         !(w->option[PYRAMID] == ON &&
-           is_rectangle_hidden(w, box, image->nearest, &visible));
-}
+/* --- A cube --------------------------------------------------------------- */
 
-static bool is_any_side_visible(struct hsr_hz_walk *w,
-                                const struct hsr_placing *placing,
-                                const struct hsr_octree_box *cube,
-                                const struct hsr_cube_image *image,
-                                struct hsr_subject subject) {
+static bool is_any_side_visible(struct hsr_hz_walk *w, const struct tested *c) {
   for (int side = 0; side < 6; side++)
-    if (image->front >> side & 1 &&
-        is_side_visible(w, placing, cube, image, side, subject))
+    if (c->image.front >> side & 1 && is_side_visible(w, c, side))
       return true;
   return false;
 }
 
-/* What a machine answers: whether a sample of the cube's front sides is
- * visible, as the z-buffer is now. In the build that is timed, it takes the
- * time that the option says, or longer if the sides take longer. */
-static bool ask(struct hsr_hz_walk *w, const struct hsr_placing *placing,
-                const struct hsr_octree_box *cube,
-                const struct hsr_cube_image *image,
-                struct hsr_subject subject) {
-  double begin = w->option[LATENCY] && !HSR_COUNTING ? hsr_seconds_now() : 0;
-  bool visible = is_any_side_visible(w, placing, cube, image, subject);
-  HSR_STEP(w->tally, QUERIES, subject, HSR_NOTHING, HSR_NOWHERE, visible);
-  while (w->option[LATENCY] && !HSR_COUNTING &&
-         hsr_seconds_now() - begin < 1e-6 * (double)w->option[LATENCY])
-    ;
-  return visible;
+/* cubes=whole: its bounding rectangle. */
+static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
+  static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  struct hsr_bounds box;
+  return hsr_cube_bounds(&w->frame, &c->image, all, 8, &box) &&
+         !is_rectangle_hidden(w, box, c->image.nearest);
 }
 
-/* *inside: the cube is all inside of the frustum, and so are the cubes in it. */
+/* *inside: the cube, and so each cube in it, is all inside of the frustum. */
 static bool is_in_frustum(struct hsr_hz_walk *w,
                           const struct hsr_placing *placing,
                           const struct hsr_octree_box *cube,
                           struct hsr_subject subject, bool *inside) {
-  HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
+  HSR_STEP(w->tally, HSR_HZ_NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (*inside)
     return true;
   enum hsr_box_verdict verdict =
       hsr_cube_classify(&w->frame, placing, cube, subject);
   *inside = verdict == HSR_BOX_IN;
   if (verdict == HSR_BOX_OUT)
-    HSR_STEP(w->tally, OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
+    HSR_STEP(w->tally, HSR_HZ_NODES_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE,
+             0);
   return verdict != HSR_BOX_OUT;
-}
-
-/* cube_visible of the thesis. n_faces: as many are in the cube. */
-bool hsr_hz_is_box_visible(struct hsr_hz_walk *w,
-                           const struct hsr_placing *placing,
-                           struct hsr_octree_box cube, uint64_t n_faces,
-                           struct hsr_subject subject, bool *inside) {
-  if (!is_in_frustum(w, placing, &cube, subject, inside))
-    return false;
-  struct hsr_cube_image image;
-  bool asks = w->option[PYRAMID] == BY_QUERIES;
-  if (asks && n_faces < (uint64_t)w->option[THRESHOLD])
-    return true;
-  if (!hsr_cube_project(&w->frame, placing, &cube, &image))
-    return true; /* the eye may be inside, or the near plane meet it */
-  hsr_hz_read_for(w, CUBE_READS, subject);
-  bool visible = asks ? ask(w, placing, &cube, &image, subject)
-                 : w->option[CUBES] == WHOLE
-                     ? is_whole_visible(w, &image)
-                     : is_any_side_visible(w, placing, &cube, &image, subject);
-  HSR_STEP(w->tally, CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE, visible);
-  if (!visible)
-    HSR_STEP(w->tally, CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE, 0);
-  return visible;
 }
 
 bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
                             const struct hsr_placing *placing,
-                            const struct hsr_octree_node *node,
-                            uint64_t n_faces, struct hsr_subject subject,
-                            bool *inside) {
-  return hsr_hz_is_box_visible(
-      w, placing,
-      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node),
-      n_faces, subject, inside);
+                            struct hsr_octree_box cube,
+                            struct hsr_subject subject, bool *inside) {
+  if (!is_in_frustum(w, placing, &cube, subject, inside))
+    return false;
+  struct tested c = {.placing = placing, .box = cube, .subject = subject};
+  if (!hsr_cube_project(&w->frame, placing, &cube, &c.image))
+    return true; /* the eye may be inside, or the near plane meet it */
+  hsr_hz_read_for(w, HSR_HZ_CUBE_READS, subject);
+  bool visible = w->choice.cubes == HSR_HZ_CUBES_WHOLE
+                     ? is_whole_visible(w, &c)
+                     : is_any_side_visible(w, &c);
+  HSR_STEP(w->tally, HSR_HZ_CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE,
+           visible);
+  if (!visible)
+    HSR_STEP(w->tally, HSR_HZ_CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE,
+             0);
+  return visible;
 }
+
+/* --- Octants together ----------------------------------------------------- */
 
 bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
-  return !HSR_COUNTING && w->option[PYRAMID] == ON &&
-         w->option[CUBES] != SIDES && !w->option[NEAR] &&
-         !w->frame.job->view->parallel;
+  return !HSR_COUNTING && w->choice.pyramid == HSR_HZ_PYRAMID_ON &&
+         w->choice.cubes != HSR_HZ_CUBES_SIDES && !w->frame.job->view->parallel;
 }
 
-/* What hides the whole hides each of its sides. */
+/* The whole is tested first: what hides it hides each of its sides. */
 bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
                               const struct hsr_octants *octants, int o,
                               const struct hsr_octree_node *node,
                               struct hsr_subject subject, bool *inside) {
-  struct hsr_octree_box cube =
-      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
+  struct hsr_octree_box cube = hsr_hz_volume(w, node);
   if (!is_in_frustum(w, &w->frame.placing, &cube, subject, inside))
     return false;
   if (!octants->has_image[o])
@@ -248,7 +187,7 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
   if (!hsr_octant_bounds(octants, HSR_WHOLE_CUBE, o, &box) ||
       hsr_pyramid_hides(&w->pyramid, box, octants->q[HSR_WHOLE_CUBE][o]))
     return false;
-  if (w->option[CUBES] == WHOLE)
+  if (w->choice.cubes == HSR_HZ_CUBES_WHOLE)
     return true;
   for (int side = 0; side < 6; side++)
     if (octants->front[o] >> side & 1 &&
@@ -256,31 +195,4 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
         !hsr_pyramid_hides(&w->pyramid, box, octants->q[side][o]))
       return true;
   return false;
-}
-
-uint64_t hsr_hz_faces_in(const struct hsr_hz_walk *w, uint32_t k) {
-  const struct hsr_hz_prepared *prepared = w->frame.job->prepared;
-  const struct hsr_lazy_octree *lazy = w->frame.object->lazy;
-  uint32_t object = w->frame.cubes->scene->instances[w->frame.instance].object;
-  if (lazy)
-    return hsr_lazy_node(lazy, k)->n;
-  return prepared->in_object ? prepared->in_object[object][k] : 0;
-}
-
-/* What was handed down to a cube of instances. */
-static uint64_t faces_handed_down(const struct hsr_cubes *cubes, uint32_t k) {
-  const struct hsr_lazy_node *node = hsr_lazy_node(cubes->lazy, k);
-  uint64_t n = 0;
-  for (uint32_t i = 0; i < node->n; i++) {
-    uint32_t still = cubes->still[cubes->octree.item[node->first + i]];
-    n += cubes->scene->objects[cubes->scene->instances[still].object].n_faces;
-  }
-  return n;
-}
-
-uint64_t hsr_hz_faces_below(const struct hsr_hz_walk *w, uint32_t k) {
-  const struct hsr_hz_prepared *prepared = w->frame.job->prepared;
-  if (w->option[PYRAMID] == BY_QUERIES && w->frame.cubes->lazy)
-    return faces_handed_down(w->frame.cubes, k);
-  return prepared->below ? prepared->below[k] : 0;
 }

@@ -19,19 +19,20 @@
  *             The fast test begins where the rectangle meets at most four
  *             entries. The standard choice of options is Greene's;
  *             cubes=whole:volumes=tight:least=80 makes the same picture in less
- *             time, by fewer and tighter tests. pyramid=queries emulates a
- *             machine with z-queries (thesis, 3.5.6): its steps are performed
- *             here, and only its latency is a pause. octree=lazy keeps what it
- *             has divided for later frames (thesis, 3.4). The build that is
- *             timed projects the octants of a cube together, and tests the
- *             whole of one before its sides; answers are the same.
+ *             time, by fewer and tighter tests. octree=lazy keeps what it has
+ *             divided for later frames (thesis, 3.4). The build that is timed
+ *             projects the octants of a cube together, and tests the whole of
+ *             one before its sides; answers are the same.
+ * Z-queries   pyramid=off:cubes=sides does what the thesis does on a machine
+ *             with z-queries (3.5.6); least= is the number of polygons from
+ *             which on it asks about a cube.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 #include <stdlib.h>
 
-static const struct hsr_word off_on[] = {
-    {"off", "without it", 0}, {"on", "with it", 0}, {NULL}};
+/* --- Options -------------------------------------------------------------- */
+
 static const struct hsr_word octrees[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
@@ -42,15 +43,12 @@ static const struct hsr_word octrees[] = {
 static const struct hsr_word pyramids[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
-    {"queries",
-     "without it: by z-queries of a machine, which tell if a sample of a "
-     "cube's sides is visible; as on the Titan and Denali of the thesis",
-     0},
+    {"dual", "with it, and a second one of the nearest depths", 0},
     {NULL}};
 static const struct hsr_word placements[] = {
     {"pushed",
-     "a small face that crosses a median plane goes into the octants "
-     "that it meets",
+     "a face that crosses a median plane goes into the octants that it "
+     "meets, if its area is less than a tenth of a cube's side",
      0},
     {"enclosing", "it stays in the smallest cube that encloses it", 0},
     {NULL}};
@@ -69,316 +67,99 @@ static const struct hsr_word polygon_tests[] = {
     {"definitive", "recursion into what the face covers", 0},
     {"none", "no test", 0},
     {NULL}};
-static const struct hsr_word coherences[] = {
-    {"off", "every frame for itself", 0},
-    {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
-     HSR_FRAME_STATE},
-    {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
-    {NULL}};
-static const struct hsr_word movings[] = {
-    {"octree", "an octree of them in every frame, beside the other", 0},
-    {"lazy", "the same, divided only where it is visible", 0},
-    {"behind", "one by one, after all that does not move", 0},
-    {"update", "an octree of them that is kept and brought up to date",
-     HSR_FRAME_STATE},
-    {"bounded",
-     "the same; each is put again every `interval` frames only, in a box that "
-     "holds it for so long, where its speed is known to be limited",
-     HSR_FRAME_STATE},
-    {"fixed",
-     "the same; where it is known that something stays in a volume, it is put "
-     "once, with that",
-     HSR_FRAME_STATE},
-    {"space-time",
-     "clusters, in boxes that hold them for an interval, behind all that does "
-     "not move; what is not hidden is divided in space or in time",
-     HSR_FRAME_STATE},
-    {NULL}};
-static const struct hsr_word works[] = {
-    {"all", "everything", 0},
-    {"pyramid", "pyramid tests", 0},
-    {"boxes", "scan-converted sides of cubes", 0},
-    {"polygons", "tiling", 0},
-    {NULL}};
+enum { OCTREE, PLACEMENT, LEAST, PYRAMID, VOLUMES, CUBES, POLYGONS, COHERENCE };
+enum { PLACEMENT_PUSHED, PLACEMENT_ENCLOSING };
 
 static const struct hsr_option options[] = {
-    [OCTREE] = {"octree", "cull by cubes", octrees, 0, 2, ON},
+    [OCTREE] = {"octree", "cull by cubes", octrees, 0, 2, HSR_HZ_OCTREE_ON},
     [PLACEMENT] = {"placement", "in which cube a face is", placements, 0, 1,
-                   PUSHED},
+                   PLACEMENT_PUSHED},
     [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
-               100000, 20},
-    [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
-               NULL, 1, 100000, 10},
-    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 2, ON},
-    [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1, CUBE},
-    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
+               100000, HSR_HZ_LEAST},
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 2,
+                 HSR_HZ_PYRAMID_ON},
+    [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1,
+                 HSR_HZ_VOLUMES_CUBES},
+    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2,
+               HSR_HZ_CUBES_RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
-                  FAST},
-    [NEAR] = {"near", "a second pyramid, of the nearest depths", off_on, 0, 1,
-              OFF},
-    [COMPLETED_SAMPLES] = {"completed",
-                           "tag samples behind which a cube's side was found, "
-                           "where instances are apart and sides scanned",
-                           off_on, 0, 1, OFF},
-    [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
-                   0, 2, NO_COHERENCE},
-    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 6,
-                FRESH},
-    [INTERVAL] = {"interval", "movers=bounded or space-time: so many frames",
-                  NULL, 1, 1024, 16},
-    [THRESHOLD] = {"threshold",
-                   "pyramid=queries: cubes of fewer faces are not asked of",
-                   NULL, 0, 1000000, 800},
-    [LATENCY] = {"latency",
-                 "pyramid=queries: microseconds until a z-query is answered",
-                 NULL, 0, 1000000, 0},
-    [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
+                  HSR_HZ_POLYGONS_FAST},
+    [COHERENCE] = {"coherence", "what is kept from frame to frame",
+                   hsr_hz_coherences, 0, 2, HSR_HZ_COHERENCE_OFF},
     {NULL}};
 
-/* --- A frame -------------------------------------------------------------- */
-
-static enum hsr_status render_loose(struct hsr_hz_walk *w) {
-  struct hsr_tiler t;
-  if (hsr_cube_loose(&w->frame, &t))
-    return HSR_E_NOMEM;
-  hsr_hz_touch_for(w, WORK_POLYGONS);
-  for (uint32_t k = 0; k < t.screen.n_relevant; k++)
-    hsr_hz_tile_face(w, &t, t.screen.relevant[k]);
-  hsr_hz_refresh(w);
-  return HSR_OK;
+static struct hsr_hz_choice choice_of(const long *option) {
+  return (struct hsr_hz_choice){.octree = option[OCTREE],
+                                .pyramid = option[PYRAMID],
+                                .volumes = option[VOLUMES],
+                                .cubes = option[CUBES],
+                                .polygons = option[POLYGONS],
+                                .coherence = option[COHERENCE]};
 }
 
-static enum hsr_status begin(struct hsr_hz_walk *w, const struct hsr_job *job) {
-  struct hsr_hz_prepared *prepared = job->prepared;
-  const struct hsr_cubes *cubes = &prepared->cubes;
-  struct hsr_arena *arena = job->scratch;
-  struct hsr_tiler *t = &w->frame.tiler;
-  const struct hsr_window *window = &job->view->window;
-  w->option = job->option;
-  w->tally = job->tally;
-  w->work = job->tally->work;
-  if (w->option[COHERENCE]) {
-    w->last = &prepared->list[prepared->last];
-    w->next = &prepared->list[prepared->last ^ 1];
-    hsr_cube_list_clear(w->next);
-  }
-  w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
-  if (!w->tiled || hsr_cube_frame_begin(&w->frame, job, cubes) ||
-      hsr_pyramid_init(&w->pyramid, window, job->option[NEAR], &t->z_stride,
-                       arena))
-    return HSR_E_NOMEM;
-  hsr_hz_touch_for(w, WORK_PYRAMID);
-  w->pyramid.count =
-      (struct hsr_pyramid_count){.tally = job->tally,
-                                 .work = job->tally->work,
-                                 .work_stride = job->tally->work_stride};
-  t->z = w->pyramid.far[0];
-  t->ids_stride = (size_t)job->answer->m;
-  t->ids = hsr_job_row(job, window->y0) + window->x0;
-  hsr_tiler_begin_part(t, *window);
-  hsr_pyramid_clear(&w->pyramid);
-  return HSR_OK;
-}
-
-static enum hsr_status render(const struct hsr_job *job,
-                              struct hsr_error *err) {
-  struct hsr_hz_walk w = {.visit = 0};
-  const struct hsr_hz_prepared *prepared = job->prepared;
-  if (prepared->half_divided || begin(&w, job))
-    return hsr_fail_nomem(err);
-  if (render_loose(&w))
-    return hsr_fail_nomem(err);
-  if (w.last && hsr_hz_render_last(&w))
-    return hsr_fail_nomem(err);
-  if (!w.option[OCTREE])
-    hsr_hz_render_all(&w);
-  else if (hsr_hz_render_octrees(&w))
-    return hsr_fail_nomem(err);
-  if (w.last)
-    hsr_hz_end_coherence(&w);
-  job->tally->work = w.work;
-  return w.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
-}
-
-/* Children come after their parents. */
-static uint32_t *count_in_object(const struct hsr_cubes_object *object,
-                                 struct hsr_arena *arena) {
-  uint32_t n = object->octree.n_nodes;
-  uint32_t *in = HSR_NEW(arena, uint32_t, n);
-  for (uint32_t k = n; in && k-- > 0;) {
-    in[k] = object->cell[k].n_faces;
-    for (int o = 0; o < 8; o++) {
-      uint32_t child = object->octree.node[k].child[o];
-      in[k] += child == HSR_NO_NODE ? 0 : in[child];
-    }
-  }
-  return in;
-}
-
-/* An instance that is in several cubes counts in each. */
-static enum hsr_status count_faces(struct hsr_hz_prepared *made) {
-  const struct hsr_cubes *cubes = &made->cubes;
-  const struct hsr_scene *scene = cubes->scene;
-  const struct hsr_octree *octree = &cubes->octree;
-  struct hsr_arena *arena = &made->arena;
-  made->in_object = HSR_NEW(arena, uint32_t *, scene->n_objects);
-  made->below = HSR_NEW(arena, uint64_t, octree->n_nodes);
-  if (!made->in_object || !made->below)
-    return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < scene->n_objects; k++)
-    if (!(made->in_object[k] = count_in_object(&cubes->object[k], arena)))
-      return HSR_E_NOMEM;
-  for (uint32_t k = octree->n_nodes; k-- > 0;) {
-    const struct hsr_octree_node *node = &octree->node[k];
-    made->below[k] = 0;
-    for (uint32_t i = 0; i < node->n; i++) {
-      uint32_t instance = octree->item[node->first + i];
-      made->below[k] += made->in_object[scene->instances[instance].object][0];
-    }
-    for (int o = 0; o < 8; o++)
-      if (node->child[o] != HSR_NO_NODE)
-        made->below[k] += made->below[node->child[o]];
-  }
-  return HSR_OK;
-}
+/* --- Once ----------------------------------------------------------------- */
 
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  struct hsr_hz_prepared *made = calloc(1, sizeof *made);
-  *prepared = made;
-  if (!made)
-    return hsr_fail_nomem(err);
-  struct hsr_octree_rule rule = {
-      .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
+  const struct hsr_octree_rule rule = {
+      .small = option[PLACEMENT] == PLACEMENT_PUSHED ? HSR_HZ_SMALL : 0,
       .most = (uint32_t)option[LEAST],
       .least = (uint32_t)option[LEAST]};
-  if (option[OCTREE] == LAZILY)
-    return hsr_cubes_init_lazily(&made->cubes, world, &rule, err);
-  enum hsr_status status = hsr_cubes_init(&made->cubes, world, &rule, err);
-  if (!status && option[PYRAMID] == BY_QUERIES && count_faces(made))
+  *prepared = calloc(1, sizeof(struct hsr_hz_prepared));
+  if (!*prepared)
     return hsr_fail_nomem(err);
-  return status;
+  return hsr_hz_prepare(*prepared, world, &rule,
+                        option[OCTREE] == HSR_HZ_OCTREE_LAZY, err);
 }
 
-static void release(void *object) {
-  struct hsr_hz_prepared *prepared = object;
-  hsr_cubes_free(&prepared->cubes);
-  hsr_arena_free(&prepared->list[0].arena);
-  hsr_arena_free(&prepared->list[1].arena);
-  hsr_arena_free(&prepared->arena);
-  hsr_arena_free(&prepared->movers_arena);
+static void release(void *prepared) {
+  hsr_hz_release(prepared);
   free(prepared);
+}
+
+/* --- A frame -------------------------------------------------------------- */
+
+/* octree=off: cell after cell, as they come. */
+static void tile_all(struct hsr_hz_walk *w) {
+  for (uint32_t i = 0; i < w->frame.cubes->scene->n_instances; i++) {
+    hsr_hz_set_instance(w, i);
+    for (uint32_t k = 0; k < w->frame.object->octree.n_nodes; k++)
+      hsr_hz_tile_cell(w, k);
+  }
+}
+
+/* What stands still, from front to back; then what moves, one by one. */
+static void process_all(struct hsr_hz_walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  hsr_hz_process_instances(w, 0, false);
+  for (uint32_t k = 0; k < cubes->n_movers; k++)
+    hsr_hz_process_instance(w, cubes->mover[k]);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_hz_walk w;
+  const struct hsr_hz_choice choice = choice_of(job->option);
+  if (hsr_hz_begin(&w, job, job->prepared, &choice))
+    return hsr_fail_nomem(err);
+  if (choice.octree == HSR_HZ_OCTREE_OFF)
+    tile_all(&w);
+  else
+    process_all(&w);
+  return hsr_hz_end(&w) ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_use uses[] = {
-    {&hsr_tiler_part}, {&hsr_inequalities_part}, {NULL}};
-
-static const struct hsr_counter counters[] = {
-    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
-    [OUT] = {"nodes out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
-             HSR_OF_WINDOW},
-    [CUBES_TESTED] = {"cubes tested", "whether they are hidden", HSR_COMPARE,
-                      HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
-    [CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
-                      HSR_OF_CELL, HSR_OF_NOTHING},
-    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
-                       HSR_OF_CELL, HSR_OF_NOTHING},
-    [QUERIES] = {"z-queries",
-                 "cubes of which it was asked if a sample is visible",
-                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
-    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
-                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
-                    HSR_PYRAMID_READ_OUTCOMES},
-    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted",
-                       HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
-                       "hidden|visible"},
-    [SIDE_SAMPLES] = {"side samples", "samples looked at for that", HSR_SAMPLE,
-                      HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
-    [FACES] = {"faces met", "in cubes that are not known to be hidden",
-               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
-    [REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
-                  HSR_OF_FACE, HSR_OF_NOTHING},
-    [FACES_TESTED] = {"faces tested", "by the pyramid", HSR_COMPARE,
-                      HSR_OF_FACE, HSR_OF_WINDOW, "hidden|visible"},
-    [FACES_CULLED] = {"faces culled", "found to be hidden", HSR_REJECT,
-                      HSR_OF_FACE, HSR_OF_WINDOW},
-    [FACES_TILED] = {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE,
-                     HSR_OF_WINDOW},
-    [FACE_READS] = {"face reads", "pyramid entries read to test faces",
-                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE,
-                    HSR_PYRAMID_READ_OUTCOMES},
-    [FACES_BEFORE] = {"faces before",
-                      "nearer than anything: tiled without comparisons",
-                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
-    [COMPLETED] = {"completed", "samples known to be done", HSR_RETIRE,
-                   HSR_OF_CELL, HSR_OF_WINDOW},
-    [CUBES_AGAIN] = {"cubes again",
-                     "rendered first, since they were visible in the frame "
-                     "before",
-                     HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [MOVED] = {"moved down", "instances that move, from a cube to an octant",
-               HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
-    [SPLITS] = {"splits", "cubes of instances that move, divided",
-                HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [LOOKED] = {"movers looked at",
-                "in their cubes of the last frame, which may hold them still",
-                HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "left|kept"},
-    [DIVIDED] = {"cubes divided", "when they were first found to be visible",
-                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    [FACES_DOWN] = {"faces down", "handed down to an octant then", HSR_SORT,
-                    HSR_OF_FACE, HSR_OF_CELL},
-    [STILL_DOWN] = {"instances down",
-                    "that do not move, handed down to an octant then", HSR_SORT,
-                    HSR_OF_VOLUME, HSR_OF_CELL},
-    [MOVERS_MET] = {"movers met", "instances that move, in no hidden cube",
-                    HSR_ACTIVATE, HSR_OF_VOLUME, HSR_OF_NOTHING},
-    [BOUNDED] = {"ways bounded",
-                 "the way of an instance for the frames of a cluster",
-                 HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "unknown|known"},
-    [IN_TIME] = {"splits in time", "of a cluster's frames in halves",
-                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
-    {NULL}};
+    {&hsr_tiler_part}, {&hsr_inequalities_part}, {&hsr_hz_part}, {NULL}};
 
 static const struct hsr_line outline[] = {
-    {"render the cubes that were visible in the last frame",
-     HSR_RAISES(CUBES_AGAIN)},
-    {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
-    {"or keep it: does its cube still hold an instance?", HSR_RAISES(LOOKED)},
-    {"  move an instance down to an octant", HSR_RAISES(MOVED)},
-    {"or clusters of it, in boxes for several frames: bound its ways",
-     HSR_RAISES(BOUNDED)},
-    {"  divide a visible one in time, instead of in space",
-     HSR_RAISES(IN_TIME)},
-    {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
-    {"  return if the cube is outside of the frustum",
-     HSR_RAISES(HSR_INEQUALITIES, OUT)},
-    {"  return unless cube_visible",
-     HSR_RAISES(CUBES_TESTED, CUBES_CULLED, CUBES_VISIBLE)},
-    {"    for each front face of the cube: is it behind a pyramid value?",
-     HSR_RAISES(CUBE_READS)},
-    {"    or ask by a z-query, if it holds enough faces", HSR_RAISES(QUERIES)},
-    {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
-    {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
-    {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
-    {"  lazily: divide the cube, if it is not divided yet",
-     HSR_RAISES(DIVIDED)},
-    {"    hand a primitive down to an octant",
-     HSR_RAISES(FACES_DOWN, STILL_DOWN)},
-    {"  for each instance that moves, in the node", HSR_RAISES(MOVERS_MET)},
-    {"  for each polygon attached to the node", HSR_RAISES(FACES)},
-    {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
-    {"    skip it if it is hidden", HSR_RAISES(FACES_TESTED, FACES_CULLED)},
-    {"      is it behind a pyramid value?", HSR_RAISES(FACE_READS)},
-    {"    tile it", HSR_RAISES(FACES_TILED)},
-    {"      without comparisons if it is before all that is there",
-     HSR_RAISES(FACES_BEFORE)},
-    {"      ", .part = &hsr_tiler_part},
-    {"    update the z-pyramid"},
-    {"  process_node for each octant"},
+    {"", .part = &hsr_hz_part, .group = HSR_HZ_LAST_LINES},
+    {"", .part = &hsr_hz_part, .group = HSR_HZ_NODE_LINES},
+    {"", .part = &hsr_hz_part, .group = HSR_HZ_POLYGON_LINES},
+    {"then process_node for each object that moves, one by one"},
     {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
@@ -395,7 +176,6 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
     .parts = uses,
-    .counters = counters,
     .outline = outline,
     .options = options,
     .prepare = prepare,

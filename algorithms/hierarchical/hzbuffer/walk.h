@@ -1,123 +1,131 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hierarchical z-buffer's walk through a frame, in parts: whether a cube is
- * visible (cube.c), what is in it (cell.c), the octrees from front to back
- * (octrees.c), and what was visible in the frame before (coherence.c).
- * hzbuffer.c has the frame, and the sources. */
+/* The hierarchical z-buffer's walk through a frame, for hzbuffer.c and
+ * hzbuffer_moving.c. The sources are named in hzbuffer.c. Its parts, as the
+ * papers have them:
+ *
+ *   walk.c        how a frame begins and ends, and what is counted
+ *   octrees.c     process_node: the octrees from front to back
+ *   cube.c        cube_visible: is a cube visible?
+ *   cell.c        the polygons of a cube
+ *   coherence.c   what was visible in the frame before */
 #ifndef HSR_ALGORITHMS_HZBUFFER_WALK_H
 #define HSR_ALGORITHMS_HZBUFFER_WALK_H
 
 #include "algorithms/engines/cubes/cube_frame.h"
 #include "algorithms/engines/cubes/cube_list.h"
 #include "algorithms/engines/cubes/cube_octants.h"
-#include "algorithms/hierarchical/hzbuffer/movers.h"
 #include "algorithms/engines/pyramid/pyramid.h"
-#include "algorithms/hierarchical/hzbuffer/space_time.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Counters. */
+/* --- What is counted ------------------------------------------------------ */
+
+extern const struct hsr_part hsr_hz_part;
 enum {
-  NODES,
-  OUT,
-  CUBES_TESTED,
-  CUBES_CULLED,
-  CUBES_VISIBLE,
-  QUERIES,
-  CUBE_READS,
-  SIDES_SCANNED,
-  SIDE_SAMPLES,
-  FACES,
-  REPEATED,
-  FACES_TESTED,
-  FACES_CULLED,
-  FACES_TILED,
-  FACE_READS,
-  FACES_BEFORE,
-  COMPLETED,
-  CUBES_AGAIN,
-  MOVED,
-  SPLITS,
-  LOOKED,
-  DIVIDED,
-  FACES_DOWN,
-  STILL_DOWN,
-  MOVERS_MET,
-  BOUNDED,
-  IN_TIME
+  HSR_HZ_NODES = HSR_FIRST_OF(HSR_PART_HZ),
+  HSR_HZ_NODES_OUT,
+  HSR_HZ_CUBES_TESTED,
+  HSR_HZ_CUBES_CULLED,
+  HSR_HZ_CUBES_VISIBLE,
+  HSR_HZ_CUBE_READS,
+  HSR_HZ_SIDES_SCANNED,
+  HSR_HZ_SIDE_SAMPLES,
+  HSR_HZ_FACES_MET,
+  HSR_HZ_FACES_REPEATED,
+  HSR_HZ_FACES_TESTED,
+  HSR_HZ_FACES_CULLED,
+  HSR_HZ_FACES_TILED,
+  HSR_HZ_FACE_READS,
+  HSR_HZ_FACES_BEFORE,
+  HSR_HZ_CUBES_AGAIN,
+  HSR_HZ_CUBES_DIVIDED,
+  HSR_HZ_FACES_DOWN,
+  HSR_HZ_INSTANCES_DOWN
+};
+/* Groups of its lines. */
+enum { HSR_HZ_LAST_LINES, HSR_HZ_NODE_LINES, HSR_HZ_POLYGON_LINES };
+
+/* --- Options -------------------------------------------------------------- */
+
+/* The options of hzbuffer, by their words. */
+struct hsr_hz_choice {
+  enum { HSR_HZ_OCTREE_OFF, HSR_HZ_OCTREE_ON, HSR_HZ_OCTREE_LAZY } octree;
+  enum { HSR_HZ_PYRAMID_OFF, HSR_HZ_PYRAMID_ON, HSR_HZ_PYRAMID_DUAL } pyramid;
+  enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT } volumes;
+  enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE } cubes;
+  enum {
+    HSR_HZ_POLYGONS_FAST,
+    HSR_HZ_POLYGONS_BASIC,
+    HSR_HZ_POLYGONS_DEFINITIVE,
+    HSR_HZ_POLYGONS_NONE
+  } polygons;
+  enum {
+    HSR_HZ_COHERENCE_OFF,
+    HSR_HZ_COHERENCE_LIST,
+    HSR_HZ_COHERENCE_PASSES
+  } coherence;
 };
 
-/* Options, and the words of each. */
-enum {
-  OCTREE,
-  PLACEMENT,
-  LEAST,
-  SMALL,
-  PYRAMID,
-  VOLUMES,
-  CUBES,
-  POLYGONS,
-  NEAR,
-  COMPLETED_SAMPLES,
-  COHERENCE,
-  MOVERS,
-  INTERVAL,
-  THRESHOLD,
-  LATENCY,
-  WORK
-};
-enum { OFF, ON, BY_QUERIES };
-enum { LAZILY = 2 };
-enum { PUSHED, ENCLOSING };
-enum { CUBE, TIGHT };
-enum { RECTANGLE, SIDES, WHOLE };
-enum { FAST, BASIC, DEFINITIVE, NONE };
-enum { NO_COHERENCE, LIST, PASSES };
-enum { FRESH, LAZY, BEHIND, KEPT, BY_SPEED, BY_VOLUME, SPACE_TIME };
-enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
+/* The words of coherence=. */
+extern const struct hsr_word hsr_hz_coherences[];
 
-/* What lasts from frame to frame. */
+/* The standard octree of the thesis (3.5): a leaf has at least 20 faces, and a
+ * face is small if its area is less than a tenth of a cube's side. */
+#define HSR_HZ_LEAST 20
+#define HSR_HZ_SMALL 0.1
+
+/* --- Once ----------------------------------------------------------------- */
+
+/* What lasts from frame to frame. All zero before it is prepared. */
 struct hsr_hz_prepared {
   struct hsr_cubes cubes;
-  struct hsr_cube_list
-      list[2]; /* visible cubes, of the last frame and of this */
-  int last;    /* which one is the last frame's */
-
+  struct hsr_cube_list list[2]; /* visible cubes: of the last frame, of this */
+  int last;                     /* which one is the last frame's */
   bool half_divided; /* octree=lazy: memory ran out in the middle of it */
-
-  struct hsr_movers movers;       /* movers=update, bounded, fixed: kept */
-  struct hsr_space_time clusters; /* movers=space-time */
-  struct hsr_arena movers_arena;  /* of either */
-
-  /* With z-queries: how many faces are in a cube and below. */
-  uint32_t **in_object; /* an object, a node of its octree */
-  uint64_t *below;      /* a node of the octree of instances */
-  struct hsr_arena arena;
 };
+
+/* As of hsr_cubes_init; the cubes are divided later if `lazily`. To be released
+ * also after a failure. */
+enum hsr_status hsr_hz_prepare(struct hsr_hz_prepared *prepared,
+                               const struct hsr_world *world,
+                               const struct hsr_octree_rule *rule, bool lazily,
+                               struct hsr_error *err);
+void hsr_hz_release(struct hsr_hz_prepared *prepared);
+
+/* --- A frame -------------------------------------------------------------- */
 
 struct hsr_hz_walk {
+  struct hsr_hz_choice choice;
+  struct hsr_hz_prepared *prepared;
   struct hsr_cube_frame frame;
-  struct hsr_cube_list *last, *next; /* NULL without coherence */
-  struct hsr_cube_marks rendered;    /* what of the last frame's was */
-  struct hsr_movers movers;
+  struct hsr_tally *tally;
   bool out_of_memory;
+
   struct hsr_pyramid pyramid;
   struct hsr_bounds
-      stale;  /* the pyramid above it is not up to date; or empty */
-  bool plain; /* no tests, and the pyramid is left as it is */
-  const long *option;
-  struct hsr_tally *tally;
-  float *work;     /* the work picture, or NULL */
-  uint32_t *tiled; /* a face of the object at hand: the visit when it was met */
-  uint32_t visit;
+      stale;  /* the pyramid above this is not up to date; or empty */
+  bool plain; /* faces are not tested, and the pyramid is left as it is */
+
+  /* Faces of the instance at hand: met[f] == visit if it was met already. */
+  uint32_t *met, visit;
+
+  /* Cubes that were visible in the last frame, and those of this; NULL without
+   * coherence. */
+  struct hsr_cube_list *last, *next;
+  struct hsr_cube_marks rendered; /* those of *last, when they are rendered */
 };
 
-/* Samples that are touched from now on are touched by work of that kind. */
-static inline void hsr_hz_touch_for(struct hsr_hz_walk *w, int kind) {
-  long wanted = w->option[WORK];
-  w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
-}
+/* Begins a frame: tiles loose faces, which are in no cube, and renders what was
+ * visible in the last frame. HSR_E_NOMEM. */
+enum hsr_status hsr_hz_begin(struct hsr_hz_walk *walk,
+                             const struct hsr_job *job,
+                             struct hsr_hz_prepared *prepared,
+                             const struct hsr_hz_choice *choice);
+
+/* Ends it. HSR_E_NOMEM if memory ran out in it. */
+enum hsr_status hsr_hz_end(struct hsr_hz_walk *walk);
 
 /* What the pyramid is read for from now on. */
 static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
@@ -128,22 +136,43 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
   w->pyramid.count.whom = whom;
 }
 
+/* --- The octrees, from front to back -------------------------------------- */
+
+/* process_node of the thesis, for node k of the octree of instances. `inside`:
+ * its cube is known to be all inside of the frustum. */
+void hsr_hz_process_instances(struct hsr_hz_walk *walk, uint32_t k,
+                              bool inside);
+
+/* octree=lazy: divides node k of the octree of instances, if it is not divided
+ * yet. */
+void hsr_hz_divide_instances(struct hsr_hz_walk *walk, uint32_t k);
+
+/* The instances in node k, but for those in its octants. */
+void hsr_hz_process_instances_of(struct hsr_hz_walk *walk, uint32_t k);
+
+/* process_node for the octree of one instance: the first time in a frame. */
+void hsr_hz_process_instance(struct hsr_hz_walk *walk, uint32_t instance);
+
+/* Makes an instance the one at hand, whose faces are met. Those that were
+ * rendered with the last frame's cubes count as met. */
+void hsr_hz_set_instance(struct hsr_hz_walk *walk, uint32_t instance);
+
 /* --- Is a cube visible? --------------------------------------------------- */
 
-/* cube_visible of the thesis: false if the box is outside of the frustum, or
- * found to be hidden. n_faces: as many are in the cube, for z-queries. *inside:
- * the box is known to be all inside of the frustum; it is brought up to date. */
-bool hsr_hz_is_box_visible(struct hsr_hz_walk *walk,
-                           const struct hsr_placing *placing,
-                           struct hsr_octree_box cube, uint64_t n_faces,
-                           struct hsr_subject subject, bool *inside);
+/* The volume that is tested for a node. */
+static inline struct hsr_octree_box
+hsr_hz_volume(const struct hsr_hz_walk *w, const struct hsr_octree_node *node) {
+  return w->choice.volumes == HSR_HZ_VOLUMES_TIGHT ? node->tight
+                                                   : hsr_octree_cube(node);
+}
 
-/* The same of a node's cube, or of its tight box. */
+/* cube_visible of the thesis: false if the box is outside of the frustum, or
+ * found to be hidden. *inside: the box is known to be all inside of the
+ * frustum; it is brought up to date. */
 bool hsr_hz_is_cube_visible(struct hsr_hz_walk *walk,
                             const struct hsr_placing *placing,
-                            const struct hsr_octree_node *node,
-                            uint64_t n_faces, struct hsr_subject subject,
-                            bool *inside);
+                            struct hsr_octree_box cube,
+                            struct hsr_subject subject, bool *inside);
 
 /* Are octants projected and tested together? Not in the counting build, which
  * counts what the paper's steps read; nor where a test needs more than an
@@ -156,43 +185,25 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *walk,
                               const struct hsr_octree_node *node,
                               struct hsr_subject subject, bool *inside);
 
-/* How many faces are in cube k of the object at hand, and how many in a cube of
- * the octree of instances and below it; 0 if no z-query needs it. */
-uint64_t hsr_hz_faces_in(const struct hsr_hz_walk *walk, uint32_t k);
-uint64_t hsr_hz_faces_below(const struct hsr_hz_walk *walk, uint32_t k);
+/* --- The polygons of a cube ----------------------------------------------- */
 
-/* --- What is in a cube ---------------------------------------------------- */
-
-/* Brings the pyramid up to date, before anything is tested. */
-void hsr_hz_refresh(struct hsr_hz_walk *walk);
+/* Tests and tiles the faces of node k of the instance at hand. */
+void hsr_hz_tile_cell(struct hsr_hz_walk *walk, uint32_t k);
 
 /* Tiles a face that is placed on the tiler's screen. */
 void hsr_hz_tile_face(struct hsr_hz_walk *walk, struct hsr_tiler *tiler,
                       uint32_t f);
 
-/* Tests and tiles the faces of a cell of the object at hand. */
-void hsr_hz_tile_cell(struct hsr_hz_walk *walk, uint32_t place);
-
-/* --- The octrees ---------------------------------------------------------- */
-
-/* Makes an instance's object the one at hand. Its faces that have been rendered
- * in this frame count as met. */
-void hsr_hz_take_in_hand(struct hsr_hz_walk *walk, uint32_t instance);
-
-/* Renders all octrees from front to back; what moves is among them, or behind
- * them, as the option says. HSR_E_NOMEM. */
-enum hsr_status hsr_hz_render_octrees(struct hsr_hz_walk *walk);
-
-/* Renders without cubes: cell after cell, as they come. */
-void hsr_hz_render_all(struct hsr_hz_walk *walk);
+/* Brings the pyramid up to date, before anything is tested. */
+void hsr_hz_refresh(struct hsr_hz_walk *walk);
 
 /* --- Temporal coherence --------------------------------------------------- */
 
-/* Renders the cubes that were visible in the last frame into the plain z-buffer;
- * then builds the pyramid. HSR_E_NOMEM. */
+/* Renders the cubes that were visible in the last frame into the plain
+ * z-buffer; then builds the pyramid. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *walk);
 
-/* Makes the list for the next frame; none, if memory ran out. */
+/* Makes the list for the next frame; an empty one, if memory ran out. */
 void hsr_hz_end_coherence(struct hsr_hz_walk *walk);
 
 #ifdef __cplusplus

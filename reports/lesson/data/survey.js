@@ -196,7 +196,7 @@ export const LESSONS = {
     text: ["Greene’s tiling goes from front to back, and writes each sample once. It " +
       "is Warnock’s division again, with masks of 8 × 8 cells in place of windows: " +
       "a few words tell which cells a polygon covers, touches or misses."],
-    see: [["a cube’s silhouette is looked at", { counter: "cubes asked" }],
+    see: [["a cube’s silhouette is looked at", { counter: "cubes tested" }],
       ["a cell that has to be divided", { counter: "polygon cells",
         outcome: "active" }],
       ["a cell of the finest level", { counter: "finest cells" }],

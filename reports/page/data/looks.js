@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of an algorithm, the same in every plot: one of eight colours that
 // can be told apart without colour vision (style.css has their light and dark
-// forms), one of eight symbols, and the symbol's dash. Where a plot has a row
+// forms), one of nine symbols, and the symbol's dash. Where a plot has a row
 // for each algorithm, scenes have looks instead.
 import {
   symbol, symbolCircle, symbolSquare, symbolTriangle, symbolDiamond, symbolStar,
-  symbolCross, symbolWye,
+  symbolCross, symbolWye, symbolAsterisk,
 } from "d3";
 
 // d3's triangle, upside down.
@@ -24,6 +24,7 @@ const SYMBOLS = [
   [symbolCircle, null], [symbolSquare, "7 3"], [symbolTriangle, "2 3"],
   [symbolDiamond, "9 3 2 3"], [symbolStar, "5 2"], [symbolCross, "1 2"],
   [symbolWye, "12 4"], [symbolTriangleDown, "4 2 1 2"],
+  [symbolAsterisk, "8 2 2 2"],
 ];
 
 // [colour, symbol]: relatives share a colour, neighbours in a plot do not.
@@ -41,7 +42,8 @@ const KNOWN = {
   bouknight: [5, 0], galimberti: [5, 3],
   schumacker: [6, 0], "bsp-painter": [6, 1], "bsp-front": [6, 2],
   "warnock-edges": [6, 3],
-  zbuffer: [7, 0], raycast: [7, 1], hzbuffer: [7, 2], oracle: [7, 3],
+  zbuffer: [7, 0], "zbuffer-fast": [7, 8], "hzbuffer-moving": [5, 8],
+  raycast: [7, 1], hzbuffer: [7, 2], oracle: [7, 3],
   pbtf: [4, 1], ippbtf: [4, 2], "octree-order": [4, 3],
   btf: [2, 4], wbtf: [2, 5], vbuffer: [2, 6],
   splat: [0, 5], "splat-sheet": [0, 6], "splat-volume": [0, 7],
@@ -75,9 +77,10 @@ export function looks(name) {
     : [unknown % COLOURS, (unknown >>> 8) % SYMBOLS.length]);
 }
 
-// Of the k-th thing of another list; the first 64 differ.
+// Of the k-th thing of another list; the first 72 differ.
 export function looksByNumber(k) {
-  return looksOf(k % COLOURS, Math.floor(k / COLOURS + k) % SYMBOLS.length);
+  const row = Math.floor(k / COLOURS), column = k % COLOURS;
+  return looksOf(column, (row + column) % SYMBOLS.length);
 }
 
 // The symbol on a piece of the line, as in a plot.

@@ -65,13 +65,11 @@ static struct known *open_known(const char *name) {
 
 /* --- Options -------------------------------------------------------------- */
 
-/* The next combination of words of all options except `work`; numbers stay as
- * they are. False after the last. */
-static bool next_choice(const struct hsr_option *option, bool movers,
-                        long *chosen) {
+/* The next combination of words of all options; numbers stay as they are. False
+ * after the last. */
+static bool next_choice(const struct hsr_option *option, long *chosen) {
   for (int k = 0; option[k].name; k++) {
-    if (!option[k].words || !strcmp(option[k].name, "work") ||
-        (!movers && !strcmp(option[k].name, "movers")))
+    if (!option[k].words)
       continue;
     if (option[k].words[++chosen[k]].name)
       return true;
@@ -122,13 +120,6 @@ static void report(const struct known *k, const struct hsr_option *option,
   putchar('\n');
 }
 
-static bool moves(const struct hsr_scene *scene) {
-  bool any = false;
-  for (uint32_t o = 0; o < scene->n_objects; o++)
-    any |= scene->objects[o].moves;
-  return any;
-}
-
 static void set_number(const struct hsr_option *option, long *chosen,
                        const char *name, long number) {
   for (int k = 0; option[k].name; k++)
@@ -151,7 +142,7 @@ static int try_all(const struct known *k, long *wrong) {
     if (bad && reported++ < 5)
       report(k, option, &choice, bad);
     *wrong += bad;
-  } while (next_choice(option, moves(k->scene), choice.values.option));
+  } while (next_choice(option, choice.values.option));
   return n;
 }
 
@@ -233,13 +224,11 @@ static const char *const choices[] = {
     "hzbuffer:least=2",
     "hzbuffer:least=2:cubes=sides",
     "hzbuffer:least=1:cubes=sides:pyramid=off",
-    "hzbuffer:least=2:cubes=sides:completed=on",
-    "hzbuffer:least=1:cubes=sides:completed=on:placement=enclosing",
-    "hzbuffer:least=1:cubes=sides:completed=on:near=on:polygons=definitive",
-    "hzbuffer:least=1:cubes=sides:completed=on:pyramid=off",
-    "hzbuffer:least=2:cubes=sides:completed=on:coherence=passes",
-    "hzbuffer:least=2:cubes=sides:completed=on:coherence=list",
-    "hzbuffer:least=1:near=on",
+    "hzbuffer:least=1:cubes=sides:placement=enclosing",
+    "hzbuffer:least=1:cubes=sides:pyramid=dual:polygons=definitive",
+    "hzbuffer:least=2:cubes=sides:coherence=passes",
+    "hzbuffer:least=2:cubes=sides:coherence=list",
+    "hzbuffer:least=1:pyramid=dual",
     "clark"};
 
 /* The number of wrong samples with all of these choices. */
@@ -431,7 +420,7 @@ static void test_ties(struct tap *tap) {
 static void test_windows(struct tap *tap, const char *name) {
   static const int sizes[] = {1, 7, 32, 64};
   static const char *const in_windows[] = {
-      "hzbuffer", "hzbuffer:cubes=sides:near=on:polygons=definitive",
+      "hzbuffer", "hzbuffer:cubes=sides:pyramid=dual:polygons=definitive",
       "hzbuffer:pyramid=off:placement=enclosing", "clark"};
   struct known *k = open_known(name);
   long wrong = 0;

@@ -16,22 +16,20 @@
  *             that of the frame drawn alone. Few faces are tiled that were not
  *             in the frame before. The lists do not grow.
  *
- * The frame is included, so that its steps can be taken one by one. The
- * walk through the octrees is written again here; it notes the result of each
- * step, and must count the same as the true one, counter by counter. */
+ * The steps of a frame are taken one by one. The walk through the octrees is
+ * written again here; it notes the result of each step, and must count the same
+ * as the true one, counter by counter. */
 #define HSR_COUNTING 1
 #include "algorithms/counting-names.h" /* the functions of that build */
-#include "algorithms/algorithm.h"
-#undef HSR_ALGORITHM
-#define HSR_ALGORITHM(name) own_##name
-#include "algorithms/hierarchical/hzbuffer/hzbuffer.c"
-
+#include "algorithms/hierarchical/hzbuffer/walk.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
 #include "bench/modules/variant.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { M = 64, N = 48, SAMPLES = M * N };
@@ -43,9 +41,11 @@ static void stop(const char *name, const char *text) {
 
 /* --- Pictures ------------------------------------------------------------- */
 
-/* One prepared object and the memory of its frames. */
+/* One prepared object and the memory of its frames. The choice is what the
+ * options of the variant say. */
 struct run {
   struct hsr_setup setup;
+  struct hsr_hz_choice choice;
   struct hsr_arena scratch;
   struct hsr_tally tally;
   struct hsr_view view;
@@ -54,11 +54,27 @@ struct run {
   uint32_t ids[SAMPLES];
 };
 
+static bool has(const char *text, const char *word) {
+  return strstr(text, word);
+}
+
+static struct hsr_hz_choice choice_of(const char *text) {
+  return (struct hsr_hz_choice){
+      .octree = HSR_HZ_OCTREE_ON,
+      .pyramid = HSR_HZ_PYRAMID_ON,
+      .cubes = has(text, "cubes=sides") ? HSR_HZ_CUBES_SIDES
+                                        : HSR_HZ_CUBES_RECTANGLE,
+      .coherence = has(text, "coherence=list")     ? HSR_HZ_COHERENCE_LIST
+                   : has(text, "coherence=passes") ? HSR_HZ_COHERENCE_PASSES
+                                                   : HSR_HZ_COHERENCE_OFF};
+}
+
 static void begin_run(struct run *r, const struct both_worlds *s,
                       const char *text) {
   struct hsr_variant variant;
   struct hsr_error err;
   memset(r, 0, sizeof *r);
+  r->choice = choice_of(text);
   if (hsr_variant_parse(text, &variant, &err) ||
       hsr_setup_init(&r->setup, variant.listed->counting, &variant.choice,
                      &s->roster, &err))
@@ -127,19 +143,19 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
                   uint32_t k, bool *inside) {
   struct hsr_hz_walk *w = &ns->walk;
   const struct hsr_tally *tally = w->tally;
-  uint64_t out = hsr_tally_count(tally, OUT),
-           tested = hsr_tally_count(tally, CUBES_TESTED);
+  uint64_t out = hsr_tally_count(tally, HSR_HZ_NODES_OUT),
+           tested = hsr_tally_count(tally, HSR_HZ_CUBES_TESTED);
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_subject subject = hsr_cube_subject(instance, k);
   struct hsr_tally before = *w->tally;
   bool truly_out =
       hsr_cube_classify(&w->frame, placing, &cube, subject) == HSR_BOX_OUT;
   *w->tally = before;
-  bool visible =
-      hsr_hz_is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);
-  enum said said = hsr_tally_count(tally, OUT) > out ? IS_OUT
-                   : !visible                        ? IS_HIDDEN
-                   : hsr_tally_count(tally, CUBES_TESTED) > tested
+  bool visible = hsr_hz_is_cube_visible(w, placing, hsr_hz_volume(w, node),
+                                        subject, inside);
+  enum said said = hsr_tally_count(tally, HSR_HZ_NODES_OUT) > out ? IS_OUT
+                   : !visible                                     ? IS_HIDDEN
+                   : hsr_tally_count(tally, HSR_HZ_CUBES_TESTED) > tested
                        ? IS_VISIBLE
                        : IS_UNTESTED;
   ns->strays += (said == IS_OUT) != truly_out;
@@ -151,7 +167,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   }
   ns->note[ns->n++] = (struct note){instance, k, said};
   if (visible)
-    HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
+    HSR_STEP(w->tally, HSR_HZ_CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE,
+             0);
   return visible;
 }
 
@@ -178,7 +195,7 @@ static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
     return;
   for (uint32_t i = 0; i < node->n; i++)
     if (hsr_cube_is_new(&w->frame, octree->item[node->first + i])) {
-      hsr_hz_take_in_hand(w, octree->item[node->first + i]);
+      hsr_hz_set_instance(w, octree->item[node->first + i]);
       visit_cube(ns, 0, false);
     }
   int nearest = hsr_cube_nearest(&w->frame.as_it_is, node);
@@ -192,7 +209,7 @@ static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
 /* Draws a frame; its z-buffer and pyramid are left as they are at its end. */
 static void take_notes(struct notes *ns, struct run *r) {
   memset(ns, 0, sizeof *ns);
-  if (begin(&ns->walk, &r->job) || render_loose(&ns->walk))
+  if (hsr_hz_begin(&ns->walk, &r->job, r->setup.prepared, &r->choice))
     stop("notes", "out of memory");
   visit_instances(ns, 0, false);
 }
@@ -531,6 +548,41 @@ static void mark_in_visible(const struct notes *ns, bool *in) {
   }
 }
 
+/* Whether an instance's own root cube lies in a cube. */
+static bool holds_root(const struct hsr_cubes *cubes,
+                       const struct hsr_octree_node *node, uint32_t i) {
+  const struct hsr_instance *instance = &cubes->scene->instances[i];
+  const struct hsr_octree_node *root =
+      &cubes->object[instance->object].octree.node[0];
+  struct hsr_box box = hsr_cube_box(node);
+  for (int k = 0; k < 3; k++) {
+    const double *row = instance->m + 4 * k;
+    double centre = row[0] * root->centre[0] + row[1] * root->centre[1] +
+                    row[2] * root->centre[2] + row[3];
+    double half = (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * root->half;
+    if (centre - half < box.lo[k] || centre + half > box.hi[k])
+      return false;
+  }
+  return true;
+}
+
+/* Whether each instance has a cube to itself, and no other. */
+static bool are_apart(const struct hsr_cubes *cubes) {
+  const struct hsr_octree *octree = &cubes->octree;
+  bool apart = octree->n_items == cubes->scene->n_instances;
+  for (uint32_t k = 0; k < octree->n_nodes && apart; k++) {
+    const struct hsr_octree_node *node = &octree->node[k];
+    uint32_t children = 0;
+    for (int o = 0; o < 8; o++)
+      children += node->child[o] != HSR_NO_NODE;
+    apart =
+        node->n == 0 || (node->n == 1 && !children &&
+                         (octree->n_items == 1 ||
+                          holds_root(cubes, node, octree->item[node->first])));
+  }
+  return apart;
+}
+
 /* --- One picture, all claims ---------------------------------------------- */
 
 struct found {
@@ -565,15 +617,15 @@ static void try_view(const struct both_worlds *s, struct run *r,
   f->not_alike += !count_alike(r, noted);
 
   const struct hsr_tally *tally = &r->tally;
-  f->nodes += (long)hsr_tally_count(tally, NODES);
-  f->visible += (long)hsr_tally_count(tally, CUBES_VISIBLE);
+  f->nodes += (long)hsr_tally_count(tally, HSR_HZ_NODES);
+  f->visible += (long)hsr_tally_count(tally, HSR_HZ_CUBES_VISIBLE);
   f->strays += ns.strays;
   f->twice += !none_twice(&ns);
-  f->families += hsr_tally_count(tally, NODES) != count_families(&ns) ||
-                 hsr_tally_count(tally, NODES) !=
-                     hsr_tally_count(tally, CUBES_VISIBLE) +
-                         hsr_tally_count(tally, CUBES_CULLED) +
-                         hsr_tally_count(tally, OUT);
+  f->families += hsr_tally_count(tally, HSR_HZ_NODES) != count_families(&ns) ||
+                 hsr_tally_count(tally, HSR_HZ_NODES) !=
+                     hsr_tally_count(tally, HSR_HZ_CUBES_VISIBLE) +
+                         hsr_tally_count(tally, HSR_HZ_CUBES_CULLED) +
+                         hsr_tally_count(tally, HSR_HZ_NODES_OUT);
   mark_in_visible(&ns, in);
   for (uint32_t g = 0; g < s->world.n_faces; g++)
     f->outside += watched.written[g] && !in[g];
@@ -603,7 +655,8 @@ static void try_claims(struct tap *tap, const struct both_worlds *s,
     try_view(s, &r, &noted, right, view, &f);
   }
   const struct hsr_hz_prepared *prepared = r.setup.prepared;
-  bool sides = r.setup.choice.values.option[CUBES] == SIDES;
+  bool sides = r.choice.cubes == HSR_HZ_CUBES_SIDES;
+  bool apart = are_apart(&prepared->cubes);
   ok(tap, !f.differ && !f.not_alike,
      "%s, %s: %ld pictures as the z-buffer's, and as the noted ones",
      s->scene->name, text, f.pictures);
@@ -617,12 +670,12 @@ static void try_claims(struct tap *tap, const struct both_worlds *s,
      f.outside, f.unseen, f.again);
   ok(tap,
      !f.final.wrongly_hidden && f.final.hidden + f.final.visible > 10 &&
-         (!sides || !prepared->cubes.apart || !f.final.covered),
+         (!sides || !apart || !f.final.covered),
      "%ld hidden cubes are hidden in the end (%ld are not); of %ld visible "
      "ones%s %ld are covered and %ld nearly",
      f.final.hidden, f.final.wrongly_hidden, f.final.visible,
-     prepared->cubes.apart ? "" : ", in instances that are not apart,",
-     f.final.covered, f.final.in_doubt);
+     apart ? "" : ", in instances that are not apart,", f.final.covered,
+     f.final.in_doubt);
   end_run(&r);
   end_run(&noted);
 }
@@ -645,17 +698,17 @@ struct passes {
 
 /* Draws a frame as `render` does, and looks at what the first pass did. */
 static struct passes draw_in_passes(struct run *r) {
-  struct hsr_hz_walk w = {.visit = 0};
+  struct hsr_hz_walk w;
   const struct hsr_tally *tally = &r->tally;
   struct passes p = {0, 0, 0, 0};
-  if (begin(&w, &r->job) || render_loose(&w) || hsr_hz_render_last(&w))
+  if (hsr_hz_begin(&w, &r->job, r->setup.prepared, &r->choice))
     stop("passes", "out of memory");
-  p.first = hsr_tally_count(tally, FACES_TILED);
-  p.again = hsr_tally_count(tally, CUBES_AGAIN);
-  if (hsr_hz_render_octrees(&w))
+  p.first = hsr_tally_count(tally, HSR_HZ_FACES_TILED);
+  p.again = hsr_tally_count(tally, HSR_HZ_CUBES_AGAIN);
+  hsr_hz_process_instances(&w, 0, false);
+  p.second = hsr_tally_count(tally, HSR_HZ_FACES_TILED) - p.first;
+  if (hsr_hz_end(&w))
     stop("passes", "out of memory");
-  p.second = hsr_tally_count(tally, FACES_TILED) - p.first;
-  hsr_hz_end_coherence(&w);
   const struct hsr_hz_prepared *prepared = r->setup.prepared;
   p.listed = prepared->list[prepared->last].cube.n;
   return p;
@@ -674,8 +727,8 @@ static void draw_cold(const struct both_worlds *s, struct run *plain,
   draw_right(s, &plain->view, cold->right);
   draw_run(plain);
   cold->differ = count_differences(&plain->view, plain->ids, cold->right);
-  cold->tiled = hsr_tally_count(&plain->tally, FACES_TILED);
-  cold->visible = hsr_tally_count(&plain->tally, CUBES_VISIBLE);
+  cold->tiled = hsr_tally_count(&plain->tally, HSR_HZ_FACES_TILED);
+  cold->visible = hsr_tally_count(&plain->tally, HSR_HZ_CUBES_VISIBLE);
 }
 
 struct hsr_hz_walked {

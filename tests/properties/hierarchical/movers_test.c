@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Objects that move between frames: hzbuffer and clark are prepared once, and
- * must draw the same as the z-buffer, for which the scene is laid out anew in
- * every frame. Carts drive through the office; some frames move them out of the
- * building, or back in time. Greene's thesis, 3.4. */
+/* Objects that move between frames: hzbuffer, hzbuffer-moving and clark are
+ * prepared once, and must draw the same as the z-buffer, for which the scene is
+ * laid out anew in every frame. Carts drive through the office; some frames
+ * move them out of the building, or back in time. Greene's thesis, 3.4. */
 #define HSR_COUNTING 1
 #include "algorithms/counting-names.h" /* the functions of that build */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
-#include "algorithms/hierarchical/hzbuffer/movers.h"
+#include "algorithms/hierarchical/hzbuffer/moving/movers.h"
 #include "bench/modules/variant.h"
 #include "common/scene/motion.h"
 
@@ -21,19 +21,22 @@ enum { M = 120, N = 90, FRAMES = 6 };
 /* The time in each frame: it goes forth, far ahead, and back. */
 static const int moment[FRAMES] = {0, 1, 2, 500, 501, 1};
 
-static const char *const variants[] = {"clark",
-                                       "hzbuffer",
-                                       "hzbuffer:movers=lazy",
-                                       "hzbuffer:movers=behind",
-                                       "hzbuffer:movers=update",
-                                       "hzbuffer:coherence=list:movers=update",
-                                       "hzbuffer:cubes=sides:completed=on",
-                                       "hzbuffer:volumes=tight:cubes=whole",
-                                       "hzbuffer:coherence=list",
-                                       "hzbuffer:coherence=passes:movers=lazy",
-                                       "hzbuffer:octree=lazy:movers=lazy",
-                                       "hzbuffer:octree=lazy:coherence=list",
-                                       "hzbuffer:octree=off"};
+static const char *const variants[] = {
+    "clark",
+    "hzbuffer",
+    "hzbuffer-moving",
+    "hzbuffer-moving:movers=lazy",
+    "hzbuffer-moving:movers=update",
+    "hzbuffer-moving:coherence=list:movers=update",
+    "hzbuffer:cubes=sides",
+    "hzbuffer:volumes=tight:cubes=whole",
+    "hzbuffer:coherence=list",
+    "hzbuffer:coherence=passes",
+    "hzbuffer-moving:coherence=list",
+    "hzbuffer-moving:coherence=passes:movers=lazy",
+    "hzbuffer-moving:octree=lazy:movers=lazy",
+    "hzbuffer:octree=lazy:coherence=list",
+    "hzbuffer:octree=off"};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
 static void stop(const char *text) {
@@ -143,18 +146,17 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
 
 /* --- With what is known beforehand ---------------------------------------- */
 
-/* Each is used where the motion is known; for hzbuffer:movers=update it is as
- * if nothing were. */
+/* Each is used where the motion is known; movers=update does not use that. */
 static const char *const knowing[] = {
-    "hzbuffer:movers=octree",
-    "hzbuffer:movers=update",
-    "hzbuffer:movers=bounded",
-    "hzbuffer:movers=bounded:interval=3",
-    "hzbuffer:movers=fixed",
-    "hzbuffer:movers=space-time",
-    "hzbuffer:movers=space-time:interval=64",
-    "hzbuffer:movers=space-time:interval=5:octree=lazy:coherence=list",
-    "hzbuffer:movers=bounded:volumes=tight:octree=lazy:coherence=passes"};
+    "hzbuffer-moving:movers=octree",
+    "hzbuffer-moving:movers=update",
+    "hzbuffer-moving:movers=bounded",
+    "hzbuffer-moving:movers=bounded:interval=3",
+    "hzbuffer-moving:movers=fixed",
+    "hzbuffer-moving:movers=space-time",
+    "hzbuffer-moving:movers=space-time:interval=64",
+    "hzbuffer-moving:movers=space-time:interval=5:octree=lazy:coherence=list",
+    "hzbuffer-moving:movers=bounded:octree=lazy:coherence=passes"};
 enum { KNOWING = sizeof knowing / sizeof *knowing };
 
 static void begin(struct ready *r, const char *way,
@@ -289,7 +291,7 @@ static void check_emerging(struct tap *tap) {
   if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[0], M, N, &err))
     stop(err.text);
-  begin(&ready, "hzbuffer:movers=bounded:interval=8", &outline);
+  begin(&ready, "hzbuffer-moving:movers=bounded:interval=8", &outline);
   for (long frame = 0; frame < 8; frame++) {
     struct hsr_scene *then = open_emerging(frame);
     struct hsr_world world;
@@ -337,12 +339,12 @@ static struct cost difference(const struct cost *a, const struct cost *b) {
 
 static void measure(int per_cent, int way, struct cost cost[WAYS]) {
   static const char *const ways[WAYS] = {
-      "hzbuffer",
-      "hzbuffer:movers=lazy",
-      "hzbuffer:movers=update",
-      "hzbuffer:movers=bounded:interval=8",
-      "hzbuffer:movers=fixed",
-      "hzbuffer:movers=space-time:interval=32"};
+      "hzbuffer-moving",
+      "hzbuffer-moving:movers=lazy",
+      "hzbuffer-moving:movers=update",
+      "hzbuffer-moving:movers=bounded:interval=8",
+      "hzbuffer-moving:movers=fixed",
+      "hzbuffer-moving:movers=space-time:interval=32"};
   static struct ready ready[WAYS];
   static uint32_t ids[M * N];
   struct hsr_error err = {.text = "out of memory"};
@@ -418,8 +420,9 @@ enum { LONG = 12 };
  * anew, since most instances stay in their cubes; but each has to be looked at.
  */
 static void check_update(struct tap *tap) {
-  static const char *const ways[3] = {"hzbuffer", "hzbuffer:movers=lazy",
-                                      "hzbuffer:movers=update"};
+  static const char *const ways[3] = {"hzbuffer-moving",
+                                      "hzbuffer-moving:movers=lazy",
+                                      "hzbuffer-moving:movers=update"};
   static uint32_t right[M * N];
   struct ready ready[3];
   struct hsr_error err = {.text = "out of memory"};
@@ -467,9 +470,9 @@ static void check_update(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
-/* One mover in the cube from -1 to 1, a cube with sides of .2, whose centre is
- * at (x, x, x) in the frame. */
-struct alone {
+/* The only mover in the cube from -1 to 1: a cube with sides of .2. Its centre
+ * is at (x, x, x) in the frame. */
+struct single {
   struct hsr_object object;
   struct hsr_instance instance;
   struct hsr_scene scene;
@@ -482,21 +485,18 @@ struct alone {
   struct hsr_tally tally;
 };
 
-enum { MOVED, LOOKED };
-
-static uint64_t moved_down_at(struct alone *a, double x) {
-  uint64_t before = a->tally.count[MOVED];
+static uint64_t moved_down_at(struct single *a, double x) {
+  uint64_t before = a->tally.count[HSR_MOVERS_DOWN];
   a->instance =
       (struct hsr_instance){.m = {1, 0, 0, x, 0, 1, 0, x, 0, 0, 1, x}};
-  if (hsr_movers_update(&a->movers, &a->cubes, &a->tally, MOVED, LOOKED,
-                        &a->arena))
+  if (hsr_movers_update(&a->movers, &a->cubes, &a->tally, &a->arena))
     stop("out of memory");
-  return a->tally.count[MOVED] - before;
+  return a->tally.count[HSR_MOVERS_DOWN] - before;
 }
 
 /* A mover stays while its cube holds it, even where an octant would. */
 static void check_stays(struct tap *tap) {
-  static struct alone a;
+  static struct single a;
   a.object.moves = true;
   a.scene = (struct hsr_scene){.objects = &a.object,
                                .n_objects = 1,
@@ -517,7 +517,8 @@ static void check_stays(struct tap *tap) {
      "out of the root: outside");
   ok(tap, moved_down_at(&a, .75) == 2 && a.movers.mover[0].node != 0,
      "back into an octant: down to the smallest cube that holds it");
-  ok(tap, a.tally.count[LOOKED] == 4, "it is looked at in each frame");
+  ok(tap, a.tally.count[HSR_MOVERS_LOOKED_AT] == 4,
+     "it is looked at in each frame");
   hsr_arena_free(&a.arena);
 }
 

@@ -174,9 +174,9 @@ static void check_visit(struct frame *f, size_t k) {
 }
 
 static void check_masks(struct frame *f) {
-  int cube_cells = counter(f, "cube cells"), asked = counter(f, "cubes asked");
+  int cube_cells = counter(f, "cube cells"), asked = counter(f, "cubes tested");
   int polygon_cells = counter(f, "polygon cells");
-  int hidden = counter(f, "cubes hidden"), pieces = counter(f, "pieces");
+  int hidden = counter(f, "cubes culled"), pieces = counter(f, "pieces");
   struct hsr_subject cube = HSR_NOTHING, face = HSR_FACE(HSR_BACKGROUND);
   if (pieces < 0)
     pieces = counter(f, "polygons");
@@ -593,7 +593,7 @@ static void check_frame(struct frame *f, const char *text, bool again) {
     return;
   }
   check_frustum(f);
-  if (counter(f, "cubes tested") < 0)
+  if (counter(f, "cube reads") < 0)
     return;
   check_movers(f, text);
   check_looked(f, text, again);
@@ -601,8 +601,8 @@ static void check_frame(struct frame *f, const char *text, bool again) {
   check_lazy_cubes(f);
   bool one_by_one = !strstr(text, "coherence") && !strstr(text, "octree=off");
   if (one_by_one) {
-    check_cubes(f, !strstr(text, "near") && !strstr(text, "sides"));
-    check_faces(f, !strstr(text, "near") && !strstr(text, "polygons") &&
+    check_cubes(f, !strstr(text, "dual") && !strstr(text, "sides"));
+    check_faces(f, !strstr(text, "dual") && !strstr(text, "polygons") &&
                        !strstr(text, "pyramid"));
   }
 }
@@ -668,10 +668,10 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
 static const char *const variants[] = {
     "clark",
     "hzbuffer",
-    "hzbuffer:cubes=sides:completed=on",
+    "hzbuffer:cubes=sides",
     "hzbuffer:cubes=whole:volumes=tight:least=4",
-    "hzbuffer:near=on",
-    "hzbuffer:near=on:cubes=sides",
+    "hzbuffer:pyramid=dual",
+    "hzbuffer:pyramid=dual:cubes=sides",
     "hzbuffer:polygons=basic",
     "hzbuffer:polygons=definitive",
     "hzbuffer:polygons=none:placement=enclosing:least=2",
@@ -680,19 +680,19 @@ static const char *const variants[] = {
     "hzbuffer:octree=lazy:least=4",
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
-    "hzbuffer:movers=lazy",
-    "hzbuffer:movers=behind",
-    "hzbuffer:movers=update",
-    "hzbuffer:movers=bounded:interval=3",
-    "hzbuffer:movers=fixed",
-    "hzbuffer:movers=space-time:interval=8",
-    "hzbuffer:movers=space-time:octree=lazy:least=2",
-    "hzbuffer:movers=lazy:octree=lazy:least=4",
-    "hzbuffer:movers=update:octree=lazy:coherence=list",
+    "hzbuffer-moving",
+    "hzbuffer-moving:movers=lazy",
+    "hzbuffer-moving:movers=update",
+    "hzbuffer-moving:movers=bounded:interval=3",
+    "hzbuffer-moving:movers=fixed",
+    "hzbuffer-moving:movers=space-time:interval=8",
+    "hzbuffer-moving:movers=space-time:octree=lazy",
+    "hzbuffer-moving:movers=lazy:octree=lazy",
+    "hzbuffer-moving:movers=update:octree=lazy:coherence=list",
     "tiling",
     "tiling:leaf=2",
     "tiling:start=root:intervals=8",
-    "tiling:cubes=drawn:masks=table",
+    "tiling:octree=off:masks=table",
     "tiling:filter=box",
     "tiling:filter=cosine:jitter=3",
     "tiling-merged",
@@ -745,9 +745,8 @@ int main(int argc, char **argv) {
       continue;
     const char *wrong = NULL, *where = "";
     size_t events = 0;
-    bool divides = !strncmp(variants[k], "hzbuffer", 8) &&
-                   !strstr(variants[k], "octree") &&
-                   !strstr(variants[k], "behind");
+    bool divides = !strncmp(variants[k], "hzbuffer-moving", 15) &&
+                   !strstr(variants[k], "octree");
     long moved = n_moved;
     for (int s = 0; s < SCENES; s++) {
       const char *found = NULL;

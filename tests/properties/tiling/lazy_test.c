@@ -19,14 +19,13 @@
 
 enum { LARGEST = 512, M = 75, N = 50, LATTICES = 300 };
 
-static const char *const orders[] = {
-    "tiling-lazy:intervals=8",
-    "tiling-lazy:cubes=drawn:leaf=2:intervals=8",
-    "tiling-lazy:order=front:intervals=8",
-    "tiling-lazy:order=front:disorder=10:intervals=8",
-    "tiling-lazy:order=back:intervals=8",
-    "tiling-lazy:order=input:intervals=8",
-    "tiling-lazy:order=input:disorder=100:intervals=8"};
+static const char *const orders[] = {"tiling-lazy",
+                                     "tiling-lazy:octree=off:leaf=2",
+                                     "tiling-lazy:order=front",
+                                     "tiling-lazy:order=front:disorder=10",
+                                     "tiling-lazy:order=back",
+                                     "tiling-lazy:order=input",
+                                     "tiling-lazy:order=input:disorder=100"};
 enum { ORDERS = sizeof orders / sizeof *orders };
 
 static void stop(const char *name, const char *text) {
@@ -230,7 +229,7 @@ static void check_exact(struct tap *tap, const char *name) {
   struct drawn lazy =
       draw("tiling-lazy:order=front", true, &stage, &view, large, NULL);
   struct drawn tiling =
-      draw("tiling:cubes=drawn", true, &stage, &view, large, NULL);
+      draw("tiling:octree=off", true, &stage, &view, large, NULL);
   uint64_t cells = of(&lazy, "polygon cells");
   uint64_t least = of(&tiling, "polygon cells");
   ok(tap, of(&lazy, "fragments") > 0 && of(&lazy, "pixels demoted") == 0,

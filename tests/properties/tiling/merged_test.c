@@ -217,9 +217,7 @@ static long check_scenes(int n, uint64_t seed, const struct bodies *bodies,
     draw_ids(hsr_algorithm_find("oracle")->plain, &world, &view, right, NULL);
     for (int counting = 0; counting < 2; counting++) {
       struct ready merged;
-      make_ready(&merged,
-                 k % 4 == 3 ? "tiling-merged:leaf=3:intervals=8"
-                            : "tiling-merged:intervals=8",
+      make_ready(&merged, k % 4 == 3 ? "tiling-merged:leaf=3" : "tiling-merged",
                  counting, &world);
       draw(&merged, &view, ids);
       long differ = count_differences(&view, ids, right);

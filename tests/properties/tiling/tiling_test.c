@@ -146,14 +146,14 @@ static const struct {
   long threads;
 } choices[] = {
     {"tiling", 1},
-    {"tiling:leaf=0:intervals=4:start=root:cubes=drawn", 1},
+    {"tiling:leaf=0:intervals=4:start=root:octree=off", 1},
     {"tiling:leaf=30:start=root:window=7", 4},
     {"tiling:leaf=10:intervals=4:window=32", 4},
-    {"tiling:leaf=10:cubes=drawn:start=root", 1},
+    {"tiling:leaf=10:octree=off:start=root", 1},
     {"tiling:leaf=80:intervals=4:start=root", 1},
-    {"tiling:leaf=80:cubes=drawn:window=7", 1},
+    {"tiling:leaf=80:octree=off:window=7", 1},
     {"tiling:leaf=0:window=32:start=root", 4},
-    {"tiling:leaf=30:intervals=4:cubes=drawn:window=32", 1},
+    {"tiling:leaf=30:intervals=4:octree=off:window=32", 1},
     {"tiling:leaf=10:intervals=1:window=7", 1},
     {"tiling:leaf=0:intervals=4:window=7", 4},
     {"tiling:leaf=30:window=1", 4},
@@ -297,7 +297,7 @@ static void test_ties(struct tap *tap) {
   enum { SCENES = 500 };
   static const char *const texts[] = {
       "tiling:leaf=3", "tiling:leaf=0:start=root",
-      "tiling:leaf=3:intervals=4:cubes=drawn", "tiling:leaf=1:intervals=16",
+      "tiling:leaf=3:intervals=4:octree=off", "tiling:leaf=1:intervals=16",
       "tiling:leaf=10:intervals=7:start=root"};
   enum { TEXTS = sizeof texts / sizeof *texts };
   uint64_t seed = 1996;

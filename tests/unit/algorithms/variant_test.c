@@ -145,7 +145,7 @@ static void test_bad(struct tap *tap) {
   bad(tap, "zbuffer-fast:filter=box:window=8", "no windows");
   bad(tap, "zbuffer-fast:window=8:filter=box", "no windows");
   bad(tap, "roberts:filter=box", "filter is an option of filtered");
-  bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
+  bad(tap, "hzbuffer:cubes=sides:pyramid=dual:cubes=rectangle", "twice");
   bad(tap, "zbuffer-fast:window=8:window=16", "twice");
   bad(tap, "appel:window=16", "appel does not draw in windows");
   bad(tap, "hzbuffer:coherence=list:window=32", "no windows");

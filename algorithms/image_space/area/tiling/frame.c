@@ -98,8 +98,7 @@ enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
   *t = (struct hsr_tiling){.job = job,
                            .sampling = sampling,
                            .filtering = filtering,
-                           .view = view_of(job, &filtering),
-                           .work = job->tally->work};
+                           .view = view_of(job, &filtering)};
   t->masks = masks_of(t);
   bool field = filtering.filter == HSR_FILTER_FIELD;
   hsr_canvas_begin(&t->canvas, job, t->view.window,
@@ -123,15 +122,15 @@ enum hsr_status hsr_tiling_room(struct hsr_tiling *t,
                           job->scratch);
 }
 
-bool hsr_tiling_shows(struct hsr_tiling *t, const struct hsr_box *box,
-                      const double shift[3], bool tested) {
+bool hsr_tiling_is_visible(struct hsr_tiling *t, const struct hsr_box *box,
+                           const double shift[3], bool tested) {
   enum hsr_box_place place = hsr_pieces_box(&t->pieces, box, shift);
   if (place != HSR_BOX_INSIDE || !tested)
     return place != HSR_BOX_OUTSIDE;
   bool visible =
       hsr_masks_find(&t->masks, t->pieces.box) &&
       hsr_masks_show_found(&t->masks, hsr_pieces_silhouette(&t->pieces));
-  hsr_tiling_asked(t, visible);
+  hsr_tiling_count_test(t, visible);
   return visible;
 }
 
@@ -139,17 +138,16 @@ void hsr_tiling_background(struct hsr_tiling *t) {
   hsr_tiling_whom(t, HSR_FACE(HSR_BACKGROUND));
   hsr_canvas_face(&t->canvas, HSR_BACKGROUND);
   hsr_masks_tile_rest(&t->masks, &t->sink);
-  t->job->tally->work = t->work;
 }
 
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"cubes asked",
+    {"cubes tested",
      "cubes, and boxes of instances, whose silhouettes "
      "were tiled",
      HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
-    {"cubes hidden", "of these, those that are hidden", HSR_REJECT, HSR_OF_CELL,
+    {"cubes culled", "of these, those that are hidden", HSR_REJECT, HSR_OF_CELL,
      HSR_OF_WINDOW},
     {"cube cells", "cells of the mask pyramid visited for them", HSR_COMPARE,
      HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES},
@@ -171,10 +169,10 @@ static const struct hsr_counter counters[] = {
 
 static const struct hsr_line cube_lines[] = {
     {"  is a vacant sample within the cube's silhouette?",
-     HSR_RAISES(HSR_CUBES_ASKED)},
+     HSR_RAISES(HSR_CUBES_TESTED)},
     {"    tile_poly the silhouette, to look and not to write",
      HSR_RAISES(HSR_CUBE_CELLS)},
-    {"  if not, cull the cube", HSR_RAISES(HSR_CUBES_HIDDEN)},
+    {"  if not, cull the cube", HSR_RAISES(HSR_CUBES_CULLED)},
     {NULL}};
 
 static const struct hsr_line cell_lines[] = {

@@ -31,6 +31,8 @@ struct hsr_sampling {
   struct hsr_kernel cosine, field;
 };
 
+enum { HSR_TILING_INTERVALS = 64 }; /* the paper's, of a side */
+
 /* Makes what a module keeps from frame to frame: `size` bytes that begin with a
  * struct hsr_sampling; all the others are 0. HSR_E_NOMEM: then, too, *prepared
  * is the module's to release, which frees the sampling. */
@@ -49,14 +51,6 @@ struct hsr_tiling {
   struct hsr_pieces_view pieces;
   struct hsr_canvas canvas;
   struct hsr_mask_sink sink; /* to the canvas */
-
-  /* The work picture, or NULL; and whose cells it shows. */
-  float *work;
-  enum hsr_tiling_work {
-    HSR_WORK_ALL,
-    HSR_WORK_CUBES,
-    HSR_WORK_POLYGONS
-  } shows;
 };
 
 /* With room for such trees; `tiling` must stay where it is. HSR_E_NOMEM. */
@@ -75,8 +69,8 @@ int hsr_tiling_pattern(const struct hsr_job *job);
 /* Whether anything within a box that is moved may be seen; if `tested`, the
  * masks are asked, and not the window alone. hsr_tiling_whom has named the
  * cube. */
-bool hsr_tiling_shows(struct hsr_tiling *tiling, const struct hsr_box *box,
-                      const double shift[3], bool tested);
+bool hsr_tiling_is_visible(struct hsr_tiling *tiling, const struct hsr_box *box,
+                           const double shift[3], bool tested);
 
 /* Tiles whatever is vacant still, and of no polygon. */
 void hsr_tiling_background(struct hsr_tiling *tiling);
@@ -87,8 +81,8 @@ void hsr_tiling_background(struct hsr_tiling *tiling);
  * its samples. */
 extern const struct hsr_part hsr_tiling_part;
 enum {
-  HSR_CUBES_ASKED = HSR_FIRST_OF(HSR_PART_TILING),
-  HSR_CUBES_HIDDEN,
+  HSR_CUBES_TESTED = HSR_FIRST_OF(HSR_PART_TILING),
+  HSR_CUBES_CULLED,
   HSR_CUBE_CELLS,
   HSR_POLYGON_CELLS,
   HSR_FINEST_CELLS,
@@ -106,22 +100,19 @@ static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
   tiling->masks.count.cells =
       whom.kind == HSR_OF_CELL ? HSR_CUBE_CELLS : HSR_POLYGON_CELLS;
   tiling->masks.count.whom = whom;
-  bool shown = tiling->shows == HSR_WORK_ALL ||
-               (tiling->shows == HSR_WORK_CUBES) == (whom.kind == HSR_OF_CELL);
-  tiling->job->tally->work = shown ? tiling->work : NULL;
 }
 
 /* Counts a cube whose silhouette has been tiled: hsr_tiling_whom has named it,
  * and the silhouette is that of the pieces at hand. */
-static inline void hsr_tiling_asked(const struct hsr_tiling *tiling,
-                                    bool visible) {
+static inline void hsr_tiling_count_test(const struct hsr_tiling *tiling,
+                                         bool visible) {
   struct hsr_tally *tally = tiling->job->tally;
   struct hsr_subject cube = tiling->masks.count.whom;
   const struct hsr_bounds *b = &tiling->pieces.box;
   struct hsr_window window = hsr_window_make(b->x0, b->y0, b->x1, b->y1);
-  HSR_STEP(tally, HSR_CUBES_ASKED, cube, HSR_THE_WINDOW, window, visible);
+  HSR_STEP(tally, HSR_CUBES_TESTED, cube, HSR_THE_WINDOW, window, visible);
   if (!visible)
-    HSR_STEP(tally, HSR_CUBES_HIDDEN, cube, HSR_THE_WINDOW, window, 0);
+    HSR_STEP(tally, HSR_CUBES_CULLED, cube, HSR_THE_WINDOW, window, 0);
 }
 
 #ifdef __cplusplus

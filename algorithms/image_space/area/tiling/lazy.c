@@ -28,9 +28,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
+enum { ORDER, LEAF, DISORDER, OCTREE };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
-enum { CUBES_TESTED, CUBES_DRAWN };
+enum { OCTREE_OFF, OCTREE_ON };
 
 enum { POLYGONS, POLYGONS_HIDDEN };
 
@@ -111,8 +111,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status = hsr_tiling_prepare(sizeof(struct prepared),
-                                              option[INTERVALS], prepared, err);
+  enum hsr_status status = hsr_tiling_prepare(
+      sizeof(struct prepared), HSR_TILING_INTERVALS, prepared, err);
   struct prepared *p = *prepared;
   if (!status && hsr_separate_init(&p->separate, world))
     status = hsr_fail_nomem(err);
@@ -243,11 +243,11 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   struct hsr_box box = corners_of(cube);
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
   enum hsr_box_place place = hsr_pieces_box(pieces, &box, still);
-  if (place != HSR_BOX_INSIDE || f->job->option[CUBES] == CUBES_DRAWN)
+  if (place != HSR_BOX_INSIDE || f->job->option[OCTREE] == OCTREE_OFF)
     return place != HSR_BOX_OUTSIDE;
   bool visible = hsr_lazy_shows(&f->pyramid, hsr_pieces_silhouette(pieces),
                                 pieces->box, nearest_of(f, &box));
-  hsr_tiling_asked(&f->tiling, visible);
+  hsr_tiling_count_test(&f->tiling, visible);
   return visible;
 }
 
@@ -443,21 +443,14 @@ static const struct hsr_option options[] = {
                              "random; not with order=tree",
                   .least = 0,
                   .most = 100},
-    [CUBES] = {.name = "cubes",
-               .meaning = "what becomes of cubes in the picture",
-               .words =
-                   (const struct hsr_word[]){
-                       {"tested",
-                        "their silhouettes are tiled, and hidden ones culled",
-                        0},
-                       {"drawn", "all are gone through", 0},
-                       {NULL, NULL, 0}}},
-    [INTERVALS] = {.name = "intervals",
-                   .meaning =
-                       "into which a side is divided for the tables of masks",
-                   .least = 1,
-                   .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
+    [OCTREE] = {.name = "octree",
+                .meaning = "cull by cubes: their silhouettes are tiled",
+                .words =
+                    (const struct hsr_word[]){
+                        {"off", "without it: all are gone through", 0},
+                        {"on", "with it", 0},
+                        {NULL, NULL, 0}},
+                .standard = OCTREE_ON},
     {.name = NULL}};
 
 /* --- What it is and counts ------------------------------------------------ */

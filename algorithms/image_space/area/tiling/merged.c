@@ -41,7 +41,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEAF, INTERVALS };
+enum { LEAF };
 /* A body that has no more faces than so many leaves may have is merged as a
  * whole. */
 enum { SMALL = 8 };
@@ -126,8 +126,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status = hsr_tiling_prepare(sizeof(struct prepared),
-                                              option[INTERVALS], prepared, err);
+  enum hsr_status status = hsr_tiling_prepare(
+      sizeof(struct prepared), HSR_TILING_INTERVALS, prepared, err);
   return status ? status : plant(*prepared, world, &rule, err);
 }
 
@@ -286,7 +286,7 @@ static bool is_visible(struct frame *f, const struct hsr_region *region,
                        struct hsr_box box) {
   static const double still[3] = {0, 0, 0};
   return hsr_region_clip(region, &box) &&
-         hsr_tiling_shows(&f->tiling, &box, still, true);
+         hsr_tiling_is_visible(&f->tiling, &box, still, true);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
@@ -739,12 +739,6 @@ static const struct hsr_option options[] = {
               .least = 1,
               .most = 1000,
               .standard = 30},
-    [INTERVALS] = {.name = "intervals",
-                   .meaning =
-                       "into which a side is divided for the tables of masks",
-                   .least = 1,
-                   .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
     {.name = NULL}};
 
 /* --- What it is and counts ------------------------------------------------ */

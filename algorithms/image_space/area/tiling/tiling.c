@@ -24,10 +24,10 @@
 
 #include <stdlib.h>
 
-enum { LEAF, INTERVALS, MASKS, START, CUBES, COUNTS, WORK };
+enum { LEAF, INTERVALS, MASKS, START, OCTREE, COUNTS };
 enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
-enum { CUBES_TESTED, CUBES_DRAWN };
+enum { OCTREE_OFF, OCTREE_ON };
 enum { COUNTS_OFF, COUNTS_ON };
 enum { CORNERS = 4 };
 
@@ -136,7 +136,6 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   *f = (struct frame){.job = job, .prepared = p};
   if (hsr_tiling_begin(&f->tiling, &p->sampling, job, room))
     return HSR_E_NOMEM;
-  f->tiling.shows = (enum hsr_tiling_work)job->option[WORK];
   if (p->samples)
     f->tiling.masks.sample_tables = p->sample_tables + hsr_tiling_pattern(job);
   f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
@@ -152,8 +151,8 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
 static bool is_visible(struct frame *f, const struct hsr_box *box,
                        const double shift[3], struct hsr_subject cube) {
   hsr_tiling_whom(&f->tiling, cube);
-  return hsr_tiling_shows(&f->tiling, box, shift,
-                          f->job->option[CUBES] == CUBES_TESTED);
+  return hsr_tiling_is_visible(&f->tiling, box, shift,
+                               f->job->option[OCTREE] == OCTREE_ON);
 }
 
 /* The same of a cube with polygons, whose visible samples are counted. */
@@ -167,7 +166,7 @@ static bool is_any_left(struct frame *f, const struct hsr_box *box,
     return place == HSR_BOX_UNKNOWN;
   bool visible = hsr_masks_count(&t->masks, hsr_pieces_silhouette(&t->pieces),
                                  t->pieces.box) > 0;
-  hsr_tiling_asked(t, visible);
+  hsr_tiling_count_test(t, visible);
   return visible;
 }
 
@@ -217,7 +216,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   fetch_cube(pieces->bsp, cube);
   uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
   bool counts = f->tiling.masks.counts && cube->root != HSR_NO_BSP &&
-                f->job->option[CUBES] == CUBES_TESTED;
+                f->job->option[OCTREE] == OCTREE_ON;
   if (!(counts ? is_any_left : is_visible)(f, &cube->tight, pieces->shift,
                                            HSR_CELL(number, f->instance, 0)))
     return false;
@@ -336,7 +335,7 @@ static const struct hsr_option options[] = {
                        "into which a side is divided for the tables of masks",
                    .least = 1,
                    .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
+                   .standard = HSR_TILING_INTERVALS},
     [MASKS] = {.name = "masks",
                .meaning = "how the masks of samples are found",
                .words =
@@ -356,16 +355,14 @@ static const struct hsr_option options[] = {
                         0},
                        {"root", "the root, as in the thesis", 0},
                        {NULL, NULL, 0}}},
-    [CUBES] = {.name = "cubes",
-               .meaning = "what becomes of cubes in the picture",
-               .words =
-                   (const struct hsr_word[]){
-                       {"tested",
-                        "their silhouettes are tiled, and hidden ones "
-                        "culled",
-                        0},
-                       {"drawn", "all are gone through", 0},
-                       {NULL, NULL, 0}}},
+    [OCTREE] = {.name = "octree",
+                .meaning = "cull by cubes: their silhouettes are tiled",
+                .words =
+                    (const struct hsr_word[]){
+                        {"off", "without it: all are gone through", 0},
+                        {"on", "with it", 0},
+                        {NULL, NULL, 0}},
+                .standard = OCTREE_ON},
     [COUNTS] = {.name = "counts",
                 .meaning = "whether the visible samples of a cube with "
                            "polygons are counted (thesis, 4.6.3)",
@@ -377,15 +374,6 @@ static const struct hsr_option options[] = {
                          "are passed over",
                          0},
                         {NULL, NULL, 0}}},
-    [WORK] = {.name = "work",
-              .meaning = "which visited cells the work picture shows, as in "
-                         "figure 3 of 1996",
-              .words =
-                  (const struct hsr_word[]){
-                      {"all", "all of them", 0},
-                      {"cubes", "those visited for cubes", 0},
-                      {"polygons", "those visited for polygons", 0},
-                      {NULL, NULL, 0}}},
     {.name = NULL}};
 
 /* --- What it is and counts ------------------------------------------------ */

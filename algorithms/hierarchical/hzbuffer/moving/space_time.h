@@ -2,10 +2,10 @@
 /* Clusters of instances whose ways are known, in regions of space for intervals
  * of frames.
  *
- * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 3.4, the end: a volume
- *             that bounds a cluster for a sequence of frames; if it is hidden in
- *             one of them, so is the cluster; if not, it is divided in space or
- *             in time, "as appropriate". He leaves open which.
+ * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, the end of 3.4. A
+ *             volume bounds a cluster for a sequence of frames. If it is hidden
+ *             in one of them, so is the cluster. If not, the cluster is divided
+ *             in space or in time; he leaves open which.
  * Choice      in time where an instance, on the average, passes over more than
  *             half of the cluster's length in the interval: dividing its members
  *             in space would not make the volume much smaller. Otherwise in
@@ -39,19 +39,13 @@ struct hsr_cluster {
   enum { HSR_UNDIVIDED, HSR_IN_SPACE, HSR_IN_TIME } divided;
 };
 
-/* Counters. */
-struct hsr_space_time_count {
-  struct hsr_tally *tally;
-  int bounded, in_space, in_time, moved;
-};
-
 /* All zero before the first frame. Cluster 0 is of all instances of which
  * enough is known; the others are loose. */
 struct hsr_space_time {
   struct hsr_growing cluster, member;
   uint32_t *loose, n_loose;
   const struct hsr_scene *scene;
-  struct hsr_space_time_count count;
+  struct hsr_tally *tally;
   struct hsr_arena *arena;
 };
 
@@ -70,7 +64,7 @@ hsr_member_at(const struct hsr_space_time *t, uint32_t k) {
  * HSR_E_NOMEM: all is to be thrown away. */
 enum hsr_status hsr_space_time_begin(struct hsr_space_time *t,
                                      const struct hsr_cubes *cubes, long frames,
-                                     const struct hsr_space_time_count *count,
+                                     struct hsr_tally *tally,
                                      struct hsr_arena *arena);
 
 /* Divides a cluster of several members, if it is not yet: the parts, one or

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/hierarchical/hzbuffer/movers.h"
+#include "algorithms/hierarchical/hzbuffer/moving/movers.h"
 #include "common/scene/motion.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
 
 enum hsr_status hsr_movers_init(struct hsr_movers *m,
                                 const struct hsr_cubes *cubes,
-                                struct hsr_tally *tally, int moved, int splits,
+                                struct hsr_tally *tally,
                                 struct hsr_arena *arena) {
   uint32_t root;
   struct hsr_box box = hsr_cube_box(&cubes->octree.node[0]);
@@ -32,8 +32,6 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
       .n = cubes->n_movers,
       .outside = HSR_NO_MOVER,
       .tally = tally,
-      .moved = moved,
-      .splits = splits,
       .arena = arena};
   if (!m->mover || !new_node(m, &root))
     return HSR_E_NOMEM;
@@ -49,6 +47,15 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
   return HSR_OK;
 }
 
+/* Only a tree that is kept has octants in which nothing is. */
+uint32_t hsr_mover_octant(const struct hsr_movers *m, uint32_t node, int o) {
+  uint32_t child = hsr_mover_node(m, node)->child[o];
+  return m->is_kept && child != HSR_NO_NODE &&
+                 !hsr_mover_node(m, child)->n_below
+             ? HSR_NO_NODE
+             : child;
+}
+
 bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
                        const struct hsr_octree_node *cube) {
   if (hsr_mover_node(m, node)->divided)
@@ -58,8 +65,8 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
   hsr_mover_node(m, node)->divided = true;
   if (single)
     return true;
-  HSR_STEP(m->tally, m->splits, HSR_MOVERS_CUBE(node), HSR_NOTHING, HSR_NOWHERE,
-           0);
+  HSR_STEP(m->tally, HSR_MOVERS_SPLITS, HSR_MOVERS_CUBE(node), HSR_NOTHING,
+           HSR_NOWHERE, 0);
   hsr_mover_node(m, node)->first = HSR_NO_MOVER;
   for (uint32_t next; k != HSR_NO_MOVER; k = next) {
     next = m->mover[k].next;
@@ -73,7 +80,7 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
       return false;
     hsr_mover_node(m, node)->child[o] = child;
     put(m, &hsr_mover_node(m, child)->first, k);
-    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+    HSR_STEP(m->tally, HSR_MOVERS_DOWN, HSR_VOLUME(m->mover[k].instance),
              HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
   }
   return true;
@@ -120,8 +127,8 @@ static void take_out(struct hsr_movers *m, uint32_t k) {
   *link = m->mover[k].next;
 }
 
-/* The cubes above `from`, or that one, no longer hold the mover, until one
- * holds its bounds. */
+/* The first cube that holds the bounds, from `from` upwards. Those that do not
+ * have one mover less in them. */
 static uint32_t go_up(struct hsr_movers *m, uint32_t from,
                       const struct hsr_box *bounds) {
   while (from != HSR_NO_NODE) {
@@ -135,7 +142,7 @@ static uint32_t go_up(struct hsr_movers *m, uint32_t from,
   return HSR_NO_NODE;
 }
 
-/* To the smallest octant that holds mover k. */
+/* Goes down from *at to the smallest octant that holds mover k. */
 static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
   for (int depth = 0; depth < DEEPEST; depth++) {
     struct hsr_mover_node *node = hsr_mover_node(m, *at);
@@ -147,13 +154,13 @@ static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
       return false;
     hsr_mover_node(m, child)->n_below++;
     *at = child;
-    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+    HSR_STEP(m->tally, HSR_MOVERS_DOWN, HSR_VOLUME(m->mover[k].instance),
              HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
   }
   return true;
 }
 
-/* Whether enough is known of an instance to leave it alone for a while. */
+/* Whether enough is known of an instance not to look at it in every frame. */
 static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
                      uint32_t i) {
   struct hsr_motion motion = hsr_scene_motion(scene, i);
@@ -165,7 +172,7 @@ static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
                                                   : false;
 }
 
-/* Those of which enough is known come first. */
+/* Lists all as outside. Those of which enough is known come first. */
 static void list_movers(struct hsr_movers *m, const struct hsr_cubes *cubes) {
   uint32_t k = 0;
   for (int known = 1; known >= 0; known--) {
@@ -184,6 +191,7 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   uint32_t root;
   m->mover = HSR_NEW(m->arena, struct hsr_mover, cubes->n_movers);
   m->n = cubes->n_movers;
+  m->is_kept = true;
   m->outside = HSR_NO_MOVER;
   if (!m->mover || !new_node(m, &root))
     return HSR_E_NOMEM;
@@ -196,8 +204,8 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   return HSR_OK;
 }
 
-/* A box that holds mover k until it is looked at again. What the sums round off
- * is added. */
+/* A box that holds mover k until it is looked at again. It is enlarged by what
+ * the sums may round off. */
 static struct hsr_box volume_of(const struct hsr_movers *m,
                                 const struct hsr_cubes *cubes, uint32_t k) {
   uint32_t i = m->mover[k].instance;
@@ -217,9 +225,9 @@ static struct hsr_box volume_of(const struct hsr_movers *m,
   return box;
 }
 
-/* Puts mover k where it belongs now. */
+/* Looks at mover k. Puts it into another cube if its own does not hold it. */
 static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                      int looked, uint32_t k) {
+                      uint32_t k) {
   struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
   struct hsr_mover *mover = &m->mover[k];
   uint32_t was = mover->node;
@@ -227,7 +235,7 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
   uint32_t at = go_up(m, was, &mover->bounds);
   bool stays = at == was &&
                (was != HSR_NO_NODE || !hsr_box_holds(&root, &mover->bounds));
-  HSR_STEP(m->tally, looked, HSR_VOLUME(mover->instance),
+  HSR_STEP(m->tally, HSR_MOVERS_LOOKED_AT, HSR_VOLUME(mover->instance),
            was == HSR_NO_NODE ? HSR_NOTHING : HSR_MOVERS_CUBE(was), HSR_NOWHERE,
            stays);
   if (stays)
@@ -244,46 +252,43 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
   return true;
 }
 
-/* From `first` in steps; all before `end`. */
+/* The same of every `step`-th one from `first` on, before `end`. */
 static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                     int looked, uint32_t first, uint32_t end, uint32_t step) {
+                     uint32_t first, uint32_t end, uint32_t step) {
   bool good = true;
   for (uint64_t k = first; k < end && good; k += step)
-    good = put_again(m, cubes, looked, (uint32_t)k);
+    good = put_again(m, cubes, (uint32_t)k);
   return good;
 }
 
-/* Which of the known ones it is time to look at. A part of them comes in each
- * frame, so that every one comes before ->every frames are over; all, if so
- * many were left out, or time goes back. */
+/* Looks at the known ones whose turn it is: a part of them in each frame, so
+ * that each is looked at once in ->every frames. All of them, if so many frames
+ * were left out, or time goes back. */
 static bool put_known(struct hsr_movers *m, const struct hsr_cubes *cubes,
-                      int looked, bool begins) {
+                      bool begins) {
   long frame = hsr_scene_frame(cubes->scene), last = m->frame;
   bool speed = m->knowledge == HSR_MOVERS_KNOW_SPEED;
   bool good = true;
   m->frame = frame;
   if (begins || (speed && (frame < last || frame - last >= m->every)))
-    return put_some(m, cubes, looked, 0, m->n_known, 1);
+    return put_some(m, cubes, 0, m->n_known, 1);
   for (long f = last + 1; speed && f <= frame && good; f++) {
     long part = (f % m->every + m->every) % m->every;
-    good = put_some(m, cubes, looked, (uint32_t)part, m->n_known,
-                    (uint32_t)m->every);
+    good = put_some(m, cubes, (uint32_t)part, m->n_known, (uint32_t)m->every);
   }
   return good;
 }
 
 enum hsr_status hsr_movers_update(struct hsr_movers *m,
                                   const struct hsr_cubes *cubes,
-                                  struct hsr_tally *tally, int moved,
-                                  int looked, struct hsr_arena *arena) {
+                                  struct hsr_tally *tally,
+                                  struct hsr_arena *arena) {
   bool begins = !m->mover;
   m->tally = tally;
-  m->moved = moved;
   m->arena = arena;
   if (begins && begin_kept(m, cubes))
     return HSR_E_NOMEM;
-  return put_known(m, cubes, looked, begins) &&
-                 put_some(m, cubes, looked, m->n_known, m->n, 1)
+  return put_known(m, cubes, begins) && put_some(m, cubes, m->n_known, m->n, 1)
              ? HSR_OK
              : HSR_E_NOMEM;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/hierarchical/hzbuffer/space_time.h"
-#include "algorithms/hierarchical/hzbuffer/movers.h"
+#include "algorithms/hierarchical/hzbuffer/moving/space_time.h"
+#include "algorithms/hierarchical/hzbuffer/moving/movers.h"
 #include "common/scene/motion.h"
 
 #include <math.h>
@@ -35,7 +35,7 @@ static bool new_cluster(struct hsr_space_time *t, long from, long to,
   return true;
 }
 
-/* To the newest cluster. */
+/* Adds a member to the newest cluster. */
 static bool add_member(struct hsr_space_time *t, const struct hsr_member *m) {
   struct hsr_member copy = *m;
   if (!hsr_arena_grow(t->arena, &t->member, sizeof copy))
@@ -59,24 +59,24 @@ static bool bound(struct hsr_space_time *t, uint32_t instance, bool *known) {
   struct hsr_member m = {.instance = instance};
   *known = hsr_scene_way(t->scene, instance, (double)c->from, (double)c->to,
                          m.box.lo, m.box.hi);
-  HSR_STEP(t->count.tally, t->count.bounded, HSR_VOLUME(instance),
+  HSR_STEP(t->tally, HSR_MOVERS_BOUNDED, HSR_VOLUME(instance),
            HSR_MOVERS_CUBE(k), HSR_NOWHERE, *known);
   return !*known || add_member(t, &m);
 }
 
 enum hsr_status hsr_space_time_begin(struct hsr_space_time *t,
                                      const struct hsr_cubes *cubes, long frames,
-                                     const struct hsr_space_time_count *count,
+                                     struct hsr_tally *tally,
                                      struct hsr_arena *arena) {
   long frame = hsr_scene_frame(cubes->scene), part = frame % frames;
   long from = frame - (part < 0 ? part + frames : part);
   uint32_t root;
-  t->count = *count;
+  t->tally = tally;
   if (t->arena && hsr_cluster_at(t, 0)->from == from)
     return HSR_OK;
   hsr_arena_reset(arena);
   *t = (struct hsr_space_time){
-      .scene = cubes->scene, .count = *count, .arena = arena};
+      .scene = cubes->scene, .tally = tally, .arena = arena};
   t->loose = HSR_NEW(arena, uint32_t, cubes->n_movers);
   if (!t->loose || !new_cluster(t, from, from + frames - 1, &root))
     return HSR_E_NOMEM;
@@ -111,8 +111,9 @@ static bool make_half(struct hsr_space_time *t, uint32_t k, int half) {
   return good;
 }
 
-/* Which members are above the mean of their middles along an axis; if all are
- * on one side, the second half of them. */
+/* Whether member j goes into the upper part: its middle is above the mean of
+ * all middles along an axis. `alike`: all are on one side of the mean; then the
+ * second half of them does. */
 static bool is_above(const struct hsr_space_time *t,
                      const struct hsr_cluster *c, int axis, double mean,
                      bool alike, uint32_t j) {
@@ -137,7 +138,7 @@ static bool divide_in_space(struct hsr_space_time *t, uint32_t k) {
       if (is_above(t, &c, axis, mean, !above || above == c.n, j) != part)
         continue;
       good = add_member(t, hsr_member_at(t, c.first + j));
-      HSR_STEP(t->count.tally, t->count.moved,
+      HSR_STEP(t->tally, HSR_MOVERS_DOWN,
                HSR_VOLUME(hsr_member_at(t, c.first + j)->instance),
                HSR_MOVERS_CUBE(made), HSR_NOWHERE, 0);
     }
@@ -147,7 +148,7 @@ static bool divide_in_space(struct hsr_space_time *t, uint32_t k) {
   return good;
 }
 
-/* Whether a cluster is to be divided in time. */
+/* Is a cluster to be divided in time? If not, it is in space. */
 static bool is_long(const struct hsr_cluster *c) {
   return c->to > c->from &&
          c->longest / c->n > 0.5 * side(&c->box, longest_axis(&c->box));
@@ -160,7 +161,7 @@ int hsr_space_time_divide(struct hsr_space_time *t, uint32_t k,
   if (c->divided == HSR_UNDIVIDED) {
     bool in_time = is_long(c);
     c->divided = in_time ? HSR_IN_TIME : HSR_IN_SPACE;
-    HSR_STEP(t->count.tally, in_time ? t->count.in_time : t->count.in_space,
+    HSR_STEP(t->tally, in_time ? HSR_MOVERS_SPLITS_IN_TIME : HSR_MOVERS_SPLITS,
              HSR_MOVERS_CUBE(k), HSR_NOTHING, HSR_NOWHERE, 0);
     good = in_time || divide_in_space(t, k);
   }
