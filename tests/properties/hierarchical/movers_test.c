@@ -250,8 +250,8 @@ static void add_screen(struct hsr_object *object, const double lo[2],
     stop("out of memory");
 }
 
-/* A shuttle comes out from behind a wall, a unit a frame. Farther back is a wall
- * as wide as the view. */
+/* A shuttle, the first instance, comes out from behind a wall, a unit a frame.
+ * Farther back is a wall as wide as the view. */
 static struct hsr_scene *open_emerging(long frame) {
   static const double still[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   const double moved[12] = {1, 0, 0, (double)frame, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -262,17 +262,17 @@ static struct hsr_scene *open_emerging(long frame) {
   struct hsr_scene *scene = hsr_scene_new("emerging");
   if (!scene)
     stop(err.text);
-  struct hsr_object *walls = hsr_scene_object(scene, "walls");
-  add_screen(walls, (double[]){-10, -10}, (double[]){0, 10}, -10);
-  add_screen(walls, (double[]){-40, -40}, (double[]){40, 40}, -40);
   struct hsr_object *shuttle = hsr_scene_object(scene, "shuttle");
   shuttle->moves = true;
   add_screen(shuttle, (double[]){-3.75, 2.625}, (double[]){-2.75, 3.625},
              -16.25);
   motion.speed = 1;
-  if (hsr_scene_instance(scene, 0, still) ||
-      hsr_scene_instance(scene, 1, moved) ||
+  struct hsr_object *walls = hsr_scene_object(scene, "walls");
+  add_screen(walls, (double[]){-10, -10}, (double[]){0, 10}, -10);
+  add_screen(walls, (double[]){-40, -40}, (double[]){40, 40}, -40);
+  if (hsr_scene_instance(scene, 0, moved) ||
       hsr_scene_set_motion(scene, &motion, NULL, 0) ||
+      hsr_scene_instance(scene, 1, still) ||
       hsr_scene_set_frame(scene, frame) || hsr_scene_view(scene, &camera) ||
       hsr_scene_finish(scene, &err))
     stop(err.text);
@@ -291,7 +291,8 @@ static void check_emerging(struct tap *tap) {
   if (hsr_world_roster(&outline, scene, &err) ||
       hsr_view_init(&view, &scene->views[0], M, N, &err))
     stop(err.text);
-  begin(&ready, "hzbuffer-moving:movers=bounded:interval=8", &outline);
+  begin(&ready, "hzbuffer-moving:movers=bounded:interval=8:octree=lazy",
+        &outline);
   for (long frame = 0; frame < 8; frame++) {
     struct hsr_scene *then = open_emerging(frame);
     struct hsr_world world;
