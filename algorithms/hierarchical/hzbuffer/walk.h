@@ -49,23 +49,20 @@ enum { HSR_HZ_LAST_LINES, HSR_HZ_NODE_LINES, HSR_HZ_POLYGON_LINES };
 
 /* --- Options -------------------------------------------------------------- */
 
-/* The options of hzbuffer, by their words. */
+/* The words of hzbuffer's options, and what is chosen of each. */
+enum { HSR_HZ_OCTREE_OFF, HSR_HZ_OCTREE_ON, HSR_HZ_OCTREE_LAZY };
+enum { HSR_HZ_PYRAMID_OFF, HSR_HZ_PYRAMID_ON, HSR_HZ_PYRAMID_DUAL };
+enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT };
+enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE };
+enum {
+  HSR_HZ_POLYGONS_FAST,
+  HSR_HZ_POLYGONS_BASIC,
+  HSR_HZ_POLYGONS_DEFINITIVE,
+  HSR_HZ_POLYGONS_NONE
+};
+enum { HSR_HZ_COHERENCE_OFF, HSR_HZ_COHERENCE_LIST, HSR_HZ_COHERENCE_PASSES };
 struct hsr_hz_choice {
-  enum { HSR_HZ_OCTREE_OFF, HSR_HZ_OCTREE_ON, HSR_HZ_OCTREE_LAZY } octree;
-  enum { HSR_HZ_PYRAMID_OFF, HSR_HZ_PYRAMID_ON, HSR_HZ_PYRAMID_DUAL } pyramid;
-  enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT } volumes;
-  enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE } cubes;
-  enum {
-    HSR_HZ_POLYGONS_FAST,
-    HSR_HZ_POLYGONS_BASIC,
-    HSR_HZ_POLYGONS_DEFINITIVE,
-    HSR_HZ_POLYGONS_NONE
-  } polygons;
-  enum {
-    HSR_HZ_COHERENCE_OFF,
-    HSR_HZ_COHERENCE_LIST,
-    HSR_HZ_COHERENCE_PASSES
-  } coherence;
+  long octree, pyramid, volumes, cubes, polygons, coherence;
 };
 
 /* The words of coherence=. */
