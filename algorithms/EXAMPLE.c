@@ -13,7 +13,7 @@
  *
  * It is built and tested (tests/example). To make an algorithm of it, copy it
  * to the folder of its taxonomy, write another name for `example`, and add the
- * name to algorithms/list.def and the file to that folder's local.mk. */
+ * name to algorithms/list.def and the file to the local.mk of its branch. */
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
 
