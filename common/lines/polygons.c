@@ -3,6 +3,7 @@
 
 #include "common/exact/named_lines.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,12 +107,41 @@ double hsr_polygon_area(const struct hsr_polygons *p,
   return sum;
 }
 
-/* The point of the plane of a face that is seen at (sx, sy). */
+/* A normal of a face. That of the world is 0 where the face is so small that its
+ * area is below the least double: then the face is enlarged to the size of 1. */
+static void find_normal(const struct hsr_mesh *mesh, uint32_t face,
+                        double normal[3]) {
+  const uint32_t *v = mesh->vertex + mesh->start[face];
+  uint32_t n = mesh->start[face + 1] - mesh->start[face];
+  double edge[2][3], size = 0;
+  normal[0] = mesh->nx[face], normal[1] = mesh->ny[face];
+  normal[2] = mesh->nz[face];
+  if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0)
+    return;
+  for (uint32_t k = 1; k < n; k++)
+    size = fmax(size, fmax(fabs(mesh->x[v[k]] - mesh->x[v[0]]),
+                           fmax(fabs(mesh->y[v[k]] - mesh->y[v[0]]),
+                                fabs(mesh->z[v[k]] - mesh->z[v[0]]))));
+  for (uint32_t k = 1; k + 1 < n && size > 0; k++) {
+    for (uint32_t e = 0; e < 2; e++) {
+      edge[e][0] = (mesh->x[v[k + e]] - mesh->x[v[0]]) / size;
+      edge[e][1] = (mesh->y[v[k + e]] - mesh->y[v[0]]) / size;
+      edge[e][2] = (mesh->z[v[k + e]] - mesh->z[v[0]]) / size;
+    }
+    for (int c = 0; c < 3; c++)
+      normal[c] += edge[0][(c + 1) % 3] * edge[1][(c + 2) % 3] -
+                   edge[0][(c + 2) % 3] * edge[1][(c + 1) % 3];
+  }
+}
+
+/* The point of the plane of a face that is seen at (sx, sy). If doubles do not
+ * hold the plane, the point of the ray that is nearest to the face's anchor. */
 static void point_at(const struct hsr_mesh *mesh, const struct hsr_view *view,
                      uint32_t face, const double at[2], double point[3]) {
-  const double normal[3] = {mesh->nx[face], mesh->ny[face], mesh->nz[face]},
-               anchor[3] = {mesh->px[face], mesh->py[face], mesh->pz[face]};
-  double from[3], along[3], height = 0, down = 0;
+  const double anchor[3] = {mesh->px[face], mesh->py[face], mesh->pz[face]};
+  double normal[3], from[3], along[3], height = 0, down = 0;
+  double to_anchor = 0, length = 0;
+  find_normal(mesh, face, normal);
   for (int k = 0; k < 3; k++) {
     double d =
         view->ray[0][k] + at[0] * view->ray[1][k] + at[1] * view->ray[2][k];
@@ -119,9 +149,14 @@ static void point_at(const struct hsr_mesh *mesh, const struct hsr_view *view,
     along[k] = view->parallel ? view->F[k] : d;
     height += normal[k] * (anchor[k] - from[k]);
     down += normal[k] * along[k];
+    to_anchor += along[k] * (anchor[k] - from[k]);
+    length += along[k] * along[k];
   }
+  double t = height / down;
+  if (!isfinite(t))
+    t = to_anchor / length;
   for (int k = 0; k < 3; k++)
-    point[k] = from[k] + height / down * along[k];
+    point[k] = from[k] + t * along[k];
 }
 
 void hsr_polygon_points(const struct hsr_polygons *p,

@@ -529,6 +529,9 @@ static void test_schema(struct tap *tap) {
   json_decref(event);
 }
 
+/* The numbers of raycast's counters, after those of shadows. */
+enum { MINIMAX = 3, SURROUND, DEPTH, SHOWN };
+
 static void test_filters(struct tap *tap) {
   static const struct window all = {{0, 0, 9999, 9999}}, rows = {{0, 5, 20, 7}},
                              few = {{3, 6, 8, 7}};
@@ -547,15 +550,15 @@ static void test_filters(struct tap *tap) {
          have_same_end("f.ndjson", "r.ndjson"),
      "all filters at once");
   ok(tap,
-     !count_events("f.ndjson", 0, few, &bad) &&
-         count_events("f.ndjson", 1, few, &bad) && !bad &&
+     !count_events("f.ndjson", MINIMAX, few, &bad) &&
+         count_events("f.ndjson", SURROUND, few, &bad) && !bad &&
          is_repainted("f.ndjson", few),
      "no minimax test, and the window is repainted");
   trace("house -a raycast -s 20x14 --every 10 -o f.ndjson");
-  json_int_t shown = count_of("f.ndjson", "counts", 3);
+  json_int_t shown = count_of("f.ndjson", "counts", SHOWN);
   ok(tap,
      have_same_end("f.ndjson", "r.ndjson") &&
-         count_events("f.ndjson", 3, all, &bad) == shown &&
+         count_events("f.ndjson", SHOWN, all, &bad) == shown &&
          count_events("f.ndjson", -1, all, &bad) ==
              shown + (whole - shown + 9) / 10,
      "--every: each tenth, and all that are accepted");

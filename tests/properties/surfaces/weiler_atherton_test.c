@@ -118,18 +118,31 @@ static void compare(const struct hsr_world *world, const struct hsr_view *view,
     hsr_answer_free(&answer[k]);
 }
 
-/* But for the rounding of the way from the eye to the point. */
+/* How far a point is from a face's plane, which is rounded. */
+static double height_over(const struct hsr_mesh *mesh, uint32_t f,
+                          const double point[3]) {
+  return mesh->nx[f] * (point[0] - mesh->px[f]) +
+         mesh->ny[f] * (point[1] - mesh->py[f]) +
+         mesh->nz[f] * (point[2] - mesh->pz[f]);
+}
+
+/* A corner of a region is a point of the face, so it is no farther from the
+ * rounded plane than the face's own corners are; but for the rounding of numbers as
+ * large as the places of the eye, the point and the plane. */
 static bool is_in_plane(const struct hsr_mesh *mesh, uint32_t f,
                         const double eye[3], const double point[3]) {
-  const double normal[3] = {mesh->nx[f], mesh->ny[f], mesh->nz[f]};
-  const double anchor[3] = {mesh->px[f], mesh->py[f], mesh->pz[f]};
-  double height = 0, length = 0, size = 0;
-  for (int k = 0; k < 3; k++) {
-    height += normal[k] * (point[k] - anchor[k]);
-    length += fabs(normal[k]);
-    size += fabs(point[k]) + fabs(anchor[k]) + fabs(eye[k]);
+  double most = 0, size = 0;
+  for (uint32_t k = mesh->start[f]; k < mesh->start[f + 1]; k++) {
+    uint32_t v = mesh->vertex[k];
+    most = fmax(most, fabs(height_over(mesh, f,
+                                       (const double[]){mesh->x[v], mesh->y[v],
+                                                        mesh->z[v]})));
   }
-  return fabs(height) <= 1e-9 * length * size;
+  const double anchor[3] = {mesh->px[f], mesh->py[f], mesh->pz[f]};
+  for (int k = 0; k < 3; k++)
+    size += fabs(point[k]) + fabs(anchor[k]) + fabs(eye[k]);
+  double length = fabs(mesh->nx[f]) + fabs(mesh->ny[f]) + fabs(mesh->nz[f]);
+  return fabs(height_over(mesh, f, point)) <= most + 1e-9 * length * size;
 }
 
 /* How many corners of the regions are not in the planes of their faces. */
