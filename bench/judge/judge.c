@@ -52,13 +52,14 @@ static enum hsr_status compare(const struct group *g,
                                const struct hsr_answer *got,
                                const struct wanted *wanted, struct cell *cell,
                                struct hsr_error *err) {
-  struct hsr_comparison comparison = {.view = &g->view[k],
-                                      .got = got,
-                                      .wanted = &wanted->answer,
-                                      .place = wanted->sample,
-                                      .n = wanted->n,
-                                      .coarse = player->algorithm->flags &
-                                                HSR_VISIBLE_ONLY};
+  struct hsr_comparison comparison = {
+      .view = &g->view[k],
+      .got = got,
+      .wanted = &wanted->answer,
+      .place = wanted->sample,
+      .n = wanted->n,
+      .coarse =
+          hsr_makes_how(player->algorithm, g->form.type) & HSR_VISIBLE_ONLY};
   struct hsr_difference difference = {.first = ""};
   g->form.type->compare(&comparison, &difference);
   if (!is_wrong(cell))

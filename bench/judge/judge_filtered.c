@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/crew.h"
+#include "common/answers/kinds/filtered.h"
 
 #include <stdlib.h>
 #include <string.h>

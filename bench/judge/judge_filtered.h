@@ -6,6 +6,7 @@
 #define HSR_BENCH_JUDGE_FILTERED_H
 
 #include "algorithms/setup.h"
+#include "common/answers/filter.h"
 
 /* Finds the sums of the pixels k for which wanted[k] is set, of m * n; of all
  * pixels if `wanted` is NULL. The sums of other pixels are not defined. `oracle`

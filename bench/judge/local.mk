@@ -3,19 +3,19 @@
 # of all that -a can name.
 noinst_LIBRARIES += liboracles.a
 oracle_files = \
-  %D%/area_oracle.cc \
-  %D%/line_oracle.cc \
-  %D%/oracle.cc \
-  %D%/polygon_oracle.cc \
-  %D%/shadow_oracle.cc \
-  %D%/splat_oracle.cc \
-  %D%/transparent_oracle.cc \
-  %D%/voxel_oracle.cc
+  %D%/oracles/area_oracle.cc \
+  %D%/oracles/line_oracle.cc \
+  %D%/oracles/oracle.cc \
+  %D%/oracles/polygon_oracle.cc \
+  %D%/oracles/shadow_oracle.cc \
+  %D%/oracles/splat_oracle.cc \
+  %D%/oracles/transparent_oracle.cc \
+  %D%/oracles/voxel_oracle.cc
 liboracles_a_SOURCES = $(oracle_files)
 liboracles_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
-libhsr_a_LIBADD += $(liboracles_a_OBJECTS)
-nobase_pkginclude_HEADERS += bench/modules/modules.h bench/modules/variant.h
-libhsr_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
+libcore_a_LIBADD += $(liboracles_a_OBJECTS)
+libcore_a_SOURCES += bench/modules/modules.h bench/modules/variant.h
+libcore_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
   bench/modules/oracles.def bench/modules/variant.c %D%/rounding.h %D%/surface.h \
   %D%/vectors.h \
   %D%/areas/areas.cc \
@@ -34,7 +34,7 @@ libhsr_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
   %D%/areas/shapes.h
 
 # No two algorithms have one name: the library is not built.
-libhsr_a_DEPENDENCIES += %D%/names-once
+libcore_a_DEPENDENCIES += %D%/names-once
 %D%/names-once: $(algorithm_files) $(oracle_files)
 	@$(MKDIR_P) %D%; (cd $(srcdir) && $(AWK) ' \
 	  FNR == 1 { found = 0 } \

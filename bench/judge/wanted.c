@@ -7,6 +7,7 @@
 #include "bench/judge/judge.h"
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/crew.h"
+#include "common/answers/kinds/filtered.h"
 
 #include <stdlib.h>
 
@@ -38,7 +39,7 @@ const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
   if (kind->fold && folded_of(kind))
     kind = kind->fold->of;
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
-    if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
+    if (hsr_own_kind(a->plain) == kind && a->plain->flags & HSR_JUDGE)
       return a->plain;
   return NULL;
 }

@@ -13,6 +13,8 @@
 #include "bench/judge/areas/cells.h"
 #include "bench/judge/areas/moments.h"
 #include "bench/judge/areas/shaded.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/area.h"
 #include "common/base/arena.h"
 
 #include <algorithm>

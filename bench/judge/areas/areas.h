@@ -5,6 +5,7 @@
 #define HSR_BENCH_JUDGE_AREAS_AREAS_H
 
 #include "common/answers/answer.h"
+#include "common/answers/kinds/area.h"
 
 #include <gmp.h>
 

@@ -3,7 +3,7 @@
  * each, whose sides are on named lines.
  *
  * Source      docs/visible-polygons.md, docs/correct-picture.md.
- * Input       of the world and the view what bench/judge/oracle.cc takes. It
+ * Input       of the world and the view what bench/judge/oracles/oracle.cc takes. It
  *             shares no code with whom it judges, but the names of lines.
  * Method      bench/judge/areas/cells.h, on the whole picture. Each cell is a
  *             region: a convex cycle. Cells of one face touch, so an answer has
@@ -16,6 +16,7 @@
 #include "algorithms/algorithm.h"
 #include "bench/judge/areas/cells.h"
 #include "bench/judge/areas/numbers.h"
+#include "common/answers/kinds/polygons.h"
 
 #include <exception>
 #include <new>
@@ -134,7 +135,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/visible-polygons.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_POLYGONS;
+  a.makes[0].kind = HSR_POLYGONS;
   a.flags = HSR_JUDGE;
   a.counters = counters;
   a.render = render;

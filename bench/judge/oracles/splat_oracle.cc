@@ -26,6 +26,7 @@
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
 #include "bench/judge/rounding.h"
+#include "common/answers/kinds/composited.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -584,7 +585,7 @@ class judge {
   std::vector<Interval> ends;
   size_t across; /* the axis that sheets are across */
 
-  /* The pixel in hand. */
+  /* The current pixel. */
   double sx = 0, sy = 0;
   std::vector<covering> covered; /* from front to back */
 
@@ -1066,7 +1067,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/composited-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_GRID;
-  a.kind = HSR_COMPOSITED;
+  a.makes[0].kind = HSR_COMPOSITED;
   a.flags = HSR_JUDGE | HSR_INSTANCED;
   a.counters = counters;
   a.render = render;

@@ -18,6 +18,7 @@
 #include "bench/judge/surface.h"
 
 #include "common/answers/answer.h"
+#include "common/answers/kinds/shadowed.h"
 
 namespace {
 
@@ -294,7 +295,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/shadow-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_SHADOWED;
+  a.makes[0].kind = HSR_SHADOWED;
   a.flags = HSR_JUDGE;
   a.counters = counters;
   a.prepare = prepare;

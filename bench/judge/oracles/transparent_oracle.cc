@@ -13,6 +13,8 @@
 #include "bench/judge/surface.h"
 
 #include "common/answers/answer.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/transparent.h"
 
 namespace {
 
@@ -170,7 +172,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/transparent-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_TRANSPARENT;
+  a.makes[0].kind = HSR_TRANSPARENT;
   a.flags = HSR_JUDGE | HSR_INSTANCED;
   a.counters = counters;
   a.prepare = prepare;

@@ -3,7 +3,7 @@
  * the value of each pixel and channel.
  *
  * Source      docs/area-picture.md, docs/correct-picture.md.
- * Input       of the world and the view what bench/judge/oracle.cc takes, and
+ * Input       of the world and the view what bench/judge/oracles/oracle.cc takes, and
  *             each face's colour. It shares no code with whom it judges.
  * Method      bench/judge/areas: the picture plane is cut into cells of one
  *             visible face, whose corners are rational, and the filter's pieces
@@ -19,6 +19,7 @@
 #include "algorithms/algorithm.h"
 #include "bench/judge/areas/areas.h"
 #include "bench/judge/areas/shapes.h"
+#include "common/answers/kinds/area.h"
 
 #include <cstring>
 #include <exception>
@@ -115,7 +116,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/area-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_AREAS;
+  a.makes[0].kind = HSR_AREAS;
   a.flags = HSR_JUDGE;
   a.counters = counters;
   a.prepare = prepare;

@@ -18,6 +18,7 @@
  *             and two comparisons for every column of its box and every edge.
  */
 #include "algorithms/algorithm.h"
+#include "common/answers/kinds/voxels.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -225,7 +226,7 @@ struct grid {
 struct judge {
   const grid &g;
   hsr_tally *tally;
-  std::vector<bool> odd; /* voxels of the solid in hand */
+  std::vector<bool> odd; /* voxels of the current solid */
 
   judge(const grid &of, hsr_tally *counts)
       : g(of), tally(counts),
@@ -356,7 +357,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/solid-voxels.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_VOXELS;
+  a.makes[0].kind = HSR_VOXELS;
   a.flags = HSR_JUDGE;
   a.counters = counters;
   a.prepare = prepare;

@@ -34,6 +34,7 @@
 #include "algorithms/algorithm.h"
 #include "bench/judge/rounding.h"
 #include "bench/judge/vectors.h"
+#include "common/answers/kinds/segments.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -1259,7 +1260,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/correct-drawing.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_SEGMENTS;
+  a.makes[0].kind = HSR_SEGMENTS;
   a.flags = HSR_JUDGE;
   a.counters = counters;
   a.expense = expense;

@@ -76,7 +76,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/correct-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.subjects = 1 << HSR_FACES;
-  a.kind = HSR_IDS;
+  a.makes[0].kind = HSR_IDS;
   a.flags = HSR_JUDGE | HSR_INSTANCED;
   a.counters = counters;
   a.prepare = prepare;
