@@ -61,13 +61,6 @@ static void show_face(struct frame *s, uint32_t f) {
   }
 }
 
-static void clear(const struct hsr_job *job) {
-  const struct hsr_window *w = &job->view->window;
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
-}
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame s = {.job = job, .tally = job->tally};
@@ -75,7 +68,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (!s.columns || hsr_screen_make(&s.screen, job->world, job->view,
                                     job->scratch, job->tally))
     return hsr_fail_nomem(err);
-  clear(job);
+  hsr_job_clear(job);
   for (uint32_t r = 0; r < s.screen.n_relevant; r++)
     show_face(&s, s.screen.relevant[r]);
   return HSR_OK;
@@ -109,7 +102,7 @@ const struct hsr_algorithm HSR_ALGORITHM(example) = {
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "Z(XY)",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .counters = counters,
     .outline = outline,
     .render = render};

@@ -17,7 +17,7 @@
 #include "common/base/arena.h"
 #include "common/base/count.h"
 #include "common/lines/drawing.h"
-#include "common/answers/answer.h"
+#include "common/answers/kinds/ids.h"
 #include "common/statistics/statistics.h"
 #include "common/view/view.h"
 #include "common/scene/world.h"
@@ -44,14 +44,11 @@ enum hsr_branch {
 
 /* Flags. */
 enum {
-  HSR_JUDGE = 1 << 0,        /* the oracle: defines what is right */
-  HSR_NO_PICTURE = 1 << 1,   /* draws nothing; never compared */
-  HSR_FRAME_STATE = 1 << 2,  /* one render at a time on a prepared object */
-  HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
-  HSR_VISIBLE_ONLY = 1 << 4, /* of segments: all invisibility over 0 is 1 */
-  HSR_INSTANCED = 1 << 5,    /* takes a world that is a roster, too */
-  HSR_FILTERS = 1 << 6,      /* filters by itself, if asked to */
-  HSR_FILTERS_FINELY = 1 << 9, /* with HSR_FILTERS: pixels of 64 x 64, too */
+  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
+  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
+  HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
+  HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
+  HSR_INSTANCED = 1 << 5,   /* takes a world that is a roster, too */
   HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE: what it has prepared goes on in
                            another frame of a scene that is laid out. It holds
                            numbers of faces, and nothing of where they are */
@@ -61,11 +58,33 @@ enum {
                       faces. To save memory it takes a roster of HSR_LARGE to
                       HSR_MOST_LAID_OUT faces, for its own kind of answer */
   HSR_NEEDS_LAID_OUT =
-      1 << 11,       /* of what is chosen: takes no roster after all */
-  HSR_SUMS = 1 << 12 /* adds to the sums of an answer that has them */
+      1 << 11 /* of what is chosen: takes no roster after all */
 };
 
-struct hsr_octree; /* common/trees/octree.h */
+/* A kind of answer that an algorithm makes. */
+struct hsr_made {
+  const struct hsr_answer_type *kind;
+  unsigned
+      words;    /* those that it makes of the kind's first option: 1 << HSR_OVER
+                     ...; the first of them is standard. 0: all */
+  unsigned how; /* HSR_VISIBLE_ONLY, HSR_SUMS */
+};
+enum {
+  HSR_VISIBLE_ONLY = 1 << 0, /* of segments: all invisibility over 0 is 1 */
+  HSR_SUMS = 1 << 1 /* it adds to the sums of an answer that has them */
+};
+
+/* What an algorithm has prepared, for those who show it. Each is the prepared
+ * object's own; NULL: there is none. */
+struct hsr_shown {
+  const struct hsr_octree *octree; /* common/trees/octree.h. Its nodes are the
+                                      subjects HSR_CELL(node, HSR_NO_ID, 0) */
+  const struct hsr_cubes *cubes;   /* algorithms/engines/cubes/cubes.h. Likewise
+                                      HSR_CELL(node, instance, 0) */
+  const struct hsr_bsp *bsp;       /* common/trees/bsp.h */
+  const struct hsr_grove
+      *grove; /* algorithms/image_space/area/tiling/grove.h */
+};
 
 /* What was chosen of an algorithm. */
 struct hsr_choice {
@@ -110,7 +129,15 @@ static inline uint32_t *hsr_job_row(const struct hsr_job *job, int j) {
   return job->answer->ids + (size_t)j * (size_t)job->answer->m;
 }
 
-#define HSR_MOST_ALSO 2
+/* Writes the background to all ids of the job's window, if it asks for ids. */
+static inline void hsr_job_clear(const struct hsr_job *job) {
+  const struct hsr_window *w = &job->view->window;
+  for (int j = w->y0; job->answer->ids && j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++)
+      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
+}
+
+#define HSR_MOST_MADE 3
 struct hsr_algorithm {
   const char *name;    /* [a-z0-9-]+, "watkins" */
   const char *title;   /* "Watkins' scan-line algorithm" */
@@ -126,12 +153,9 @@ struct hsr_algorithm {
                              and render get is adapted to these */
   unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
                         faces draws a grid by the faces of its cells */
-  const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
-  const struct hsr_answer_type
-      *also[HSR_MOST_ALSO + 1]; /* further kinds that it makes, if asked by an
-                                   option of theirs; ended by NULL */
-  unsigned makes; /* of the first option of that kind, the words that it makes:
-                     1 << HSR_OVER ...; the first of them is standard. 0: all */
+  /* What it makes, ended by .kind == NULL: first its own kind; then those that it
+   * makes if it is asked for them by an option of theirs. */
+  struct hsr_made makes[HSR_MOST_MADE + 1];
   unsigned flags;
 
   /* What it counts and how: the parts that it uses, and its own. Each array is
@@ -161,10 +185,9 @@ struct hsr_algorithm {
 
   void (*release)(void *prepared); /* NULL if prepare is */
 
-  /* The octree in a prepared object, whose nodes are the subjects
-   * HSR_CELL(node, HSR_NO_ID, 0) of steps, for those who show it. Owned by that
-   * object. NULL: there is none. */
-  const struct hsr_octree *(*octree)(const void *prepared);
+  /* Says what a prepared object holds. *shown is empty before. NULL: nothing to
+   * show. */
+  void (*show)(const void *prepared, struct hsr_shown *shown);
 };
 
 /* The standard choice; and the flags of an algorithm so chosen. */
@@ -188,7 +211,26 @@ uint32_t hsr_most_laid_out(const struct hsr_algorithm *algorithm,
 bool hsr_can_draw(const struct hsr_algorithm *algorithm,
                   const struct hsr_answer_type *type);
 
-/* Whether it makes a kind besides its own. */
+/* Its own kind. */
+static inline const struct hsr_answer_type *
+hsr_own_kind(const struct hsr_algorithm *algorithm) {
+  return algorithm->makes[0].kind;
+}
+
+/* Its line of a kind, or NULL; and how it makes that kind, 0 if it does not. */
+const struct hsr_made *hsr_makes(const struct hsr_algorithm *algorithm,
+                                 const struct hsr_answer_type *type);
+unsigned hsr_makes_how(const struct hsr_algorithm *algorithm,
+                       const struct hsr_answer_type *type);
+
+/* Whether it makes an answer of this form itself. */
+bool hsr_makes_form(const struct hsr_algorithm *algorithm,
+                    const struct hsr_form *form);
+
+/* Kind k, from 0, of those that it makes besides its own and that cannot be folded
+ * from pictures; NULL: there are no more. And whether a kind is one of these. */
+const struct hsr_answer_type *
+hsr_makes_besides(const struct hsr_algorithm *algorithm, int k);
 bool hsr_makes_also(const struct hsr_algorithm *algorithm,
                     const struct hsr_answer_type *type);
 
@@ -196,6 +238,11 @@ bool hsr_makes_also(const struct hsr_algorithm *algorithm,
  * instead of by the algorithm itself. */
 bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
                       const struct hsr_choice *choice);
+
+/* Whether the chosen answer is, or is folded from, one of faces: those of the parts
+ * of a scene can then be put together. */
+bool hsr_choice_composes(const struct hsr_algorithm *algorithm,
+                         const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. All other
  * names of the counting build get the ending _counting, by a header that is made

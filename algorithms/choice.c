@@ -11,12 +11,32 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *a,
   return flags;
 }
 
+const struct hsr_made *hsr_makes(const struct hsr_algorithm *a,
+                                 const struct hsr_answer_type *type) {
+  for (const struct hsr_made *made = a->makes; made->kind; made++)
+    if (made->kind == type)
+      return made;
+  return NULL;
+}
+
+unsigned hsr_makes_how(const struct hsr_algorithm *a,
+                       const struct hsr_answer_type *type) {
+  const struct hsr_made *made = hsr_makes(a, type);
+  return made ? made->how : 0;
+}
+
+const struct hsr_answer_type *hsr_makes_besides(const struct hsr_algorithm *a,
+                                                int k) {
+  for (const struct hsr_made *made = a->makes; made->kind; made++)
+    if (made != a->makes && !made->kind->fold && k-- == 0)
+      return made->kind;
+  return NULL;
+}
+
 bool hsr_makes_also(const struct hsr_algorithm *a,
                     const struct hsr_answer_type *type) {
-  for (int k = 0; a->also[k]; k++)
-    if (a->also[k] == type)
-      return true;
-  return false;
+  const struct hsr_made *made = hsr_makes(a, type);
+  return made && made != a->makes && !type->fold;
 }
 
 bool hsr_choice_takes_roster(const struct hsr_algorithm *a,
@@ -39,23 +59,30 @@ uint32_t hsr_most_laid_out(const struct hsr_algorithm *a,
 
 bool hsr_can_draw(const struct hsr_algorithm *a,
                   const struct hsr_answer_type *type) {
-  return hsr_makes_also(a, type) || hsr_is_asked_of(type, a->kind);
+  return hsr_makes(a, type) || hsr_is_asked_of(type, hsr_own_kind(a));
+}
+
+bool hsr_makes_form(const struct hsr_algorithm *a,
+                    const struct hsr_form *form) {
+  const struct hsr_made *made = hsr_makes(a, form->type);
+  return made && (!made->words || made->words >> form->values.option[0] & 1);
 }
 
 bool hsr_choice_folds(const struct hsr_algorithm *a,
                       const struct hsr_choice *choice) {
-  enum hsr_filter filter = hsr_form_filtering(&choice->form).filter;
-  bool fine = a->flags & HSR_FILTERS_FINELY && filter == HSR_FILTER_BOX_64X64;
-  bool filters =
-      fine || (a->flags & HSR_FILTERS && hsr_filter_is_of_64(filter));
-  return choice->form.type != a->kind &&
-         !hsr_makes_also(a, choice->form.type) && !filters;
+  return !hsr_makes_form(a, &choice->form);
+}
+
+bool hsr_choice_composes(const struct hsr_algorithm *a,
+                         const struct hsr_choice *choice) {
+  const struct hsr_answer_type *kind = hsr_own_kind(a);
+  return kind->by_faces && hsr_is_asked_of(choice->form.type, kind);
 }
 
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {
   struct hsr_choice choice = {.values = hsr_values_standard(a->options),
-                              .form = hsr_form_standard(a->kind)};
-  if (a->makes)
-    choice.form.values.option[0] = hsr_first_bit(a->makes);
+                              .form = hsr_form_standard(hsr_own_kind(a))};
+  if (a->makes[0].words)
+    choice.form.values.option[0] = hsr_first_bit(a->makes[0].words);
   return choice;
 }

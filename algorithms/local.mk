@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice: counting and not counting.
-nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/part.h %D%/setup.h
-libhsr_a_SOURCES += %D%/choice.c %D%/registry.c %D%/setup.c \
+libcore_a_SOURCES += %D%/algorithm.h %D%/part.h %D%/setup.h
+libcore_a_SOURCES += %D%/choice.c %D%/registry.c %D%/setup.c \
   %D%/list.def %D%/proposals.def
 
 algorithm_files =
@@ -19,7 +19,7 @@ libplain_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0
 libcounting_a_SOURCES = $(algorithm_files)
 libcounting_a_CPPFLAGS = -include %D%/counting-names.h $(AM_CPPFLAGS) \
   -DHSR_COUNTING=1
-libhsr_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)
+libcore_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)
 
 # The names of the counting build. The header changes only if a name does.
 EXTRA_DIST += %D%/names-again

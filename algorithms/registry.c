@@ -27,6 +27,15 @@ static struct hsr_line lines[MOST_LINES];
 static char text[MOST_TEXT];
 static size_t n_algorithms, n_counters, n_steps, n_sorts, n_lines, n_text;
 
+/* Ends the program, for the fault is in its source. */
+static _Noreturn void fail(const char *name, const char *format,
+                           const char *what) {
+  fprintf(stderr, "hsr: module %s: ", name);
+  fprintf(stderr, format, what);
+  fputc('\n', stderr);
+  abort();
+}
+
 /* The next item of one of these arrays, which are large enough for any list of
  * modules that this program has: a programmer's error, if not. */
 #define NEXT(array)                                                            \
@@ -70,7 +79,7 @@ static void put_counters(struct hsr_algorithm *a) {
     add_counters(a, u->part->number, u->part->counters, u->prefix);
   add_counters(a, HSR_PART_OWN, own, NULL);
   if (&counters[n_counters] - a->counters > HSR_MAX_COUNTERS)
-    abort();
+    fail(a->name, "it has too many %s", "counters");
   *NEXT(counters) = (struct hsr_counter){NULL};
 }
 
@@ -190,10 +199,27 @@ static void put_outline(struct hsr_algorithm *a) {
 
 /* --- The list ------------------------------------------------------------- */
 
+/* A programmer's errors in a descriptor. */
+static void check(const struct hsr_algorithm *a) {
+  const char *lacks = !a->name            ? "a name"
+                      : !a->title         ? "a title"
+                      : !a->subjects      ? "subjects"
+                      : !a->makes[0].kind ? "what it makes"
+                      : !a->render        ? "render"
+                                          : NULL;
+  const char *name = a->name ? a->name : "?";
+  if (lacks)
+    fail(name, "its descriptor lacks %s", lacks);
+  if (name[strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-")])
+    fail(name, "its name has other characters than %s", "a to z, 0 to 9 and -");
+}
+
 static const struct hsr_algorithm *
 register_one(const struct hsr_algorithm *module) {
   struct hsr_algorithm *a = NEXT(algorithms);
+  check(module);
   *a = *module;
+  memset(a->base, HSR_MAX_COUNTERS, sizeof a->base);
   if (a->counters || a->parts)
     put_counters(a);
   put_steps(a);

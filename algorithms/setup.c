@@ -203,6 +203,13 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   return status;
 }
 
+struct hsr_shown hsr_setup_show(const struct hsr_setup *setup) {
+  struct hsr_shown shown = {.octree = NULL};
+  if (setup->algorithm->show)
+    setup->algorithm->show(setup->prepared, &shown);
+  return shown;
+}
+
 void hsr_setup_free(struct hsr_setup *setup) {
   release(setup);
   hsr_world_free(&setup->adapted);

@@ -5,6 +5,7 @@
 #include "bench/options/picture.h"
 #include "bench/options/place.h"
 #include "bench/terminal/terminal.h"
+#include "common/answers/kinds/area.h"
 #include "common/files/suffix.h"
 #include "common/files/whole_file.h"
 

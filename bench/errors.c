@@ -14,6 +14,7 @@
 #include "bench/results/json.h"
 #include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
+#include "common/answers/kinds/area.h"
 #include "common/files/image.h"
 #include "common/files/json/json.h"
 

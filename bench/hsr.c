@@ -27,7 +27,8 @@ static const struct hsr_command commands[] = {
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
     {"bench", "time the algorithms that are right, in turn", command_bench},
-    {"times", "the table of what bench recorded, as text, CSV, JSON or a plot",
+    {"times",
+     "the table of what bench recorded: text, CSV, JSON, LaTeX, a plot",
      command_times},
     {"tables", "the survey's Tables I to VII measured, and its conclusions",
      command_tables},
@@ -56,7 +57,8 @@ static void print_help(FILE *out) {
       fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
   fputs(
       "\n"
-      "  hsr help COMMAND explains each; hsr --version tells the version.\n"
+      "  hsr help COMMAND explains each; hsr --version tells the version, and\n"
+      "  hsr --cite how to cite it.\n"
       "\n"
       "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
       "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
@@ -70,6 +72,26 @@ static void print_help(FILE *out) {
       "  hsr render house -a watkins -o house.png\n"
       "  hsr check house\n",
       out);
+}
+
+/* The same as CITATION.cff says, for BibTeX. */
+static void print_citation(void) {
+  puts("@misc{hsr,\n"
+       "  author = {{The hsr authors}},\n"
+       "  title = {hsr: a testbed for hidden-surface algorithms},\n"
+       "  note = {Version " PACKAGE_VERSION "}\n"
+       "}\n"
+       "\n"
+       "@article{sutherland1974,\n"
+       "  author = {Sutherland, Ivan E. and Sproull, Robert F. and Schumacker, "
+       "Robert A.},\n"
+       "  title = {A Characterization of Ten Hidden-Surface Algorithms},\n"
+       "  journal = {Computing Surveys},\n"
+       "  volume = {6},\n"
+       "  number = {1},\n"
+       "  pages = {1--55},\n"
+       "  year = {1974}\n"
+       "}");
 }
 
 /* Makes sure that all output has reached stdout. */
@@ -169,6 +191,10 @@ int main(int argc, char **argv) {
   }
   if (!strcmp(argv[1], "--version") || !strcmp(argv[1], "-V")) {
     puts("hsr " PACKAGE_VERSION);
+    return 0;
+  }
+  if (!strcmp(argv[1], "--cite")) {
+    print_citation();
     return 0;
   }
   bool help = is_help(argv[1]);

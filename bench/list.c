@@ -63,7 +63,7 @@ static void print_algorithm(const struct hsr_algorithm *a, int sorts) {
            restrictions, a->subjects & 1u << HSR_FACES ? "" : "; of grids only",
            a->flags & HSR_KNOWN_WRONG ? "; known to be wrong" : "");
   int used = printf("%-19s %4s  %-*s %-8s  ", a->name, year, sorts,
-                    a->sort_order ? a->sort_order : "-", a->kind->name);
+                    a->sort_order ? a->sort_order : "-", hsr_own_kind(a)->name);
   terminal_wrap(stdout, used, used, text);
 }
 
@@ -101,7 +101,7 @@ static void print_option(const struct hsr_option *o) {
 static bool is_played(const struct hsr_answer_type *kind) {
   bool any = false;
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
-    any |= a->plain->kind == kind && !(a->plain->flags & HSR_JUDGE);
+    any |= hsr_own_kind(a->plain) == kind && !(a->plain->flags & HSR_JUDGE);
   return any;
 }
 

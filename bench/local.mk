@@ -16,7 +16,7 @@ hsr_ranks_so_SOURCES = \
   %D%/ranks/ranks_mpi.c \
   common/base/status.c
 hsr_ranks_so_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CPPFLAGS)
-hsr_ranks_so_CFLAGS = $(AM_CFLAGS) -fPIC
+hsr_ranks_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
 hsr_ranks_so_LDFLAGS = -shared
 hsr_ranks_so_LDADD = $(MPI_LIBS)
 endif
@@ -127,6 +127,7 @@ libbench_a_SOURCES = \
   %D%/sweep/changes.c \
   %D%/sweep/command.c \
   %D%/sweep/group.c \
+  %D%/sweep/interrupt.c \
   %D%/sweep/journal.c \
   %D%/sweep/journal.h \
   %D%/sweep/machine.c \
@@ -156,6 +157,7 @@ libbench_a_SOURCES = \
   %D%/terminal/terminal.h \
   %D%/times/command.c \
   %D%/times/files.c \
+  %D%/times/latex.c \
   %D%/times/plot.c \
   %D%/times/rows.c \
   %D%/times/rows.h \
@@ -192,6 +194,14 @@ endif
 %D%/hsr.1: %D%/man/hsr.1.in %D%/man/make %D%/hsr.c $(libbench_a_SOURCES) | $(told_by)
 	$(AM_V_GEN)$(MKDIR_P) %D% && $(srcdir)/bench/man/make \
 	  $(srcdir)/bench/man/hsr.1.in $(told_by:%=./%) >$@.new && mv $@.new $@
+
+# The man page of the library, from its header.
+dist_man_MANS += %D%/hsr.3
+MAINTAINERCLEANFILES += %D%/hsr.3
+EXTRA_DIST += %D%/man/make-library
+%D%/hsr.3: %D%/man/make-library %D%/library/hsr.h
+	$(AM_V_GEN)$(MKDIR_P) %D% && $(srcdir)/bench/man/make-library \
+	  $(srcdir)/bench/library/hsr.h $(PACKAGE_VERSION) >$@.new && mv $@.new $@
 
 # Completion for shells.
 bashcompletiondir = $(datadir)/bash-completion/completions

@@ -7,6 +7,7 @@
 #include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "bench/results/json.h"
+#include "common/answers/kinds/voxels.h"
 
 #include <stdlib.h>
 
@@ -191,8 +192,7 @@ static enum hsr_status tell(const struct hsr_algorithm *a, struct found *found,
   struct hsr_showing showing = {.world = &found->world, .scene = o->scene.name};
   enum hsr_status status = HSR_OK;
   if (o->output)
-    status =
-        hsr_answer_voxels.write(&found->answer, &showing, NULL, o->output, err);
+    status = HSR_VOXELS->write(&found->answer, &showing, NULL, o->output, err);
   if (!status)
     status = measure(found, err);
   if (status)
@@ -204,7 +204,7 @@ static enum hsr_status tell(const struct hsr_algorithm *a, struct found *found,
 }
 
 static enum hsr_status check_output(const char *path, struct hsr_error *err) {
-  if (!path || hsr_answer_voxels.fits(path))
+  if (!path || HSR_VOXELS->fits(path))
     return HSR_OK;
   return hsr_fail(err, HSR_E_INPUT, "%s: voxels are written as .vti", path);
 }
@@ -214,7 +214,7 @@ static enum hsr_status choose(const struct options *o,
                               struct hsr_error *err) {
   enum hsr_status status = hsr_variant_parse(o->algorithm, variant, err);
   struct hsr_form *form = &variant->choice.form;
-  if (!status && form->type != HSR_VOXELS)
+  if (!status && !hsr_makes(variant->listed->plain, HSR_VOXELS))
     return hsr_fail(err, HSR_E_USAGE, "%s: makes %s, not voxels", o->algorithm,
                     form->type->name);
   if (!status && o->size)

@@ -31,18 +31,34 @@ report_sources = \
 lesson_sources = \
   %D%/lesson/main.js \
   %D%/lesson/data/kinds.js \
-  %D%/lesson/data/painting.js \
+  %D%/lesson/data/lists.js \
+  %D%/lesson/data/pieces.js \
   %D%/lesson/data/projection.js \
+  %D%/lesson/data/pyramids.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
   %D%/lesson/data/structure.js \
   %D%/lesson/data/survey.js \
   %D%/lesson/data/trace.js \
+  %D%/lesson/data/trees.js \
   %D%/lesson/data/words.js \
   %D%/lesson/figures/all.js \
   %D%/lesson/figures/drawing.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/kinds/all.js \
+  %D%/lesson/kinds/area.js \
+  %D%/lesson/kinds/composited.js \
+  %D%/lesson/kinds/filtered.js \
+  %D%/lesson/kinds/ids.js \
+  %D%/lesson/kinds/polygons.js \
+  %D%/lesson/kinds/segments.js \
+  %D%/lesson/kinds/shadowed.js \
+  %D%/lesson/kinds/transparent.js \
+  %D%/lesson/kinds/voxels.js \
+  %D%/lesson/kinds/shared/channels.js \
+  %D%/lesson/kinds/shared/parts.js \
+  %D%/lesson/kinds/shared/samples.js \
   %D%/lesson/parts/beside.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/edge_strip.js \

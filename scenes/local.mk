@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += %D%/scenes.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += %D%/scenes.h
+libcore_a_SOURCES += \
   %D%/builders.h \
   %D%/cameras.c \
   %D%/cameras.h \

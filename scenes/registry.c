@@ -262,16 +262,10 @@ static bool is_only_written(const char *name) {
 }
 
 static enum hsr_status unknown(const char *name, struct hsr_error *err) {
-  struct hsr_names list = {0};
   char word[64], hint[256] = "";
   snprintf(word, sizeof word, "%.*s", (int)strcspn(name, ":"), name);
-  enum hsr_status status = HSR_OK;
-  for (const struct hsr_builtin *b = hsr_builtins; b->name && !status; b++)
-    status = hsr_names_add(&list, b->name, strlen(b->name));
-  hsr_names_like(&list, word, hint, sizeof hint);
-  hsr_names_free(&list);
-  if (status)
-    return hsr_fail_nomem(err);
+  hsr_names_like_of(hsr_builtins, sizeof *hsr_builtins, word, hint,
+                    sizeof hint);
   if (is_only_written(name))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: hsr writes such files, but does not read them; "

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/draw.h"
+#include "tests/tap.h"
 #include "bench/modules/variant.h"
+#include "common/answers/kinds/segments.h"
 #include "scenes/scenes.h"
 
 #include <math.h>
@@ -8,6 +10,51 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* --- What no test can do without ------------------------------------------ */
+
+struct hsr_scene *must_open(const char *name) {
+  struct hsr_scene *scene;
+  struct hsr_error err;
+  if (hsr_scene_open(name, NULL, &scene, &err))
+    bail("%s: %s", name, err.text);
+  return scene;
+}
+
+void must_finish(struct hsr_scene *scene) {
+  struct hsr_error err;
+  if (hsr_scene_finish(scene, &err))
+    bail("%s: %s", scene->name, err.text);
+}
+
+void must_world(struct hsr_world *world, struct hsr_scene *scene) {
+  struct hsr_error err;
+  if (hsr_world_init(world, scene, &err))
+    bail("%s: %s", scene->name, err.text);
+}
+
+void must_roster(struct hsr_world *world, struct hsr_scene *scene) {
+  struct hsr_error err;
+  if (hsr_world_roster(world, scene, &err))
+    bail("%s: %s", scene->name, err.text);
+}
+
+void must_view(struct hsr_view *view, const struct hsr_camera *camera, int m,
+               int n) {
+  struct hsr_error err;
+  if (hsr_view_init(view, camera, m, n, &err))
+    bail("%d x %d: %s", m, n, err.text);
+}
+
+void must_setup(struct hsr_setup *setup, const struct hsr_algorithm *algorithm,
+                const struct hsr_choice *choice,
+                const struct hsr_world *world) {
+  struct hsr_error err = {.text = "out of memory"};
+  if (hsr_setup_init(setup, algorithm, choice, world, &err))
+    bail("%s: %s", algorithm->name, err.text);
+}
+
+/* --- Drawing -------------------------------------------------------------- */
 
 /* Runs an algorithm, so chosen; NULL: as is standard. The job lacks only the
  * scratch memory; its tally may be NULL. HSR_E_REFUSED; any other failure ends
@@ -26,10 +73,8 @@ static enum hsr_status try(const struct hsr_algorithm *algorithm,
     job.tally = &own;
   if (!status)
     status = hsr_setup_render(&setup, &job, &err);
-  if (status && status != HSR_E_REFUSED) {
-    printf("Bail out! %s: %s\n", algorithm->name, err.text);
-    exit(99);
-  }
+  if (status && status != HSR_E_REFUSED)
+    bail("%s: %s", algorithm->name, err.text);
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
   return status;
@@ -39,8 +84,7 @@ static void draw(const struct hsr_algorithm *algorithm,
                  const struct hsr_world *world, struct hsr_job job) {
   if (!try(algorithm, NULL, world, job))
     return;
-  printf("Bail out! %s refuses the scene\n", algorithm->name);
-  exit(99);
+  bail("%s refuses the scene", algorithm->name);
 }
 
 bool draw_chosen(const struct hsr_algorithm *algorithm,
@@ -49,10 +93,8 @@ bool draw_chosen(const struct hsr_algorithm *algorithm,
                  struct hsr_tally *tally) {
   struct hsr_form form =
       choice ? choice->form : hsr_choice_standard(algorithm).form;
-  if (hsr_answer_make(answer, &form, view, false, NULL)) {
-    printf("Bail out! no memory for an answer\n");
-    exit(99);
-  }
+  if (hsr_answer_make(answer, &form, view, false, NULL))
+    bail("no memory for an answer");
   if (form.type->unset)
     form.type->unset(answer);
   return !try(algorithm, choice, world,
@@ -79,6 +121,11 @@ void draw_ids(const struct hsr_algorithm *algorithm,
   struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
   draw(algorithm, world,
        (struct hsr_job){.view = view, .tally = tally, .answer = &answer});
+}
+
+void draw_plain(const char *name, const struct hsr_world *world,
+                const struct hsr_view *view, uint32_t *ids) {
+  draw_ids(hsr_algorithm_find(name)->plain, world, view, ids, NULL);
 }
 
 /* --- In windows, by several threads --------------------------------------- */
@@ -133,17 +180,13 @@ void draw_in_windows(const struct hsr_setup *setup, const struct hsr_view *view,
                               .first = k,
                               .step = threads,
                               .err = {.text = "out of memory"}};
-    if (pthread_create(&thread[k], NULL, draw_share, &share[k])) {
-      printf("Bail out! no thread\n");
-      exit(99);
-    }
+    if (pthread_create(&thread[k], NULL, draw_share, &share[k]))
+      bail("no thread");
   }
   for (int k = 0; k < threads; k++) {
     pthread_join(thread[k], NULL);
-    if (share[k].status) {
-      printf("Bail out! a window was not drawn: %s\n", share[k].err.text);
-      exit(99);
-    }
+    if (share[k].status)
+      bail("a window was not drawn: %s", share[k].err.text);
   }
 }
 
@@ -163,10 +206,8 @@ long compare_answers(const struct hsr_view *view, const struct hsr_answer *got,
   const struct hsr_window *w = &view->window;
   size_t n = 0, most = (size_t)view->m * (size_t)view->n;
   uint32_t *place = malloc(most * sizeof *place);
-  if (!place) {
-    printf("Bail out! no memory for a comparison\n");
-    exit(99);
-  }
+  if (!place)
+    bail("no memory for a comparison");
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
       place[n++] = (uint32_t)(j * view->m + i);
@@ -192,13 +233,9 @@ long count_differences(const struct hsr_view *view, const uint32_t *a,
 }
 
 void open_worlds(struct both_worlds *w, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &w->scene, &err) ||
-      hsr_world_init(&w->world, w->scene, &err) ||
-      hsr_world_roster(&w->roster, w->scene, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+  w->scene = must_open(name);
+  must_world(&w->world, w->scene);
+  must_roster(&w->roster, w->scene);
 }
 
 void close_worlds(struct both_worlds *w) {
@@ -233,6 +270,19 @@ void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n) {
   }
   camera->near = (double)draw_integer(seed, 0, 3) / 2;
   camera->parallel = n * ldexp(1, (int)-draw_integer(seed, 0, 3));
+}
+
+void draw_part(uint64_t *seed, struct hsr_view *view) {
+  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
+    view->offset_x = (double)draw_integer(seed, -7, 7) / 16;
+    view->offset_y = (double)draw_integer(seed, -7, 7) / 16;
+  }
+  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
+    view->window.x0 = (int)draw_integer(seed, 0, view->m - 1);
+    view->window.x1 = (int)draw_integer(seed, view->window.x0 + 1, view->m);
+    view->window.y0 = (int)draw_integer(seed, 0, view->n - 1);
+    view->window.y1 = (int)draw_integer(seed, view->window.y0 + 1, view->n);
+  }
 }
 
 /* --- Algorithms and variants ---------------------------------------------- */
@@ -279,10 +329,8 @@ const struct hsr_listed *all_listed(void) {
   for (int k = 0; k < N_PROPOSALS; k++) {
     struct hsr_variant variant;
     struct hsr_error err;
-    if (hsr_variant_parse(proposals[k], &variant, &err)) {
-      printf("Bail out! %s\n", err.text);
-      exit(99);
-    }
+    if (hsr_variant_parse(proposals[k], &variant, &err))
+      bail("%s", err.text);
     const struct hsr_listed *of = variant.listed;
     listed[n].plain =
         make_own(&plain[k], of->plain, proposals[k], &variant.choice);
@@ -296,8 +344,7 @@ const struct hsr_algorithm *find_counting(const char *name) {
   for (const struct hsr_listed *l = all_listed(); l->plain; l++)
     if (!strcmp(l->plain->name, name))
       return l->counting;
-  printf("Bail out! no %s\n", name);
-  exit(99);
+  bail("no %s", name);
 }
 
 bool is_asked(const struct hsr_algorithm *algorithm, int n, char **names) {
@@ -314,8 +361,7 @@ int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
   for (int k = 0; algorithm->counters[k].name; k++)
     if (!strcmp(algorithm->counters[k].name, name))
       return k;
-  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
-  exit(99);
+  bail("%s has no counter \"%s\"", algorithm->name, name);
 }
 
 uint64_t counted(const struct hsr_algorithm *algorithm,
@@ -328,7 +374,7 @@ static void for_each_of_kind(const struct hsr_answer_type *kind,
                                            void *),
                              void *context) {
   for (const struct hsr_listed *a = all_listed(); a->plain; a++)
-    if (a->plain->kind == kind && a->plain->subjects & 1 << HSR_FACES &&
+    if (hsr_own_kind(a->plain) == kind && a->plain->subjects & 1 << HSR_FACES &&
         !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE | HSR_KNOWN_WRONG))) {
       check(a->plain, context);
       check(a->counting, context);

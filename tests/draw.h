@@ -15,12 +15,28 @@
 extern "C" {
 #endif
 
+/* What no test can do without: each ends the test program on failure. A named
+ * scene; a scene that is complete; a scene as a world, or as a roster; a view;
+ * an algorithm that is set up. */
+struct hsr_scene *must_open(const char *name);
+void must_finish(struct hsr_scene *scene);
+void must_world(struct hsr_world *world, struct hsr_scene *scene);
+void must_roster(struct hsr_world *world, struct hsr_scene *scene);
+void must_view(struct hsr_view *view, const struct hsr_camera *camera, int m,
+               int n);
+void must_setup(struct hsr_setup *setup, const struct hsr_algorithm *algorithm,
+                const struct hsr_choice *choice, const struct hsr_world *world);
+
 /* Draws the window of `view` into ids (m * n, set to UNWRITTEN first), and adds
  * its counts to *tally unless NULL. Aborts the test program on failure: no test
  * expects one here. */
 void draw_ids(const struct hsr_algorithm *algorithm,
               const struct hsr_world *world, const struct hsr_view *view,
               uint32_t *ids, struct hsr_tally *tally);
+
+/* The same by the algorithm of this name, in the build that does not count. */
+void draw_plain(const char *name, const struct hsr_world *world,
+                const struct hsr_view *view, uint32_t *ids);
 
 /* Draws the picture of `view` into ids (m * n, set to UNWRITTEN first) by a set-up
  * that exists, in square windows of so many samples a side. Of n threads, at most
@@ -95,6 +111,10 @@ int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
  * axis, isometric or dimetric, at a corner of the lattice of whole numbers, and
  * so high that samples lie on that lattice, or on halves and quarters of it. */
 void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n);
+
+/* One view of four is jittered, and one of four becomes a part of its picture.
+ */
+void draw_part(uint64_t *seed, struct hsr_view *view);
 
 /* Runs `check` for every algorithm that takes faces and must be right, in both
  * builds: for those that draw pictures and for those that draw lines. */

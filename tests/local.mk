@@ -53,7 +53,6 @@ tap_programs = \
   %D%/properties/surfaces/combinations_test \
   %D%/properties/surfaces/glass_claims_test \
   %D%/properties/surfaces/groups_test \
-  %D%/properties/surfaces/list_outcomes_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/outcomes_test \
   %D%/properties/surfaces/romney_test \
@@ -134,30 +133,31 @@ tap_scripts = \
   %D%/answers/layers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
-  %D%/cluster.test \
-  %D%/command.test \
-  %D%/completion.test \
+  %D%/command/cluster.test \
+  %D%/command/command.test \
+  %D%/command/completion.test \
+  %D%/command/full.test \
+  %D%/command/import.test \
+  %D%/command/peers.test \
+  %D%/command/ranks.test \
+  %D%/command/sort_last.test \
+  %D%/command/tiles.test \
+  %D%/command/volumes.test \
+  %D%/command/walk.test \
   %D%/example/example.test \
   %D%/export/export.test \
   %D%/export/polygons.test \
-  %D%/full.test \
-  %D%/import.test \
   %D%/lesson/lesson.test \
-  %D%/peers.test \
-  %D%/ranks.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
-  %D%/sort_last.test \
-  %D%/tiles.test \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
   %D%/tree/generated.test \
+  %D%/tree/keys.test \
   %D%/tree/table.test \
-  %D%/view/view.test \
-  %D%/volumes.test \
-  %D%/walk.test
+  %D%/view/view.test
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test %D%/unit/files/volume_xml_test
@@ -212,6 +212,7 @@ quick_scripts = \
   %D%/example/example.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
+  %D%/tree/keys.test \
   %D%/tree/table.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 grid:4 --views 2 --size 41x29
@@ -237,7 +238,7 @@ check-sanitized:
 
 # One module: make check-module M=watkins, make list-tests M=watkins
 check-module:
-	@$(top_srcdir)/%D%/module --build "$(abs_builddir)" "$(M)"
+	@+$(top_srcdir)/%D%/module --build "$(abs_builddir)" "$(M)"
 list-tests:
 	@$(top_srcdir)/%D%/module --list "$(M)"
 
@@ -250,23 +251,44 @@ check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers 
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
-noinst_LIBRARIES += libdraw.a
-libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h \
-  %D%/conformance/hard_scene.c %D%/conformance/hard_scene.h
-LDADD = libdraw.a $(HSR_LIBS)
+# What several programs share, and what only sources include.
+noinst_LIBRARIES += libtests.a
+libtests_a_SOURCES = \
+  %D%/areas/shares.h \
+  %D%/conformance/hard_scene.c \
+  %D%/conformance/hard_scene.h \
+  %D%/counts/by_hand/hand.h \
+  %D%/counts/by_hand/lines.h \
+  %D%/counts/by_hand/objects.h \
+  %D%/counts/by_hand/pixels.h \
+  %D%/draw.c \
+  %D%/draw.h \
+  %D%/properties/hierarchical/claims.c \
+  %D%/properties/hierarchical/claims.h \
+  %D%/properties/splitmix64.h \
+  %D%/properties/volume/boards.c \
+  %D%/properties/volume/boards.h \
+  %D%/properties/volume/splatting.c \
+  %D%/properties/volume/splatting.h \
+  %D%/schema.c \
+  %D%/schema.h \
+  %D%/sweep/sweeping.c \
+  %D%/sweep/sweeping.h \
+  %D%/tap.h \
+  %D%/unit/bench/checks.h \
+  %D%/unit/bench/little_world.h \
+  %D%/unit/files/folder.h \
+  %D%/unit/files/read_mesh.h \
+  %D%/unit/files/vtk_ways.h \
+  %D%/unit/peers/strip.h
+LDADD = libtests.a $(HSR_LIBS)
 
-# What several programs share.
-boards = %D%/properties/volume/boards.c %D%/properties/volume/boards.h \
-  $(splatting)
-claims = %D%/properties/hierarchical/claims.c \
-  %D%/properties/hierarchical/claims.h
-lines_by_hand = $(objects_by_hand) %D%/counts/by_hand/lines.h
-objects_by_hand = %D%/counts/by_hand/hand.h %D%/counts/by_hand/objects.h
-pixels_by_hand = %D%/counts/by_hand/hand.h %D%/counts/by_hand/pixels.h
-schema = %D%/schema.c %D%/schema.h
-splatting = %D%/properties/volume/splatting.c \
-  %D%/properties/volume/splatting.h
-sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
+# These call functions of the counting library by their names there.
+%D%/properties/hierarchical/hzbuffer_test.$(OBJEXT) \
+%D%/properties/hierarchical/movers_test.$(OBJEXT) \
+%D%/properties/tiling/voxels_test.$(OBJEXT) \
+%D%/unit/algorithms/cubes_test.$(OBJEXT) \
+%D%/unit/algorithms/pyramid_test.$(OBJEXT): algorithms/counting-names.h
 
 # hsr-fixtures, hsr-example and hsr-layers are the command with other lists: of
 # algorithms that fail on purpose, or whose events are not what they did; with
@@ -274,36 +296,12 @@ sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
 %C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
   %D%/answers/lists.c
-%C%_areas_cells_test_SOURCES = %D%/areas/cells_test.cc %D%/areas/shares.h
-%C%_areas_filters_test_SOURCES = %D%/areas/filters_test.cc %D%/areas/shares.h
-%C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
-%C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
-%C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h
-%C%_counts_by_hand_appel_test_SOURCES = %D%/counts/by_hand/appel_test.c \
-  $(lines_by_hand)
-%C%_counts_by_hand_bouknight_test_SOURCES = \
-  %D%/counts/by_hand/bouknight_test.c $(pixels_by_hand)
-%C%_counts_by_hand_galimberti_test_SOURCES = \
-  %D%/counts/by_hand/galimberti_test.c $(lines_by_hand)
-%C%_counts_by_hand_loutrel_test_SOURCES = %D%/counts/by_hand/loutrel_test.c \
-  $(lines_by_hand)
-%C%_counts_by_hand_newell_test_SOURCES = %D%/counts/by_hand/newell_test.c \
-  $(objects_by_hand)
-%C%_counts_by_hand_roberts_test_SOURCES = %D%/counts/by_hand/roberts_test.c \
-  $(lines_by_hand)
-%C%_counts_by_hand_romney_test_SOURCES = %D%/counts/by_hand/romney_test.c \
-  $(pixels_by_hand)
-%C%_counts_by_hand_scan_line_test_SOURCES = \
-  %D%/counts/by_hand/scan_line_test.c $(pixels_by_hand)
-%C%_counts_by_hand_schumacker_test_SOURCES = \
-  %D%/counts/by_hand/schumacker_test.c $(objects_by_hand)
-%C%_counts_by_hand_warnock_test_SOURCES = %D%/counts/by_hand/warnock_test.c \
-  $(pixels_by_hand)
-%C%_counts_by_hand_watkins_test_SOURCES = %D%/counts/by_hand/watkins_test.c \
-  $(pixels_by_hand)
-%C%_counts_by_hand_zbuffer_test_SOURCES = %D%/counts/by_hand/zbuffer_test.c \
-  $(pixels_by_hand)
-%C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
+%C%_areas_cells_test_SOURCES = %D%/areas/cells_test.cc
+%C%_areas_filters_test_SOURCES = %D%/areas/filters_test.cc
+%C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc
+%C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc
+%C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc
+%C%_counts_recorded_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_example_hsr_example_LDADD = $(BENCH_LIBS)
 %C%_example_hsr_example_SOURCES = bench/hsr.c %D%/example/lists.c \
   %D%/example/plain.c %D%/example/counting.c
@@ -312,54 +310,23 @@ sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_export_read_cells_SOURCES = %D%/export/read_cells.cc
 %C%_properties_hierarchical_boxes_test_SOURCES = \
   %D%/properties/hierarchical/boxes_test.cc
-%C%_properties_hierarchical_cell_sets_test_SOURCES = \
-  %D%/properties/hierarchical/cell_sets_test.c $(claims)
-%C%_properties_hierarchical_lazy_octree_test_SOURCES = \
-  %D%/properties/hierarchical/lazy_octree_test.c $(claims)
-%C%_properties_hierarchical_meagher_test_SOURCES = \
-  %D%/properties/hierarchical/meagher_test.c $(claims)
-%C%_properties_hierarchical_naylor_test_SOURCES = \
-  %D%/properties/hierarchical/naylor_test.c $(claims)
-%C%_properties_hierarchical_pvs_test_SOURCES = \
-  %D%/properties/hierarchical/pvs_test.c $(claims)
-%C%_properties_hierarchical_queries_test_SOURCES = \
-  %D%/properties/hierarchical/queries_test.c $(claims)
-%C%_properties_hierarchical_raycast_test_SOURCES = \
-  %D%/properties/hierarchical/raycast_test.c $(claims)
 %C%_properties_hierarchical_shaders_test_SOURCES = \
   %D%/properties/hierarchical/shaders_test.cc
-%C%_properties_hierarchical_zz_buffer_test_SOURCES = \
-  %D%/properties/hierarchical/zz_buffer_test.c $(claims)
-%C%_properties_tiling_counts_test_SOURCES = \
-  %D%/properties/tiling/counts_test.c $(claims)
-%C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)
+%C%_properties_tiling_tiling_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
-%C%_properties_volume_splat_claims_test_SOURCES = \
-  %D%/properties/volume/splat_claims_test.c $(boards)
-%C%_properties_volume_splats_test_SOURCES = \
-  %D%/properties/volume/splats_test.c $(splatting)
-%C%_properties_volume_texture_claims_test_SOURCES = \
-  %D%/properties/volume/texture_claims_test.c $(boards)
-%C%_properties_volume_texture_test_SOURCES = \
-  %D%/properties/volume/texture_test.c $(boards)
-%C%_sweep_check_test_LDADD = $(BENCH_LIBS)
-%C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
+%C%_sweep_check_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 %C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c
 %C%_sweep_mismatch_test_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_CFLAGS)
-%C%_sweep_mismatch_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
+%C%_sweep_mismatch_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_sweep_mismatch_test_SOURCES = %D%/sweep/mismatch_test.cc
-%C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
-%C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
-%C%_sweep_schema_test_LDADD = $(BENCH_LIBS)
-%C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping) $(schema)
-%C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
-%C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
-%C%_trace_file_test_LDADD = $(BENCH_LIBS)
-%C%_trace_file_test_SOURCES = %D%/trace/file_test.c $(sweeping) $(schema)
+%C%_sweep_resume_test_LDADD = libtests.a $(BENCH_LIBS)
+%C%_sweep_schema_test_LDADD = libtests.a $(BENCH_LIBS)
+%C%_sweep_sweep_test_LDADD = libtests.a $(BENCH_LIBS)
+%C%_trace_file_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_trace_hsr_fixtures_LDADD = $(BENCH_LIBS)
 %C%_trace_hsr_fixtures_SOURCES = bench/hsr.c %D%/trace/fixtures.c
-%C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
+%C%_unit_bench_crew_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
@@ -368,24 +335,17 @@ sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
-%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc \
-  %D%/unit/files/folder.h %D%/unit/files/read_mesh.h
-%C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc \
-  %D%/unit/files/folder.h
-%C%_unit_files_image_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
+%C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
+%C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
+%C%_unit_files_image_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
-%C%_unit_files_palette_json_test_SOURCES = %D%/unit/files/palette_json_test.c \
-  $(schema)
-%C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc \
-  %D%/unit/files/folder.h %D%/unit/files/read_mesh.h
+%C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc
 %C%_unit_files_volume_xml_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_unit_files_volume_xml_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
-%C%_unit_files_volume_xml_test_SOURCES = %D%/unit/files/volume_xml_test.cc \
-  %D%/unit/files/folder.h
+%C%_unit_files_volume_xml_test_LDADD = libtests.a $(HSR_LIBS) $(VTK_LIBS)
+%C%_unit_files_volume_xml_test_SOURCES = %D%/unit/files/volume_xml_test.cc
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_unit_files_vtp_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
-%C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc \
-  %D%/unit/files/folder.h
+%C%_unit_files_vtp_test_LDADD = libtests.a $(HSR_LIBS) $(VTK_LIBS)
+%C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
 %C%_unit_peers_line_pixels_test_LDADD = $(BENCH_LIBS)
 %C%_unit_peers_line_pixels_test_SOURCES = %D%/unit/peers/line_pixels_test.c \
   bench/peers/lines/line_pixels.c bench/peers/lines/line_pixels.h bench/peers/lines/lines.c \
@@ -402,42 +362,24 @@ EXTRA_DIST += \
   %D%/README.md \
   %D%/bad/make-bad-inputs \
   %D%/browser.mjs \
+  %D%/command/mpirun.sh \
   %D%/conformance/fresh \
   %D%/counts/golden \
   %D%/counts/rewrite \
-  %D%/fuzz/fuzz_cameras.cc \
-  %D%/fuzz/fuzz_mesh.cc \
-  %D%/fuzz/fuzz_mtl.cc \
-  %D%/fuzz/fuzz_palette.cc \
-  %D%/fuzz/fuzz_reader.h \
-  %D%/fuzz/fuzz_scene_json.cc \
-  %D%/fuzz/fuzz_volume.cc \
-  %D%/fuzz/grids.dict \
-  %D%/fuzz/library.cc \
-  %D%/fuzz/mutate_text.h \
-  %D%/fuzz/obj.dict \
-  %D%/fuzz/ply.dict \
-  %D%/fuzz/run \
-  %D%/fuzz/scene_json.dict \
-  %D%/fuzz/stl.dict \
-  %D%/fuzz/vtp.dict \
-  %D%/instructions/counts \
-  %D%/instructions/run \
+  %D%/fuzz \
+  %D%/instructions \
   %D%/lesson/watch.mjs \
   %D%/module \
-  %D%/mutants/equivalent \
-  %D%/mutants/operators.pm \
-  %D%/mutants/run \
+  %D%/mutants \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \
   %D%/report/sample.mjs \
   %D%/table \
   %D%/table.pm \
-  %D%/threads/library.supp \
-  %D%/threads/run \
+  %D%/tap.sh \
+  %D%/threads \
   %D%/torture/fail.cc \
   %D%/torture/leaks.supp \
   %D%/tree/apart \
-  %D%/valgrind/libraries.supp \
-  %D%/valgrind/run \
+  %D%/valgrind \
   algorithms/EXAMPLE.c

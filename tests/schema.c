@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/schema.h"
+#include "tests/tap.h"
 
 #include <regex.h>
 #include <stdio.h>
@@ -8,17 +9,15 @@
 
 /* Stops the test if something that it needs, but does not test, fails. */
 static void need(bool done, const char *what) {
-  if (!done) {
-    printf("Bail out! docs: %s\n", what);
-    exit(99);
-  }
+  if (!done)
+    bail("docs: %s", what);
 }
 
 json_t *schema_open(const char *name) {
   const char *source = getenv("HSR_SOURCE");
   need(source != NULL, "HSR_SOURCE is not set");
   char path[4096];
-  snprintf(path, sizeof path, "%s/docs/%s", source, name);
+  snprintf(path, sizeof path, "%s/docs/schemas/%s", source, name);
   json_t *schema = json_load_file(path, JSON_REJECT_DUPLICATES, NULL);
   need(schema != NULL, path);
   return schema;
@@ -175,8 +174,7 @@ static bool meets(const char *keyword, const json_t *wanted, const json_t *rule,
   if (IS("pattern"))
     return !json_is_string(value) ||
            matches(json_string_value(wanted), json_string_value(value));
-  printf("Bail out! The schema uses '%s', which is not known here\n", keyword);
-  exit(99);
+  bail("The schema uses '%s', which is not known here", keyword);
 }
 
 static bool is_valid(const json_t *rule, const json_t *value) {

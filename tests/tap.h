@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 struct tap {
   int planned, run, failed;
@@ -29,6 +30,18 @@ static inline bool ok(struct tap *tap, bool passed, const char *format, ...) {
   putchar('\n');
   fflush(stdout);
   return passed;
+}
+
+/* Ends a test that cannot be set up, with a printf text of why. */
+__attribute__((noreturn, format(printf, 1, 2))) static inline void
+bail(const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  printf("Bail out! ");
+  vprintf(format, args);
+  va_end(args);
+  putchar('\n');
+  exit(99);
 }
 
 /* The exit status. */

@@ -16,6 +16,6 @@ const struct hsr_algorithm HSR_ALGORITHM(null) = {
     .source = "draws nothing; measures the harness",
     .taxonomy = HSR_YARDSTICK,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_NO_PICTURE,
     .render = render};

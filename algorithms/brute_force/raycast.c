@@ -15,6 +15,7 @@
  *             the minimax test precedes the surround test
  * Cost        100 n m F_r predicted: the minimax tests are n m F_r */
 #include "algorithms/engines/light/shadow.h"
+#include "common/answers/kinds/shadowed.h"
 
 enum { MINIMAX, SURROUND, DEPTH, SHOWN };
 
@@ -135,8 +136,7 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .sort_order = "(XY)Z",
     .coherence = NULL,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .also = {HSR_SHADOWED},
+    .makes = {{HSR_IDS}, {HSR_SHADOWED}},
     .parts = uses,
     .counters = counters,
     .steps = steps,

@@ -61,7 +61,7 @@ algorithm_files += \
   %D%/splats/splat_weigh.c \
   %D%/splats/splats.h
 # These files count nothing and are compiled once.
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/cubes/cube_cells.c \
   %D%/cubes/cube_cells.h \
   %D%/cubes/cube_objects.c \

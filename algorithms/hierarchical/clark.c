@@ -18,7 +18,8 @@
 
 enum { NODES, NODES_OUT, NODES_IN, FACES };
 
-struct walk {
+/* One frame: the octree of octrees is traversed. */
+struct traversal {
   struct hsr_cube_frame frame;
   struct hsr_tally *tally;
 };
@@ -38,7 +39,7 @@ static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
       tile_face(t, first + (uint32_t)k);
 }
 
-static void tile_cell(struct walk *w, uint32_t place) {
+static void tile_cell(struct traversal *w, uint32_t place) {
   if (!w->frame.object->cell[place].n_faces)
     return;
   const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
@@ -55,7 +56,7 @@ static void tile_cell(struct walk *w, uint32_t place) {
 }
 
 /* Is the node not outside? *inside: it and its subtree are wholly inside. */
-static bool classify(struct walk *w, const struct hsr_placing *placing,
+static bool classify(struct traversal *w, const struct hsr_placing *placing,
                      const struct hsr_octree_node *node,
                      struct hsr_subject subject, bool *inside) {
   HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
@@ -74,7 +75,7 @@ static bool classify(struct walk *w, const struct hsr_placing *placing,
   return true;
 }
 
-static void cull_cube(struct walk *w, uint32_t k, bool inside) {
+static void cull_cube(struct traversal *w, uint32_t k, bool inside) {
   const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
   if (!classify(w, &w->frame.placing, node,
                 hsr_cube_subject(w->frame.instance, k), &inside))
@@ -85,7 +86,7 @@ static void cull_cube(struct walk *w, uint32_t k, bool inside) {
       cull_cube(w, node->child[o], inside);
 }
 
-static void cull_instances(struct walk *w, uint32_t k, bool inside) {
+static void cull_instances(struct traversal *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   if (!classify(w, &w->frame.as_it_is, node, hsr_cube_subject(HSR_NO_ID, k),
@@ -104,7 +105,7 @@ static void cull_instances(struct walk *w, uint32_t k, bool inside) {
       cull_instances(w, node->child[o], inside);
 }
 
-static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
+static enum hsr_status begin(struct traversal *w, const struct hsr_job *job) {
   struct hsr_tiler *t = &w->frame.tiler;
   const struct hsr_window *window = &job->view->window;
   size_t width = (size_t)(window->x1 - window->x0);
@@ -123,7 +124,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct walk w;
+  struct traversal w;
   struct hsr_tiler loose;
   if (begin(&w, job) || hsr_cube_loose(&w.frame, &loose))
     return hsr_fail_nomem(err);
@@ -155,6 +156,10 @@ static void release(void *prepared) {
   free(prepared);
 }
 
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->cubes = prepared;
+}
+
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_use uses[] = {
@@ -162,13 +167,13 @@ static const struct hsr_use uses[] = {
 
 static const struct hsr_counter counters[] = {
     [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
+               HSR_OF_CELL, HSR_OF_NOTHING, .key = "cube-visited"},
     [NODES_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
-                   HSR_OF_CELL, HSR_OF_WINDOW},
+                   HSR_OF_CELL, HSR_OF_WINDOW, .key = "cube-out"},
     [NODES_IN] = {"nodes inside", "wholly, as their subtrees are", HSR_ACTIVATE,
                   HSR_OF_CELL, HSR_OF_WINDOW},
     [FACES] = {"faces met", "in nodes that are not outside", HSR_ACTIVATE,
-               HSR_OF_FACE, HSR_OF_CELL},
+               HSR_OF_FACE, HSR_OF_CELL, .key = "face-met"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -193,11 +198,12 @@ const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .sort_order = "Z(XY)",
     .coherence = "of objects, in space",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .counters = counters,
     .outline = outline,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

@@ -33,7 +33,7 @@ algorithm_files += \
   %D%/hzbuffer/walk.c \
   %D%/hzbuffer/walk.h
 # These files count nothing and are compiled once.
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/bounded/cut.cc \
   %D%/bounded/queue.c \
   %D%/bounded/queue.h \

@@ -42,6 +42,6 @@ algorithm_files += \
   %D%/point/watkins_z.c \
   %D%/point/yzx.c
 # These files count nothing and are compiled once.
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/area/tiling/grove.c \
   %D%/area/tiling/grove.h

@@ -14,6 +14,6 @@ algorithm_files += \
   %D%/textures/textures.h \
   %D%/tiling_solids.c
 # These files count nothing and are compiled once.
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/solid_triage.c \
   %D%/solid_triage.h

@@ -165,7 +165,7 @@ static const struct hsr_world *world_of(const struct hsr_solid_pyramid *p) {
 
 /* A half space in the grid's own terms: see above. */
 static struct hsr_triage_plane plane_of(const struct hsr_solid_pyramid *p,
-                                        struct hsr_half_space half) {
+                                        struct hsr_cut half) {
   const struct hsr_world *world = world_of(p);
   uint32_t f = half.face;
   double side = half.side, h = p->grid.size;
@@ -188,7 +188,7 @@ static struct hsr_triage_plane plane_of(const struct hsr_solid_pyramid *p,
 
 static bool is_inside_plane(const struct hsr_solid_pyramid *p, uint32_t k,
                             const int voxel[3]) {
-  struct hsr_half_space half = p->half_space[k];
+  struct hsr_cut half = p->half_space[k];
   double centre[3];
   for (int axis = 0; axis < 3; axis++)
     centre[axis] = hsr_voxel_centre(&p->grid, axis, voxel[axis]);

@@ -3,17 +3,18 @@
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 8: Warnock's subdivision in three dimensions, by
- *             listing 1; what he thought possible and did not build.
+ *             listing 1. The paper proposes it, but does not report it built.
  * Notation    (C_c, C_v) -> struct hsr_triage of a cell; the finest level has
  *             C_c alone, a bit a voxel. (P_c, P_v), W and A as in listing 1.
- * Inside      docs/solid-voxels.md: a voxel is in a solid if its displaced
- *             centre is. So no centre lies on a plane, and solids that touch
- *             share no voxel and leave out none.
- * Order       any: a voxel is given to the first volume that it is inside of.
- * Invariant   on every path of subcells that are active: C_c is set just where
- *             all voxels of the grid are covered, C_v just where none is and
- *             there are any. What lies below a vacant subcell is cleared when
- *             it is entered; below a covered one it is stale.
+ * Inside      A voxel is in a solid if its displaced centre is
+ *             (docs/solid-voxels.md). So no centre lies on a plane, and solids
+ *             that touch share no voxel and leave out none.
+ * Order       any: a voxel belongs to the first volume that it is inside of
+ * Invariant   In a cell that can be reached from the root by active subcells:
+ *             C_c is set if and only if all voxels of the subcell that are in
+ *             the grid are covered; C_v if and only if none is, and there are
+ *             some. What is kept below a vacant subcell is stale until it is
+ *             cleared, on entry; below a covered subcell it is stale for good.
  * Memory      1 bit a voxel, and 2 a subcell of every level above the finest,
  *             of cells that the grid meets. Of 4^n voxels a side, from 1 1/32
  *             bits a voxel for two levels to less than 1 2/63 for more.
@@ -32,8 +33,9 @@ extern "C" {
 
 enum { HSR_SOLID_LEVELS = 5 /* 4^5 = HSR_VOXELS_MOST */ };
 
-/* What tiling counts. In its events the cell numbered k of a level is
- * HSR_CELL(level, k, 0); level 0 is the root, and the last level the voxels. */
+/* What tiling counts. As the subject of a step, cell number k of a level is
+ * HSR_CELL(level, k, 0). Level 0 is the root; subcells of the last level are
+ * the voxels. */
 enum hsr_solid_counter {
   HSR_SOLID_CELL,    /* cells visited above the finest level */
   HSR_SOLID_FINEST,  /* cells visited of the finest level */
@@ -45,12 +47,12 @@ enum hsr_solid_counter {
 
 /* One level of the pyramid. */
 struct hsr_solid_level {
-  int n[3];                  /* cells along x, y, z; x is fastest */
-  struct hsr_triage *coarse; /* NULL for the finest level, which has */
-  uint64_t *finest;          /* these instead */
+  int n[3];                  /* cells along x, y, z; x runs fastest */
+  struct hsr_triage *coarse; /* by cell; NULL on the finest level */
+  uint64_t *finest;          /* by cell; NULL on all other levels */
 
-  /* Of the cell in hand: the planes that cross it, and the subcells that each
-   * leaves surely inside; and the planes of the subcell in hand. */
+  /* Of the cell that is being visited: the planes that cross it; for each, the
+   * subcells that are surely inside; and room for the planes of one subcell. */
   uint32_t n_active, *active, *list;
   uint64_t *inside;
 };
@@ -62,29 +64,29 @@ struct hsr_solid_pyramid {
   size_t bytes; /* of all levels */
   struct hsr_solid_level level[HSR_SOLID_LEVELS]; /* [0] holds the root */
 
-  /* Of the volume in hand. */
-  const struct hsr_half_space *half_space;
+  /* Of the volume that is being tiled. */
+  const struct hsr_cut *half_space;
   struct hsr_triage_plane *plane;
   uint32_t *all; /* 0, 1, ... */
   uint32_t solid;
   struct hsr_tally *tally;
 
-  /* Told of all voxels that become covered, each once. The cubes are borrowed
-   * for the call. */
+  /* Set by the caller: gets all voxels that become covered, each once. The
+   * cubes are borrowed for the call. */
   void (*cover)(void *context, const struct hsr_voxel_cubes *cubes);
   void *context;
 };
 
-/* An empty pyramid. `volumes` and `arena`, from which its memory is taken, are
- * borrowed and outlive it. HSR_E_NOMEM. */
+/* Makes a pyramid of a grid, all of it vacant. `volumes` is borrowed as long as
+ * *pyramid; memory is the arena's. HSR_E_NOMEM. */
 enum hsr_status hsr_solid_pyramid_init(struct hsr_solid_pyramid *pyramid,
                                        const struct hsr_voxel_grid *grid,
                                        const struct hsr_volumes *volumes,
                                        struct hsr_arena *arena);
 
-/* Tiles volume v, which is of a solid of that number. Counts in *tally, from
- * its `first` on, as enum hsr_solid_counter says; sets its out_of_memory if an
- * exact predicate has failed. */
+/* Tiles volume v, which belongs to solid number `solid`. Counts in *tally, as
+ * enum hsr_solid_counter says; sets its out_of_memory if an exact predicate
+ * failed. */
 void hsr_solid_pyramid_tile(struct hsr_solid_pyramid *pyramid, uint32_t v,
                             uint32_t solid, struct hsr_tally *tally);
 

@@ -15,6 +15,7 @@
  */
 #include "algorithms/volume/solid_pyramid.h"
 #include "common/adapt/adapt.h"
+#include "common/answers/kinds/voxels.h"
 
 #include <stdlib.h>
 
@@ -148,7 +149,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_solids) = {
     .coherence = "area coherence, in three dimensions",
     .restrictions = HSR_CC,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_VOXELS,
+    .makes = {{HSR_VOXELS}},
     .counters = counters,
     .outline = outline,
     .prepare = prepare,

@@ -48,7 +48,8 @@ static error_t add_algorithm(struct check_options *o,
 
 /* Whether it takes part without being named. */
 static bool is_judged(const struct hsr_algorithm *a) {
-  return oracle_of(a->kind) && !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
+  return oracle_of(hsr_own_kind(a)) &&
+         !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
 }
 
 /* One algorithm, with its options. */
@@ -290,9 +291,7 @@ static const struct argp argp = {
 /* Whether it can be judged in the way that was asked for; without regard to what
  * is summed, which has to be asked for by name. */
 static bool is_fit(const struct check_options *o, const struct hsr_variant *v) {
-  const struct hsr_answer_type *made = v->listed->plain->kind;
-  return !o->sort_last ||
-         (made == HSR_IDS && hsr_is_asked_of(v->choice.form.type, made));
+  return !o->sort_last || hsr_choice_composes(v->listed->plain, &v->choice);
 }
 
 static enum hsr_status check_fit(const struct check_options *o,
@@ -331,7 +330,8 @@ static void set_standards(struct check_options *o) {
     for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
       if (is_judged(a->plain))
         add_standard(o, hsr_variant_standard(a));
-      for (int k = 0; is_judged(a->plain) && a->plain->also[k]; k++)
+      for (int k = 0; is_judged(a->plain) && hsr_makes_besides(a->plain, k);
+           k++)
         add_standard(o, hsr_variant_also(a, k));
     }
 }

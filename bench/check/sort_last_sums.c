@@ -29,7 +29,7 @@ bool is_summed(const struct check_options *o, int algorithm) {
   const struct hsr_variant *v = &o->algorithm[algorithm];
   const struct hsr_form *form = &v->choice.form;
   return form->type->summing && form->type->summing->fits(form) &&
-         v->listed->plain->flags & HSR_SUMS;
+         hsr_makes_how(v->listed->plain, v->choice.form.type) & HSR_SUMS;
 }
 
 static int n_pictures(const struct summing *s) {

@@ -11,7 +11,7 @@ _hsr() {
   if [ "$COMP_CWORD" = 1 ] || { [ "$COMP_CWORD" = 2 ] && [ "$command" = help ]; }; then
     words="$("$hsr" --help 2>/dev/null |
       awk '$1 == "hsr" && NF > 3 { print $2 }' | sort -u) help"
-    [[ $word == -* ]] && words="--help --version"
+    [[ $word == -* ]] && words="--help --version --cite"
   elif [[ $word == -* ]]; then
     words=$("$hsr" help "$command" 2>/dev/null |
       grep -oE -- '--[a-z][a-z-]*' | sort -u)

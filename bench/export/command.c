@@ -376,7 +376,7 @@ enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {
                                &variant, err);
   if (!status)
     status = check(&o, err);
-  if (!status && variant.choice.form.type != HSR_IDS)
+  if (!status && !variant.choice.form.type->by_faces)
     status = hsr_fail(err, HSR_E_USAGE, "%s: must draw faces", variant.name);
   if (!status)
     status = aim_scene(&o.scene, &o.view, err);

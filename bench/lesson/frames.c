@@ -6,11 +6,8 @@
  * The run is made twice: once to count its steps, and once to draw those that
  * are wanted. */
 #include "bench/lesson/lesson.h"
-#include "common/answers/area.h"
 #include "common/files/json/json.h"
-#include "common/files/srgb.h"
 #include "common/files/whole_file.h"
-#include "common/voxels/voxels.h"
 
 #include <cairo-svg.h>
 #include <math.h>
@@ -37,20 +34,19 @@ struct frames {
   json_t *header;    /* as of hsr trace: where the faces are */
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
   uint32_t *touches; /* of the samples: how often a step looked at them */
-  json_t *parts;     /* of a line drawing, so far */
   struct hsr_arena arena;
-  struct hsr_growing cubes; /* of voxels, so far: struct cube */
+  struct hsr_growing lines;   /* so far: double[4], from and to */
+  struct hsr_growing squares; /* so far: struct square */
   cairo_t *cairo;
   double scale; /* of the picture */
   enum hsr_status status;
   struct hsr_error *err;
 };
 
-/* Some voxels, as a square in the picture. */
-struct cube {
+struct square {
   double x, y, half; /* samples */
   double depth;
-  uint32_t solid;
+  uint32_t rgb;
 };
 
 /* --- Colours and paths ---------------------------------------------------- */
@@ -126,50 +122,31 @@ static void draw_samples(struct frames *f) {
   cairo_surface_destroy(samples);
 }
 
-/* The visible intervals so far. */
-static void draw_segments(struct frames *f) {
-  size_t k;
-  const json_t *part;
-  json_array_foreach(f->parts, k, part) {
-    const json_t *from = json_array_get(part, 6), *to = json_array_get(part, 7);
-    if (json_integer_value(json_array_get(part, 1)) || json_is_null(from) ||
-        json_is_null(to))
-      continue;
-    add_point(f->cairo, from, true);
-    add_point(f->cairo, to, false);
+static void draw_lines(struct frames *f) {
+  const double(*line)[4] = (const double(*)[4])f->lines.items;
+  for (size_t k = 0; k < f->lines.n; k++) {
+    cairo_move_to(f->cairo, line[k][0], line[k][1]);
+    cairo_line_to(f->cairo, line[k][2], line[k][3]);
   }
   cairo_set_line_width(f->cairo, 1.8 / f->scale);
   set_colour(f->cairo, 0x1d1f22, 1);
   cairo_stroke(f->cairo);
 }
 
-/* A colour of its own for each solid, as on the page: of every hue, with a
- * saturation of .45 and a lightness of .55. */
-static unsigned solid_colour(uint32_t solid) {
-  double hue = (double)(solid * 137ULL % 360) / 30, spread = 0.45 * (1 - 0.55);
-  unsigned rgb = 0;
-  for (int c = 0; c < 3; c++) {
-    double k = fmod((c == 0 ? 0 : c == 1 ? 8 : 4) + hue, 12);
-    double x = 0.55 - spread * fmax(-1, fmin(fmin(k - 3, 9 - k), 1));
-    rgb = rgb << 8 | (unsigned)lrint(255 * x);
-  }
-  return rgb;
-}
-
 static int farthest_first(const void *a, const void *b) {
-  const struct cube *p = a, *q = b;
+  const struct square *p = a, *q = b;
   return (p->depth < q->depth) - (p->depth > q->depth);
 }
 
-static void draw_cubes(struct frames *f) {
-  const struct cube *cube = f->cubes.items;
-  if (f->cubes.n)
-    qsort(f->cubes.items, f->cubes.n, sizeof *cube, farthest_first);
-  for (size_t k = 0; k < f->cubes.n; k++) {
-    cairo_rectangle(f->cairo, cube[k].x - cube[k].half,
-                    cube[k].y - cube[k].half, 2 * cube[k].half,
-                    2 * cube[k].half);
-    set_colour(f->cairo, solid_colour(cube[k].solid), 1);
+static void draw_squares(struct frames *f) {
+  const struct square *square = f->squares.items;
+  if (f->squares.n)
+    qsort(f->squares.items, f->squares.n, sizeof *square, farthest_first);
+  for (size_t k = 0; k < f->squares.n; k++) {
+    cairo_rectangle(f->cairo, square[k].x - square[k].half,
+                    square[k].y - square[k].half, 2 * square[k].half,
+                    2 * square[k].half);
+    set_colour(f->cairo, square[k].rgb, 1);
     cairo_fill(f->cairo);
   }
 }
@@ -246,8 +223,8 @@ static void draw_picture(struct frames *f, const struct hsr_event *event,
   cairo_rectangle(f->cairo, 0, 0, view->m, view->n);
   cairo_clip(f->cairo);
   draw_samples(f);
-  draw_segments(f);
-  draw_cubes(f);
+  draw_lines(f);
+  draw_squares(f);
   draw_outlines(f);
   mark_event(f, event, kind);
   cairo_rectangle(f->cairo, 0, 0, view->m, view->n);
@@ -439,52 +416,41 @@ static void count_step(void *steps, const struct hsr_event *event) {
   ++*(uint64_t *)steps;
 }
 
-static void fill(struct frames *f, const struct hsr_window *w, uint32_t rgb) {
+static void fill(void *on, const struct hsr_window *w, uint32_t rgb) {
+  struct frames *f = on;
   const struct hsr_view *view = &f->run->view;
   for (int j = w->y0 > 0 ? w->y0 : 0; j < w->y1 && j < view->n; j++)
     for (int i = w->x0 > 0 ? w->x0 : 0; i < w->x1 && i < view->m; i++)
       f->colour[(size_t)j * (size_t)view->m + (size_t)i] = 0xff000000u | rgb;
 }
 
-/* The colour of a composited sample: its channels are linear, of 65535. */
-static uint32_t composited_colour(const uint16_t *channel) {
-  uint32_t rgb = 0;
-  for (int c = 0; c < 3; c++)
-    rgb = rgb << 8 |
-          (uint32_t)lrintf(255 * hsr_srgb_encode((float)channel[c] / 65535));
-  return rgb;
+/* Makes room for one more item; NULL if memory ran out. */
+static void *add(struct frames *f, struct hsr_growing *items, size_t size) {
+  if (hsr_arena_grow(&f->arena, items, size))
+    return (char *)items->items + (items->n - 1) * size;
+  f->status = hsr_fail_nomem(f->err);
+  return NULL;
 }
 
-/* That of the middles of the intervals of a pixel's channels. */
-static uint32_t area_colour(const struct hsr_area_bounds *channel) {
-  uint16_t middle[3];
-  for (int c = 0; c < 3; c++)
-    middle[c] = (uint16_t)lrint(
-        65535 * fmin(1, fmax(0, (channel[c].lo + channel[c].hi) / 2)));
-  return composited_colour(middle);
+static void add_line(void *on, const double from[2], const double to[2]) {
+  struct frames *f = on;
+  double *line = add(f, &f->lines, 4 * sizeof *line);
+  for (int k = 0; line && k < 4; k++)
+    line[k] = k < 2 ? from[k] : to[k - 2];
 }
 
-/* That of the sums of a pixel so far. */
-static uint32_t sums_colour(const struct frames *f,
-                            const struct hsr_window *w) {
-  const uint32_t *sums =
-      hsr_answer_sums_of(&f->run->answer.painted) +
-      3 * ((size_t)w->y0 * (size_t)f->run->view.m + (size_t)w->x0);
-  uint16_t channel[3];
-  for (int c = 0; c < 3; c++)
-    channel[c] = (uint16_t)(sums[c] / HSR_WHOLE_WEIGHT);
-  return composited_colour(channel);
-}
-
-/* A face that is lit, or not: half as bright. */
-static uint32_t lit_colour(const struct frames *f, uint32_t face, bool lit) {
-  uint32_t rgb = face_colour(f, face);
-  return lit || face == HSR_BACKGROUND ? rgb : rgb >> 1 & 0x7f7f7f;
+static void add_square(void *on, const double middle[2], double half,
+                       double depth, uint32_t rgb) {
+  struct frames *f = on;
+  struct square *square = add(f, &f->squares, sizeof *square);
+  if (square)
+    *square = (struct square){middle[0], middle[1], half, depth, rgb};
 }
 
 /* A sample that is not written yet is the darker the more often it was looked
  * at. */
-static void touch(struct frames *f, const struct hsr_window *w) {
+static void touch(void *on, const struct hsr_window *w) {
+  struct frames *f = on;
   size_t k = (size_t)w->y0 * (size_t)f->run->view.m + (size_t)w->x0;
   if (w->x1 - w->x0 != 1 || w->y1 - w->y0 != 1 || f->colour[k] >> 24 == 255)
     return;
@@ -495,58 +461,21 @@ static void touch(struct frames *f, const struct hsr_window *w) {
   f->colour[k] = alpha << 24 | rgb;
 }
 
-/* One of the cubes of a part, if it is before the eye. */
-static bool add_cube(struct frames *f, const struct hsr_voxel_cubes *part,
-                     int bit) {
-  const struct hsr_view *view = &f->run->view;
-  const struct hsr_voxel_grid *grid = part->grid;
-  double point[3], image[3];
-  const int place[3] = {bit & 3, bit >> 2 & 3, bit >> 4};
-  for (int k = 0; k < 3; k++)
-    point[k] = grid->lo[k] +
-               grid->size * (part->corner[k] + part->size * (place[k] + 0.5));
-  hsr_view_project(view, point, image);
-  double w = view->parallel ? 1 : image[2];
-  if (image[2] <= view->near || w <= 0)
-    return true;
-  if (!hsr_arena_grow(&f->arena, &f->cubes, sizeof(struct cube)))
-    return false;
-  const struct hsr_camera *camera = &view->camera;
-  double high = view->parallel
-                    ? camera->parallel
-                    : 2 * w * tan(camera->fov * 3.141592653589793 / 360);
-  ((struct cube *)f->cubes.items)[f->cubes.n - 1] = (struct cube){
-      .x = image[0] / w,
-      .y = image[1] / w,
-      .half = fmax(0.5, 0.6 * grid->size * part->size * view->n / high),
-      .depth = image[2],
-      .solid = part->solid};
-  return true;
-}
-
-/* What an accepted step adds to the picture. */
-static void paint(struct frames *f, const struct hsr_event *event) {
-  const struct hsr_answer_type *type = f->run->answer.drawn.form.type;
-  if (type == HSR_SHADOWED) {
-    bool lit = event->part && *(const bool *)event->part;
-    fill(f, &event->window, lit_colour(f, event->a.id[0], lit));
-  } else if (!event->part) {
-    fill(f, &event->window, face_colour(f, event->a.id[0]));
-  } else if (type == &hsr_answer_composited || type == HSR_TRANSPARENT) {
-    fill(f, &event->window, composited_colour(event->part));
-  } else if (type == &hsr_answer_area) {
-    fill(f, &event->window, area_colour(event->part));
-  } else if (type == &hsr_answer_filtered) {
+/* What a step adds to the picture. */
+static void sketch(struct frames *f, const struct hsr_event *event,
+                   enum hsr_step_kind step) {
+  const struct hsr_answer *painted = &f->run->answer.painted;
+  const struct hsr_answer_type *type = painted->form.type;
+  const struct hsr_slide slide = {f, fill, add_line, add_square, touch};
+  if (step != HSR_ACCEPT && step != HSR_SAMPLE)
+    return;
+  if (step == HSR_ACCEPT)
     trace_answer_paint(&f->run->answer, event);
-    fill(f, &event->window, sums_colour(f, &event->window));
-  } else if (type == &hsr_answer_voxels) {
-    const struct hsr_voxel_cubes *part = event->part;
-    for (int bit = 0; bit < 64; bit++)
-      if (part->mask >> bit & 1 && !add_cube(f, part, bit))
-        f->status = hsr_fail_nomem(f->err);
-  } else {
-    hsr_json_append(&f->parts, type->part_json(event->part, &f->run->view));
-  }
+  if (type->sketch)
+    type->sketch(painted, event, step, &f->run->view,
+                 face_colour(f, event->a.id[0]), &slide);
+  else if (step == HSR_ACCEPT && !event->part)
+    fill(f, &event->window, face_colour(f, event->a.id[0]));
 }
 
 /* The step that frame number `frame` shows, from 1. */
@@ -560,11 +489,7 @@ static void listen(void *context, const struct hsr_event *event) {
   if (f->status || event->counter >= trace_n_counters(a))
     return;
   f->count[event->counter]++;
-  if (a->counters[event->counter].kind == HSR_ACCEPT)
-    paint(f, event);
-  if (a->counters[event->counter].kind == HSR_SAMPLE &&
-      f->run->answer.drawn.form.type == &hsr_answer_composited)
-    touch(f, &event->window);
+  sketch(f, event, a->counters[event->counter].kind);
   bool wanted = false;
   for (; f->done < f->n && event->number + 1 >= step_of(f, f->done);
        wanted = true) {
@@ -586,12 +511,11 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   if (status)
     return status;
   f->header = trace_header_json(&header);
-  f->parts = json_array();
   f->colour =
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->colour);
   f->touches =
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->touches);
-  if (!f->header || !f->parts || !f->colour || !f->touches)
+  if (!f->header || !f->colour || !f->touches)
     return hsr_fail_nomem(err);
   trace_answer_free(&run->answer);
   status = trace_answer_init(&run->answer, &run->setup, &run->view, err);
@@ -615,7 +539,6 @@ enum hsr_status lesson_frames(const struct lesson_subject *subject,
   if (!status)
     status = draw_run(&f, err);
   json_decref(f.header);
-  json_decref(f.parts);
   free(f.colour);
   free(f.touches);
   hsr_arena_free(&f.arena);

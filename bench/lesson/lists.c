@@ -17,7 +17,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* --- What is noted of the events ------------------------------------------ */
 
@@ -29,31 +28,23 @@ struct note {
   struct hsr_window window;
 };
 
-/* Whether the counter is of that step, perhaps of one algorithm within another:
- * "Newell: Z sort". */
-static bool is_step(const struct hsr_counter *c, const char *name) {
-  const char *within = strstr(c->name, ": ");
-  return !strcmp(within ? within + 2 : c->name, name);
-}
-
-/* The name of the algorithm's counter of that step, of pieces; "": none. */
-static const char *step_name(const struct hsr_algorithm *a, const char *name) {
+static bool has_counter(const struct hsr_algorithm *a, const char *key) {
   for (int k = 0; k < trace_n_counters(a); k++)
-    if (is_step(&a->counters[k], name) && a->counters[k].a == HSR_OF_PIECE)
-      return a->counters[k].name;
-  return "";
+    if (hsr_has_key(&a->counters[k], key))
+      return true;
+  return false;
 }
 
 bool lesson_has_list(const struct hsr_setup *setup) {
-  return *step_name(setup->algorithm, "Z sort") &&
-         *step_name(setup->algorithm, "divisions");
+  return has_counter(setup->algorithm, "list-sort") &&
+         has_counter(setup->algorithm, "list-division");
 }
 
 void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
                       const struct hsr_event *event) {
-  bool divides = c->kind == HSR_SPLIT;
+  bool divides = hsr_has_key(c, "list-division");
   const struct hsr_subject *both[2] = {&event->a, &event->b};
-  if (!divides && !is_step(c, "Z sort"))
+  if (!divides && !hsr_has_key(c, "list-sort"))
     return;
   for (int k = 0; k < 2; k++)
     if (both[k]->kind == HSR_OF_PIECE)
@@ -81,15 +72,15 @@ struct lists {
   const struct hsr_view *view;
   struct hsr_arena arena;
   struct hsr_tally tally;    /* of no interest */
-  struct hsr_growing pieces; /* of the list at hand: struct piece */
+  struct hsr_growing pieces; /* of the current list: struct piece */
   double (*in)[3], (*out)[3];
   size_t room;              /* points of in[] */
   json_t *lists;            /* NULL: memory ran out */
-  struct hsr_window window; /* of the list at hand */
+  struct hsr_window window; /* of the current list */
   bool of_parts; /* the lists are made within another algorithm, for parts of
                     the picture */
 
-  /* The sort at hand: its second pass has named n_again pieces, and its events
+  /* The current sort: its second pass has named n_again pieces, and its events
    * follow one another up to `next`. */
   uint32_t n_again;
   uint64_t next;
@@ -290,12 +281,20 @@ static bool make_lists(struct lists *l, struct note *note, size_t n) {
   return l->lists != NULL;
 }
 
+/* Whether the lists are made within another algorithm, whose counters are told
+ * from the list's by a prefix. */
+static bool is_of_parts(const struct hsr_algorithm *a) {
+  for (const struct hsr_use *u = a->parts; u && u->part; u++)
+    if (u->part->number == HSR_PART_PRIORITY_LIST)
+      return u->prefix != NULL;
+  return false;
+}
+
 json_t *lesson_lists_json(const struct trace_run *run,
                           const struct lesson_bytes *notes) {
-  const struct hsr_algorithm *a = run->setup.algorithm;
   struct lists l = {.view = &run->view,
                     .lists = json_array(),
-                    .of_parts = strstr(step_name(a, "Z sort"), ": ")};
+                    .of_parts = is_of_parts(run->setup.algorithm)};
   if (!notes->n && !notes->failed)
     return l.lists;
   bool good = !notes->failed &&

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an algorithm made before the frame, for the page: the tree of planes
- * between clusters, a BSP tree, octrees. Trees that a module keeps to itself
- * are made again here by the same rule; that is deterministic. Numbers of faces
- * are the scene's own. */
+ * between clusters, a BSP tree, octrees. Numbers of faces are the scene's own. */
 #include "algorithms/engines/cubes/cubes.h"
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "bench/lesson/lesson.h"
@@ -23,13 +21,6 @@ static void add(json_t **object, const char *name, json_t *value) {
     json_decref(*object);
     *object = NULL;
   }
-}
-
-static bool counts(const struct hsr_algorithm *a, const char *name) {
-  for (int k = 0; k < trace_n_counters(a); k++)
-    if (!strcmp(a->counters[k].name, name))
-      return true;
-  return false;
 }
 
 /* --- Clusters ------------------------------------------------------------- */
@@ -209,52 +200,38 @@ static struct forest forest_new(const struct hsr_view *view) {
 }
 
 /* One tree of the whole world, or of each of its cubes. */
-static bool add_bsp(json_t **to, const struct trace_run *run, uint32_t leaf) {
-  struct hsr_bsp_rule rule = {.most = leaf};
+static bool add_bsp(json_t **to, const struct trace_run *run,
+                    const struct hsr_bsp *bsp) {
   struct forest f = forest_new(&run->view);
-  struct hsr_bsp bsp;
-  struct hsr_error err;
-  bool good = !hsr_bsp_init(&bsp, run->setup.world, &rule, &err) &&
-              add_tree(&f, &(struct tree){.bsp = &bsp, .instance = -1});
-  add_forest(to, &f, leaf > 0);
-  hsr_bsp_free(&bsp);
+  bool good = add_tree(&f, &(struct tree){.bsp = bsp, .instance = -1});
+  add_forest(to, &f, bsp->n_cubes > 1);
   return good;
 }
 
-/* The trees of tiling.c: a tree of all, or one for each object, wherever an
- * instance of it is; and boxes of several instances. */
-static bool add_grove(json_t **to, const struct trace_run *run, uint32_t leaf) {
-  struct hsr_bsp_rule rule = {.most = leaf};
+/* A tree of all, or one for each object, wherever an instance of it is; and boxes
+ * of several instances. */
+static bool add_grove(json_t **to, const struct trace_run *run,
+                      const struct hsr_grove *grove) {
   struct forest f = forest_new(&run->view);
-  struct hsr_grove grove;
-  struct hsr_error err;
-  bool good = !hsr_grove_init(&grove, run->setup.world, &rule, &err);
-  if (good && grove.is_whole)
-    good = add_tree(&f, &(struct tree){.bsp = &grove.whole, .instance = -1});
+  const struct tree still = {.instance = -1};
   const struct hsr_world *world = run->setup.world;
-  for (uint32_t k = 0; good && !grove.is_whole && k < run->scene->n_instances;
+  bool good =
+      !grove->is_whole ||
+      add_tree(&f, &(struct tree){.bsp = &grove->whole, .instance = -1});
+  for (uint32_t k = 0; good && !grove->is_whole && k < run->scene->n_instances;
        k++) {
     const struct hsr_instance *i = &run->scene->instances[k];
-    good = add_tree(&f, &(struct tree){&grove.tree[i->object].bsp,
+    good = add_tree(&f, &(struct tree){&grove->tree[i->object].bsp,
                                        world->roster.first[k],
                                        k,
                                        {i->m[3], i->m[7], i->m[11]}});
   }
-  const struct tree still = {.instance = -1};
-  for (uint32_t k = 0; good && !grove.is_whole && k < grove.n_nodes; k++)
+  for (uint32_t k = 0; good && !grove->is_whole && k < grove->n_nodes; k++)
     hsr_json_append(&f.cubes,
                     json_pack("[I I o]", (json_int_t)k, (json_int_t)-1,
-                              box_json(&f, &still, &grove.node[k].box)));
+                              box_json(&f, &still, &grove->node[k].box)));
   add_forest(to, &f, true);
-  hsr_grove_free(&grove);
   return good;
-}
-
-static bool has_movers(const struct hsr_scene *scene) {
-  for (uint32_t k = 0; k < scene->n_instances; k++)
-    if (scene->objects[scene->instances[k].object].moves)
-      return true;
-  return false;
 }
 
 /* --- Octrees -------------------------------------------------------------- */
@@ -283,72 +260,41 @@ static void add_octree(json_t **cubes, const struct hsr_view *view,
     hsr_json_append(cubes, cube_json(view, k, instance, &octree->node[k], m));
 }
 
-static long option_of(const struct hsr_setup *setup, const char *name,
-                      long otherwise) {
-  const struct hsr_option *o = setup->algorithm->options;
-  for (int k = 0; o && o[k].name; k++)
-    if (!strcmp(o[k].name, name))
-      return setup->choice.values.option[k];
-  return otherwise;
-}
-
-/* As of algorithms/hierarchical/: those that test cubes have the rule of
- * hzbuffer.c, by its options or its standard; clark.c has another. */
-static struct hsr_octree_rule cube_rule(const struct hsr_setup *setup) {
-  if (!counts(setup->algorithm, "cubes tested"))
-    return (struct hsr_octree_rule){.small = 0, .most = 32, .least = 1};
-  bool pushed = !option_of(setup, "placement", 0);
-  uint32_t least = (uint32_t)option_of(setup, "least", 20);
-  return (struct hsr_octree_rule){
-      .small = pushed ? 0.1 : 0, .most = least, .least = least};
-}
-
 /* Where the world is. */
 static const double still[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
-static bool add_cubes(json_t **to, const struct trace_run *run) {
-  struct hsr_octree_rule rule = cube_rule(&run->setup);
-  struct hsr_cubes cubes;
-  struct hsr_error err;
-  bool good = !hsr_cubes_init(&cubes, run->setup.world, &rule, &err);
+static void add_cubes(json_t **to, const struct trace_run *run,
+                      const struct hsr_cubes *cubes) {
   json_t *all = json_array();
-  if (good)
-    add_octree(&all, &run->view, &cubes.octree, -1, still);
-  for (uint32_t k = 0; good && k < run->scene->n_instances; k++) {
+  add_octree(&all, &run->view, &cubes->octree, -1, still);
+  for (uint32_t k = 0; k < run->scene->n_instances; k++) {
     const struct hsr_instance *instance = &run->scene->instances[k];
-    add_octree(&all, &run->view, &cubes.object[instance->object].octree, k,
+    add_octree(&all, &run->view, &cubes->object[instance->object].octree, k,
                instance->m);
   }
-  hsr_cubes_free(&cubes);
   add(to, "cubes", all);
-  return good;
 }
 
-/* The octree that an algorithm shows. */
-static void add_own_octree(json_t **to, const struct trace_run *run) {
+static void add_own_octree(json_t **to, const struct trace_run *run,
+                           const struct hsr_octree *octree) {
   json_t *all = json_array();
-  add_octree(&all, &run->view,
-             run->setup.algorithm->octree(run->setup.prepared), -1, still);
+  add_octree(&all, &run->view, octree, -1, still);
   add(to, "cubes", all);
 }
 
 json_t *lesson_structure_json(const struct trace_run *run) {
-  const struct hsr_algorithm *a = run->setup.algorithm;
+  const struct hsr_shown shown = hsr_setup_show(&run->setup);
   json_t *structure = json_object();
   bool good = true;
-  if (counts(a, "inter-cluster priority"))
-    add_clusters(&structure, run->setup.world);
-  uint32_t leaf = (uint32_t)option_of(&run->setup, "leaf", 0);
-  if (!strcmp(a->name, "tiling"))
-    good = add_grove(&structure, run, leaf);
-  else if (!strcmp(a->name, "tiling-merged"))
-    good = has_movers(run->scene) || add_bsp(&structure, run, leaf);
-  else if (counts(a, "pieces") && counts(a, "thickness checks") && !leaf)
-    good = add_bsp(&structure, run, 0);
-  else if (a->octree)
-    add_own_octree(&structure, run);
-  else if (counts(a, "nodes visited"))
-    good = add_cubes(&structure, run);
+  add_clusters(&structure, run->setup.world);
+  if (shown.grove)
+    good = add_grove(&structure, run, shown.grove);
+  if (shown.bsp)
+    good &= add_bsp(&structure, run, shown.bsp);
+  if (shown.octree)
+    add_own_octree(&structure, run, shown.octree);
+  if (shown.cubes)
+    add_cubes(&structure, run, shown.cubes);
   if (!good)
     json_decref(structure);
   return good ? structure : NULL;

@@ -15,7 +15,7 @@ struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed) {
 struct hsr_variant hsr_variant_also(const struct hsr_listed *listed, int k) {
   struct hsr_variant variant = hsr_variant_standard(listed);
   struct hsr_form *form = &variant.choice.form;
-  *form = hsr_form_standard(listed->plain->also[k]);
+  *form = hsr_form_standard(hsr_makes_besides(listed->plain, k));
   const struct hsr_option *first = form->type->options;
   snprintf(variant.name, sizeof variant.name, "%s:%s=%s", listed->plain->name,
            first->name, first->words[form->values.option[0]].name);
@@ -63,7 +63,7 @@ static enum hsr_status choose_window(struct reading *r, struct hsr_stretch name,
   r->window_chosen = true;
   if (status)
     return status;
-  if (!r->algorithm->kind->by_windows)
+  if (!hsr_own_kind(r->algorithm)->by_windows)
     return hsr_fail(err, HSR_E_USAGE, "%s: %s does not draw in windows",
                     r->text, r->algorithm->name);
   if (!hsr_parse_whole(value, window) || *window < 1 || *window > HSR_MAX_SIZE)
@@ -96,7 +96,7 @@ static enum hsr_status choose_form(struct reading *r,
                                    struct hsr_stretch value,
                                    struct hsr_error *err) {
   struct hsr_form *form = &r->choice->form;
-  if (form->type == r->algorithm->kind && type != form->type)
+  if (form->type == hsr_own_kind(r->algorithm) && type != form->type)
     *form = hsr_form_standard(type);
   if (form->type != type)
     return hsr_fail(err, HSR_E_USAGE, "%s: %s and %s cannot both be", r->text,
@@ -113,14 +113,10 @@ static enum hsr_status no_option(const struct reading *r,
                                  struct hsr_stretch name,
                                  struct hsr_error *err) {
   const struct hsr_option *options = r->algorithm->options;
-  struct hsr_names list = {0};
   char word[64], hint[256] = "";
   snprintf(word, sizeof word, "%.*s", (int)name.n, name.text);
-  for (int k = 0; options && options[k].name; k++)
-    if (hsr_names_add(&list, options[k].name, strlen(options[k].name)))
-      break; /* there is no hint without memory */
-  hsr_names_like(&list, word, hint, sizeof hint);
-  hsr_names_free(&list);
+  if (options)
+    hsr_names_like_of(options, sizeof *options, word, hint, sizeof hint);
   return hsr_fail(err, HSR_E_USAGE, "%s: %s has no option '%.*s'%s", r->text,
                   r->algorithm->name, (int)name.n, name.text,
                   *hint ? hint : " (see hsr list)");
@@ -145,7 +141,8 @@ static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
   if (type)
     return hsr_fail(err, HSR_E_USAGE,
                     "%s: %.*s is an option of %s, and %s makes %s", r->text,
-                    (int)name.n, name.text, type->name, a->name, a->kind->name);
+                    (int)name.n, name.text, type->name, a->name,
+                    hsr_own_kind(a)->name);
   return no_option(r, name, err);
 }
 
@@ -162,9 +159,10 @@ static enum hsr_status does_not_make(const struct reading *r,
 /* What does not go together. */
 static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
   const struct hsr_choice *choice = r->choice;
-  bool folded = choice->form.type->fold;
-  if (r->algorithm->makes &&
-      !(r->algorithm->makes >> choice->form.values.option[0] & 1))
+  const struct hsr_answer_type *kind = hsr_own_kind(r->algorithm);
+  const struct hsr_fold *folded = choice->form.type->fold;
+  if (!hsr_makes_form(r->algorithm, &choice->form) &&
+      !(folded && folded->of == kind))
     return does_not_make(r, err);
   if (choice->window && folded)
     return hsr_fail(err, HSR_E_USAGE,
@@ -176,8 +174,7 @@ static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
                     "%s: what is kept from frame to frame is of the whole "
                     "picture; no windows",
                     r->text);
-  bool own = choice->form.type == r->algorithm->kind;
-  if (!folded || own || r->form_chosen & 1)
+  if (!folded || choice->form.type == kind || r->form_chosen & 1)
     return HSR_OK;
   const struct hsr_option *options = choice->form.type->options;
   int k = 1;

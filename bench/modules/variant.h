@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An algorithm with its options chosen, as a user writes it:
  *
- *   NAME[:OPTION=VALUE]...     hzbuffer:cubes=faces:window=64
+ *   NAME[:OPTION=VALUE]...     hzbuffer:cubes=sides:window=64
  *
- * The options are those of the algorithm's descriptor and, of every algorithm
- * that draws faces, `window`: the picture is drawn in squares of so many
- * samples, each a job of its own; or `filter` and `jitter`: what is drawn is
- * the filtered picture, zbuffer:filter=box:jitter=4. `mix` asks for a
- * transparent picture of those that make one, and `shadows` for one with
- * shadows. */
+ * The options are those of the algorithm's descriptor, and some that are not
+ * its own. Every algorithm that draws faces has `window`: the picture is drawn
+ * in squares of so many samples, each a job of its own. Or else it has `filter`
+ * and `jitter`: what is drawn is the filtered picture, as in
+ * zbuffer-fast:filter=box:jitter=4. `mix` asks for a transparent picture, and
+ * `shadows` for one with shadows, of those algorithms that make one. */
 #ifndef HSR_BENCH_VARIANT_H
 #define HSR_BENCH_VARIANT_H
 
@@ -36,8 +36,7 @@ enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
 /* The algorithm with its standard options. */
 struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed);
 
-/* The same of kind k of those that it makes besides its own, also[k]:
- * newell:mix=linear. */
+/* The same of the kind hsr_makes_besides(algorithm, k): newell:mix=linear. */
 struct hsr_variant hsr_variant_also(const struct hsr_listed *listed, int k);
 
 #ifdef __cplusplus

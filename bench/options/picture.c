@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/picture.h"
 #include "bench/options/words.h"
+#include "common/answers/kinds/area.h"
 
 #include <string.h>
 

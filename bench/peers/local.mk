@@ -3,10 +3,7 @@
 # Nothing else needs them.
 EXTRA_DIST += \
   %D%/README.md \
-  %D%/scenes/make \
-  %D%/scenes/edge-rays.scene.json \
-  %D%/scenes/grazing-slivers.scene.json \
-  %D%/scenes/vertex-rays.scene.json
+  %D%/make-scenes
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers

@@ -53,7 +53,7 @@ enum { N_PEERS = sizeof peers / sizeof *peers };
 
 const struct hsr_algorithm takes_triangles = {.name = "triangles",
                                               .subjects = 1 << HSR_FACES,
-                                              .kind = HSR_IDS,
+                                              .makes = {{HSR_IDS}},
                                               .restrictions = HSR_TR};
 
 static enum hsr_status choose_peer(const char *name, const struct peer **chosen,
@@ -101,7 +101,7 @@ struct run {
   const struct peer *peer;
   const struct serve_request *request;
   struct stage stage;
-  struct hsr_scene once; /* of an outline: its objects, which are borrowed, */
+  struct hsr_scene once;    /* of a roster: its objects, which are borrowed, */
   struct hsr_world objects; /* laid out once each */
   struct hsr_setup setup;
   struct peer_canvas canvas;

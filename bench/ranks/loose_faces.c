@@ -56,8 +56,7 @@ static void add_placed(struct loose_faces *out, const struct hsr_world *world,
                        struct hsr_place at, uint32_t id) {
   const struct hsr_object *object = at.object;
   const double *m = world->roster.scene->instances[at.instance].m;
-  const float *rgb =
-      object->rgb ? object->rgb + 3 * (size_t)at.face : object->colour;
+  const float *rgb = hsr_face_rgb(object, at.face);
   uint32_t start = object->start[at.face], end = object->start[at.face + 1];
   out->id[out->n] = id;
   out->size[out->n] = end - start;

@@ -49,11 +49,12 @@ enum hsr_status ranks_join(struct hsr_error *err) {
     return hsr_fail(err, HSR_E_INPUT,
                     "this hsr is built without MPI (configure --with-mpi), so "
                     "mpirun cannot share its work out");
-  const struct ranks_library *library =
-      hsr_library_table("hsr-ranks.so", "hsr_ranks", err);
-  if (!library)
-    return HSR_E_INPUT;
-  enum hsr_status status = library->join(&count, &own, err);
+  const void *table;
+  enum hsr_status status =
+      hsr_library_table("hsr-ranks.so", "hsr_ranks", &table, err);
+  const struct ranks_library *library = table;
+  if (!status)
+    status = library->join(&count, &own, err);
   if (status)
     return status;
   mpi = library;

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-/* Opens the scene, of several frames the one at hand. */
+/* Opens the scene, of several frames the current one. */
 static enum hsr_status open_named(struct render *r, struct hsr_scene **scene,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
@@ -108,7 +108,7 @@ static void print_report(const struct render *r,
   if (r->options->last_frame >= 0 && r->setup.flags & HSR_FRAME_STATE)
     printf("what it keeps from frame to frame was kept %ld of %ld times\n",
            r->n_kept, r->options->last_frame - r->options->first_frame);
-  if (hsr_scene_is_transparent(r->scene) && r->kind != HSR_TRANSPARENT)
+  if (hsr_scene_is_transparent(r->scene) && !r->kind->sees_through)
     printf("the scene has transparent faces; they are drawn as opaque ones\n");
   char times[300];
   if (r->options->sort_last)
@@ -140,7 +140,7 @@ static void print_report(const struct render *r,
  * plane shows nothing. */
 static enum hsr_status say_seams(const struct render *r,
                                  struct hsr_error *err) {
-  const struct hsr_drawing *drawing = hsr_answer_drawing_of(&r->answer);
+  const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
   size_t seams = 0, edges = 0;
   if (!drawing || r->options->crease >= 0 || !r->options->n_outputs)
     return HSR_OK;
@@ -242,11 +242,13 @@ static void ask_for_transparency(const struct render *r,
                                  struct hsr_variant *variant) {
   const struct render_options *o = r->options;
   const struct hsr_algorithm *a = variant->listed->plain;
-  if (hsr_makes_also(a, HSR_TRANSPARENT) &&
-      variant->choice.form.type == a->kind &&
-      hsr_scene_is_transparent(r->scene) && !o->given[HSR_SHADING] &&
-      !o->given[HSR_SUPERSAMPLES])
-    variant->choice.form = hsr_form_standard(HSR_TRANSPARENT);
+  if (variant->choice.form.type != hsr_own_kind(a) ||
+      !hsr_scene_is_transparent(r->scene) || o->given[HSR_SHADING] ||
+      o->given[HSR_SUPERSAMPLES])
+    return;
+  for (int k = 0; hsr_makes_besides(a, k); k++)
+    if (hsr_makes_besides(a, k)->sees_through)
+      variant->choice.form = hsr_form_standard(hsr_makes_besides(a, k));
 }
 
 /* Makes ready for the scene, which is open. */
@@ -301,7 +303,7 @@ static bool may_follow(const struct render *r, const struct hsr_scene *then) {
   return r->setup.flags & HSR_FOLLOWS && hsr_scene_has_objects(r->scene, then);
 }
 
-/* Goes on to the frame at hand. What is prepared is kept if nothing moves; or if
+/* Goes on to the current frame. What is prepared is kept if nothing moves; or if
  * objects move, and the algorithm takes them as a roster, or follows. If not,
  * all is made anew. */
 static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,

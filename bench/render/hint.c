@@ -28,7 +28,9 @@ static void list_names(const struct hsr_answer_type *kind, char *names,
     if (l->plain->flags & HSR_NO_PICTURE)
       continue;
     struct hsr_variant variant = hsr_variant_standard(l);
-    for (int k = 0; variant.choice.form.type != kind && l->plain->also[k]; k++)
+    for (int k = 0;
+         variant.choice.form.type != kind && hsr_makes_besides(l->plain, k);
+         k++)
       variant = hsr_variant_also(l, k);
     if (variant.choice.form.type != kind || n++ >= MOST_NAMED || used >= size)
       continue;
@@ -43,9 +45,10 @@ static void hint(const struct hsr_variant *variant, const struct wish *wish,
                  char text[MOST_HINT]) {
   const struct hsr_algorithm *a = variant->listed->plain;
   *text = '\0';
-  for (int k = 0; a->also[k]; k++)
-    if (grants(a->also[k], wish)) {
-      snprintf(text, MOST_HINT, "; it is for %s: -a %.150s", a->also[k]->draws,
+  for (int k = 0; hsr_makes_besides(a, k); k++)
+    if (grants(hsr_makes_besides(a, k), wish)) {
+      snprintf(text, MOST_HINT, "; it is for %s: -a %.150s",
+               hsr_makes_besides(a, k)->draws,
                hsr_variant_also(variant->listed, k).name);
       return;
     }

@@ -44,6 +44,7 @@ static error_t parse_background(struct render_options *o, const char *arg) {
   double rgb[3] = {255, 255, 255};
   o->given[HSR_BACKDROP] = "--background";
   o->no_background = !strcmp(arg, "none");
+  o->given[HSR_NO_BACKDROP] = o->no_background ? "--background none" : NULL;
   o->has_background = true;
   bool good =
       o->no_background || !strcmp(arg, "white") || parse_point(arg, rgb);
@@ -398,13 +399,7 @@ static bool is_exr(const char *path) {
 
 /* Checks that each file can be what is asked for. */
 static enum hsr_status check_files(const struct render_options *o,
-                                   const struct hsr_variant *variant,
                                    struct hsr_error *err) {
-  const struct hsr_answer_type *kind = variant->choice.form.type;
-  if (o->no_background && kind != HSR_IDS)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "--background none is not for %s, which %s draws",
-                    kind->draws, variant->name);
   for (int k = 0; k < o->n_outputs; k++) {
     if (o->no_background && !hsr_ends_in(o->output[k], ".png"))
       return hsr_fail(err, HSR_E_USAGE,
@@ -440,18 +435,13 @@ static enum hsr_status check_tiles(const struct render_options *o,
                           "--size %dx%d: a side above %d needs --tiles",
                           o->view.m, o->view.n, HSR_MAX_SIZE);
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  struct hsr_filtering filtering = hsr_form_filtering(&variant->choice.form);
   if (!has_tiles(variant))
     return hsr_fail(err, HSR_E_USAGE, "--tiles is not for %s, which %s draws",
                     kind->draws, variant->name);
-  bool wide = filtering.filter != HSR_FILTER_NONE &&
-              filtering.filter != HSR_FILTER_BOX &&
-              filtering.filter != HSR_FILTER_BOX_4X8;
-  if (wide || filtering.patterns)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "--tiles is for the filters box and box4x8, which do not "
-                    "reach into the next tile, and without jitter, whose "
-                    "patterns begin at the corner of the picture");
+  const char *why =
+      kind->not_by_tiles ? kind->not_by_tiles(&variant->choice.form) : NULL;
+  if (why)
+    return hsr_fail(err, HSR_E_USAGE, "--tiles %s", why);
   if (o->n_outputs != 1 || !is_exr(o->output[0]))
     return hsr_fail(err, HSR_E_USAGE, "--tiles needs one -o FILE.exr");
   if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1 ||
@@ -471,11 +461,9 @@ static enum hsr_status check_parts(const struct render_options *o,
   const struct hsr_answer_type *kind = variant->choice.form.type;
   if (!o->sort_last)
     return HSR_OK;
-  bool folds = kind->fold && kind->fold->of == HSR_IDS &&
-               variant->listed->plain->kind == HSR_IDS;
   bool adds = kind->summing && kind->summing->fits(&variant->choice.form) &&
-              variant->listed->plain->flags & HSR_SUMS;
-  if (kind != HSR_IDS && !folds && !adds)
+              hsr_makes_how(variant->listed->plain, kind) & HSR_SUMS;
+  if (!hsr_choice_composes(variant->listed->plain, &variant->choice) && !adds)
     return hsr_fail(err, HSR_E_USAGE,
                     "--sort-last is not for %s, which %s draws: those of parts "
                     "do not make up that of the scene",
@@ -509,12 +497,12 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
   if (!status)
     status = check_series(o, err);
   if (!status)
-    status = check_files(o, variant, err);
+    status = check_kind(o, variant, err);
+  if (!status)
+    status = check_files(o, err);
   if (!status)
     status = check_tiles(o, variant, err);
   if (!status)
     status = check_passes(o, variant, err);
-  if (!status)
-    status = check_parts(o, variant, err);
-  return status ? status : check_kind(o, variant, err);
+  return status ? status : check_parts(o, variant, err);
 }

@@ -84,7 +84,7 @@ static enum hsr_status write_work(const char *path, const struct hsr_view *view,
 static enum hsr_status write_answer(const struct sheet *s,
                                     const struct hsr_answer *answer,
                                     const char *path, struct hsr_error *err) {
-  const struct hsr_drawing *lines = hsr_answer_drawing_of(answer);
+  const struct hsr_drawing *lines = hsr_answer_lines(answer);
   bool many = lines && lines->n > MANY_LINES;
   struct hsr_showing showing = {.world = &s->stage.world,
                                 .view = &s->stage.view,
@@ -197,9 +197,9 @@ static enum hsr_status draw_file(const struct sheet *s, const struct drawing *d,
   if (!tally.work)
     return hsr_fail_nomem(err);
   ids[0] = 0;
-  enum hsr_status status =
-      draw(s, d->algorithm, d->algorithm->kind->uncertainty ? &passes : NULL,
-           &tally, &answer, err);
+  enum hsr_status status = draw(
+      s, d->algorithm, hsr_own_kind(d->algorithm)->uncertainty ? &passes : NULL,
+      &tally, &answer, err);
   if (!status)
     status = series.status;
   const uint32_t *got = status ? NULL : hsr_answer_ids_of(&answer);
@@ -263,7 +263,7 @@ static bool wait_for_one(struct sheet *s, struct drawer **drawer) {
 
 /* Has the kind a picture of its own, as pixels, unlike ids and lines? */
 static bool is_picture(const struct hsr_answer_type *kind) {
-  return kind != HSR_IDS && kind->show_difference;
+  return !kind->by_faces && kind->show_difference;
 }
 
 /* --- What the page is told of a drawing ----------------------------------- */
@@ -316,7 +316,7 @@ static enum hsr_status tell_faces(struct sheet *s, struct drawing *d,
   long n = 0;
   json_object_set_new(s->differences, a->name, differences_json(s, ids, &n));
   d->entry = json_pack("{ss ss ss sI ss sn ss?}", "algorithm", a->name, "kind",
-                       a->kind->name, "status", n ? "wrong" : "ok",
+                       hsr_own_kind(a)->name, "status", n ? "wrong" : "ok",
                        "mismatches", (json_int_t)n, "work", d->file, "drawing",
                        "difference", n ? difference : NULL);
   return n ? write_difference(s, ids, difference, err) : HSR_OK;
@@ -343,29 +343,29 @@ static void tell_picture(const struct sheet *s, struct drawing *d,
   char path[PATH];
   path_of(s, d->work, path);
   bool work = !access(path, F_OK);
-  d->entry =
-      json_pack("{ss ss ss sI ss? sn sn ss so}", "algorithm", a->name, "kind",
-                a->kind->name, "status", results_text(d->cell, "status"),
-                "mismatches", (json_int_t)results_number(d->cell, "mismatches"),
-                "work", work ? d->work : NULL, "drawing", "difference",
-                "picture", d->file, "passes", passes_json(s, d, told));
+  d->entry = json_pack("{ss ss ss sI ss? sn sn ss so}", "algorithm", a->name,
+                       "kind", hsr_own_kind(a)->name, "status",
+                       results_text(d->cell, "status"), "mismatches",
+                       (json_int_t)results_number(d->cell, "mismatches"),
+                       "work", work ? d->work : NULL, "drawing", "difference",
+                       "picture", d->file, "passes", passes_json(s, d, told));
 }
 
 /* A line drawing was judged when it was counted. */
 static void tell_lines(struct drawing *d) {
   const struct hsr_algorithm *a = d->algorithm;
-  d->entry =
-      json_pack("{ss ss ss sI sn ss sn}", "algorithm", a->name, "kind",
-                a->kind->name, "status", results_text(d->cell, "status"),
-                "mismatches", (json_int_t)results_number(d->cell, "mismatches"),
-                "work", "drawing", d->file, "difference");
+  d->entry = json_pack("{ss ss ss sI sn ss sn}", "algorithm", a->name, "kind",
+                       hsr_own_kind(a)->name, "status",
+                       results_text(d->cell, "status"), "mismatches",
+                       (json_int_t)results_number(d->cell, "mismatches"),
+                       "work", "drawing", d->file, "difference");
 }
 
 static enum hsr_status tell(struct sheet *s, struct drawing *d, uint32_t *ids,
                             struct hsr_error *err) {
-  if (d->algorithm->kind == HSR_IDS)
+  if (hsr_own_kind(d->algorithm)->by_faces)
     return tell_faces(s, d, ids, err);
-  if (is_picture(d->algorithm->kind))
+  if (is_picture(hsr_own_kind(d->algorithm)))
     tell_picture(s, d, ids);
   else
     tell_lines(d);
@@ -376,7 +376,7 @@ static enum hsr_status tell(struct sheet *s, struct drawing *d, uint32_t *ids,
 
 /* The oracle's drawing comes first; it is among the others if it has a cell. */
 static enum hsr_status draw_oracle(struct sheet *s, struct hsr_error *err) {
-  struct drawing alone = {.algorithm = oracle_of(&hsr_answer_ids)};
+  struct drawing alone = {.algorithm = oracle_of(HSR_IDS)};
   struct drawing *oracle = &alone;
   for (int k = 0; k < s->n_drawings; k++)
     if (!strcmp(s->drawing[k].algorithm->name, alone.algorithm->name))
@@ -434,8 +434,8 @@ static void keep_once(struct sheet *s, int k) {
   char own[PATH], earlier[PATH];
   path_of(s, s->drawing[k].file, own);
   for (int i = 0; i < k; i++) {
-    if (!s->drawing[i].entry ||
-        s->drawing[i].algorithm->kind != s->drawing[k].algorithm->kind)
+    if (!s->drawing[i].entry || hsr_own_kind(s->drawing[i].algorithm) !=
+                                    hsr_own_kind(s->drawing[k].algorithm))
       continue;
     path_of(s, s->drawing[i].file, earlier);
     if (!same_bytes(own, earlier))
@@ -451,21 +451,21 @@ static void keep_once(struct sheet *s, int k) {
 /* --- The sheet ------------------------------------------------------------ */
 
 bool is_shown(const struct hsr_algorithm *a) {
-  return !(a->flags & HSR_NO_PICTURE) &&
-         (a->kind->show_difference || a->kind->fits("drawing.svg"));
+  return !(a->flags & HSR_NO_PICTURE) && (hsr_own_kind(a)->show_difference ||
+                                          hsr_own_kind(a)->fits("drawing.svg"));
 }
 
 /* Lists the algorithms that have a cell, of faces or of others. */
 static void list_drawings_of(struct sheet *s, bool faces) {
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++) {
     const json_t *cell = json_object_get(s->subject->cells, a->plain->name);
-    if (!cell || (a->plain->kind->show_difference != NULL) != faces)
+    if (!cell || (hsr_own_kind(a->plain)->show_difference != NULL) != faces)
       continue;
     struct drawing *d = &s->drawing[s->n_drawings++];
     *d = (struct drawing){.algorithm = a->counting, .cell = cell};
     const char *name = a->plain->name;
     int number = s->subject->number;
-    bool picture = is_picture(a->plain->kind);
+    bool picture = is_picture(hsr_own_kind(a->plain));
     snprintf(d->file, sizeof d->file, "%s/p%d-%s.%s",
              picture ? "pictures"
              : faces ? "work"
@@ -558,7 +558,7 @@ static json_t *entries_json(struct sheet *s) {
   for (int k = 0; k < s->n_drawings; k++) {
     if (!s->drawing[k].entry)
       continue;
-    if (!s->drawing[k].algorithm->kind->show_difference)
+    if (!hsr_own_kind(s->drawing[k].algorithm)->show_difference)
       keep_once(s, k);
     hsr_json_append(&entries, json_incref(s->drawing[k].entry));
   }

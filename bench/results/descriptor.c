@@ -46,8 +46,8 @@ static json_t *subjects_json(const struct hsr_algorithm *a) {
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
   for (const struct hsr_counter *c = a->counters; c && c->name; c++)
-    hsr_json_append(&counters, json_pack("{ss ss}", "name", c->name, "meaning",
-                                         c->meaning));
+    hsr_json_append(&counters, json_pack("{ss ss* ss}", "name", c->name, "key",
+                                         c->key, "meaning", c->meaning));
   return counters;
 }
 
@@ -91,15 +91,16 @@ static json_t *year_json(const struct hsr_algorithm *a) {
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
   return json_pack(
-      "{ss ss ss so ss ss ss* ss* ss* ss so sb sb so so so so so}", "name",
+      "{ss ss ss so ss ss ss* ss* ss* ss sb so sb sb so so so so so}", "name",
       a->name, "title", a->title, "authors", a->authors, "year", year_json(a),
       "source", a->source, "taxonomy", taxonomy(a->taxonomy).class, "branch",
       taxonomy(a->taxonomy).branch, "sort_order", a->sort_order, "coherence",
-      a->coherence, "kind", a->kind->name, "subjects", subjects_json(a),
-      "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
-      (a->flags & HSR_VISIBLE_ONLY) != 0, "restrictions", restrictions_json(a),
-      "sorts", sorts_json(a), "counters", counters_json(a), "steps",
-      steps_json(a), "options", options_json(a));
+      a->coherence, "kind", hsr_own_kind(a)->name, "draws",
+      !(a->flags & HSR_NO_PICTURE), "subjects", subjects_json(a), "known_wrong",
+      (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
+      (a->makes[0].how & HSR_VISIBLE_ONLY) != 0, "restrictions",
+      restrictions_json(a), "sorts", sorts_json(a), "counters",
+      counters_json(a), "steps", steps_json(a), "options", options_json(a));
 }
 
 json_t *algorithms_json(void) {

@@ -129,6 +129,10 @@ struct figure figure_quotient(const double *a, int n, const double *b, int m) {
   return interval(mean, sqrt(all), freedom);
 }
 
+bool figure_has_interval(const struct figure *figure) {
+  return !isnan(figure->low);
+}
+
 bool figure_distinguishable(const struct figure *ratio) {
   return ratio->low > 1 || ratio->high < 1;
 }

@@ -39,6 +39,9 @@ struct figure figure_of_logs(const double *logs, int n);
  * interval by Welch's t. */
 struct figure figure_quotient(const double *a, int n, const double *b, int m);
 
+/* Whether there were enough samples for an interval. */
+bool figure_has_interval(const struct figure *figure);
+
 /* Whether 1 is outside the interval. False where there is none. */
 bool figure_distinguishable(const struct figure *ratio);
 

@@ -3,6 +3,7 @@
 #include "common/files/json/json_read.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,6 +65,24 @@ const json_t *results_view(const struct results *results, const char *key) {
 
 const json_t *results_cell(const struct results *results, const char *key) {
   return find(results, results->cells, key);
+}
+
+const struct hsr_listed *results_listed(const char *variant) {
+  char name[RESULTS_MOST_NAME + 1];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(variant, ":"), variant);
+  return hsr_algorithm_find(name);
+}
+
+double results_count(const json_t *cell, const char *key) {
+  const struct hsr_listed *listed =
+      results_listed(results_text(cell, "algorithm"));
+  const struct hsr_counter *c = listed ? listed->plain->counters : NULL;
+  while (c && c->name && !hsr_has_key(c, key))
+    c++;
+  const json_t *count =
+      c && c->name ? json_object_get(json_object_get(cell, "counts"), c->name)
+                   : NULL;
+  return json_is_integer(count) ? (double)json_integer_value(count) : NAN;
 }
 
 /* --- Reading -------------------------------------------------------------- */

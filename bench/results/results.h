@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads what hsr bench wrote: lines of JSON, of the schema hsr-bench/1
- * (docs/bench.schema.json). Several files can be joined end to end into one. */
+ * (docs/schemas/bench.schema.json). Several files can be joined end to end into one. */
 #ifndef HSR_BENCH_RESULTS_H
 #define HSR_BENCH_RESULTS_H
 
+#include "bench/modules/modules.h"
 #include "common/base/status.h"
 
 #include <jansson.h>
@@ -31,6 +32,13 @@ enum hsr_status results_add(struct results *results, json_t *record,
 /* A field of a record; "" or 0 if the record does not have it. */
 const char *results_text(const json_t *record, const char *field);
 long results_number(const json_t *record, const char *field);
+
+/* The algorithm of a variant, or NULL. */
+const struct hsr_listed *results_listed(const char *variant);
+
+/* What a cell counted by the counter of that key of its algorithm; NAN if it has
+ * none. */
+double results_count(const json_t *cell, const char *key);
 
 /* The key of a view or cell record. Two records with one key are of the same
  * view or cell. A view has "scene 1 512x512"; a walk over views 1 to 8 has

@@ -8,6 +8,7 @@
 #include "common/base/share.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,10 +45,20 @@ struct worker {
   double seconds; /* of a processor, for the last picture */
 };
 
+/* How far the crew is, for whoever watches it. */
+struct progress_of_crew {
+  struct crew_watch watch; /* .tell is NULL: nobody watches */
+  pthread_mutex_t turn;    /* for the rest, and for calls of `tell` */
+  int begun, all;          /* parts of the picture at hand */
+  long before, pictures;   /* pictures of the answer before it; and all */
+  bool stopped;
+};
+
 struct crew {
   int n;
   bool together; /* with those of all ranks */
   struct crew_work work;
+  struct progress_of_crew progress;
   struct worker worker[];
 };
 
@@ -55,15 +66,23 @@ struct crew *crew_new(long threads) {
   int n = hsr_threads(threads);
   struct crew *crew =
       calloc(1, sizeof *crew + (size_t)n * sizeof *crew->worker);
-  if (crew)
-    crew->n = n;
+  if (!crew)
+    return NULL;
+  crew->n = n;
+  pthread_mutex_init(&crew->progress.turn, NULL);
   return crew;
 }
 
 void crew_free(struct crew *crew) {
   for (int k = 0; crew && k < crew->n; k++)
     hsr_arena_free(&crew->worker[k].scratch);
+  if (crew)
+    pthread_mutex_destroy(&crew->progress.turn);
   free(crew);
+}
+
+void crew_watch(struct crew *crew, const struct crew_watch *watch) {
+  crew->progress.watch = *watch;
 }
 
 void crew_join_ranks(struct crew *crew) {
@@ -92,11 +111,34 @@ static double processor_seconds(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* Tells that one more part is begun. Returns whether the crew goes on. */
+static bool begin_part(struct progress_of_crew *p) {
+  if (!p->watch.tell)
+    return true;
+  pthread_mutex_lock(&p->turn);
+  double part = (double)p->begun++ / p->all;
+  if (!p->stopped)
+    p->stopped = !p->watch.tell(p->watch.whom, ((double)p->before + part) /
+                                                   (double)p->pictures);
+  bool goes_on = !p->stopped;
+  pthread_mutex_unlock(&p->turn);
+  return goes_on;
+}
+
+static enum hsr_status say_stopped(struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_STOPPED, "stopped by whoever asked for it");
+}
+
 static void work(void *context, int thread) {
-  struct worker *worker = &((struct crew *)context)->worker[thread];
+  struct crew *crew = context;
+  struct worker *worker = &crew->worker[thread];
   struct parts *parts = worker->parts;
   double begin = processor_seconds();
   for (int k; (k = (int)queue_take(&parts->queue)) >= 0;) {
+    if (!begin_part(&crew->progress)) {
+      worker->status = say_stopped(&worker->err);
+      break;
+    }
     struct hsr_view view = *parts->view;
     view.window = window_of_part(parts, k);
     if (parts->is_own)
@@ -130,17 +172,18 @@ static int side_for(double samples, long n) {
 }
 
 /* Divides the picture into squares if these are chosen, or for several ranks;
- * otherwise into bands for several threads. */
-static void divide(struct parts *parts, int threads, bool by_ranks) {
+ * otherwise into bands for several threads, or for those who watch: at least
+ * `bands` of them. */
+static void divide(struct parts *parts, int threads, int bands, bool by_ranks) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
   int window = (int)parts->setup->choice.window;
   if (!window && by_ranks)
     window = side_for((double)columns * rows, (long)threads * ranks_count());
   parts->width = window ? window : columns;
-  parts->height = window        ? window
-                  : threads > 1 ? rows / (4 * threads) + 1
-                                : rows;
+  int least = threads > 1 ? 4 * threads : 1;
+  bands = bands > least ? bands : least;
+  parts->height = window ? window : bands > 1 ? rows / bands + 1 : rows;
   parts->across = (columns + parts->width - 1) / parts->width;
   parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
   queue_open(&parts->queue, parts->all, by_ranks);
@@ -220,6 +263,32 @@ static enum hsr_status draw_together(struct crew *crew, struct parts *parts,
 
 /* --- Whole answers -------------------------------------------------------- */
 
+static void clear(struct hsr_answer *answer) {
+  if (answer->form.type->clear)
+    answer->form.type->clear(answer);
+}
+
+/* Draws one picture: the answer, or one that it is folded from. */
+static enum hsr_status draw(struct crew *crew, const struct hsr_setup *setup,
+                            const struct hsr_view *view,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
+                            struct hsr_error *err) {
+  clear(answer);
+  bool whole = !answer->form.type->by_windows ||
+               tally->trace; /* its events are in order */
+  bool together = crew->together && !whole;
+  if (crew->together && whole && ranks_own())
+    return HSR_OK; /* rank 0 makes it alone */
+  bool alone = whole || setup->flags & HSR_FRAME_STATE;
+  int threads = alone ? 1 : crew->n;
+  struct parts parts = {.setup = setup, .view = view, .answer = answer};
+  divide(&parts, threads, alone ? 1 : crew->progress.watch.parts, together);
+  crew->progress.begun = 0;
+  crew->progress.all = parts.all;
+  return together ? draw_together(crew, &parts, threads, tally, err)
+                  : draw_parts(crew, &parts, threads, tally, err);
+}
+
 /* Folds the answer from pictures that the crew draws. */
 static enum hsr_status fold(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view,
@@ -227,11 +296,14 @@ static enum hsr_status fold(struct crew *crew, const struct hsr_setup *setup,
                             struct hsr_error *err) {
   const struct hsr_fold *how = answer->form.type->fold;
   enum hsr_status status = HSR_OK;
-  for (long k = 0; k < how->n(&answer->form) && !status; k++) {
+  clear(answer);
+  crew->progress.pictures = how->n(&answer->form);
+  for (long k = 0; k < crew->progress.pictures && !status; k++) {
     struct hsr_view picture;
+    crew->progress.before = k;
     status = how->view(&answer->form, view, k, &picture, err);
     if (!status)
-      status = crew_render(crew, setup, &picture, answer->picture, tally, err);
+      status = draw(crew, setup, &picture, answer->picture, tally, err);
     if (!status && !(crew->together && ranks_own()))
       how->add(answer, setup->world, view, k);
   }
@@ -242,20 +314,15 @@ enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view,
                             struct hsr_answer *answer, struct hsr_tally *tally,
                             struct hsr_error *err) {
-  if (answer->form.type->clear)
-    answer->form.type->clear(answer);
-  if (answer->picture)
-    return fold(crew, setup, view, answer, tally, err);
-  bool whole = !answer->form.type->by_windows ||
-               tally->trace; /* its events are in order */
-  bool together = crew->together && !whole;
-  if (crew->together && whole && ranks_own())
-    return HSR_OK; /* rank 0 makes it alone */
-  int threads = whole || setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
-  struct parts parts = {.setup = setup, .view = view, .answer = answer};
-  divide(&parts, threads, together);
-  return together ? draw_together(crew, &parts, threads, tally, err)
-                  : draw_parts(crew, &parts, threads, tally, err);
+  struct progress_of_crew *progress = &crew->progress;
+  progress->before = 0;
+  progress->pictures = 1;
+  progress->stopped = false;
+  enum hsr_status status =
+      (answer->picture ? fold : draw)(crew, setup, view, answer, tally, err);
+  if (!status && progress->watch.tell)
+    progress->watch.tell(progress->watch.whom, 1);
+  return status;
 }
 
 enum hsr_status answer_init(struct hsr_answer *answer,

@@ -25,6 +25,20 @@ void crew_free(struct crew *crew); /* NULL is allowed */
  * makes alone. */
 void crew_join_ranks(struct crew *crew);
 
+/* Who watches a crew. `tell` gets the share of the picture that is drawn, from
+ * 0 to 1, before each part and at the end. One thread of the crew at a time
+ * calls it. If it returns false the crew stops, and crew_render returns
+ * HSR_E_STOPPED. */
+struct crew_watch {
+  bool (*tell)(void *whom, double share);
+  void *whom;
+  int parts; /* a picture that may be drawn in bands is drawn in at least so
+                many */
+};
+
+/* From now on the pictures of the crew are watched. *watch is copied. */
+void crew_watch(struct crew *crew, const struct crew_watch *watch);
+
 /* What a crew has done in this rank so far. */
 struct crew_work {
   double seconds;         /* of processors, drawing */

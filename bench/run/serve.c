@@ -2,6 +2,7 @@
 #include "bench/run/serve.h"
 
 #include "bench/options/words.h"
+#include "common/answers/kinds/ids.h"
 #include "common/base/clock.h"
 
 #include <stdlib.h>

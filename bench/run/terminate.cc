@@ -6,9 +6,7 @@
 
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <gmp.h>
 #include <new>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -31,19 +29,6 @@ bool parent_tells = false;
 [[noreturn]] void end_without_memory() {
   static const char no_memory[] = "hsr: out of memory\n";
   end(no_memory, parent_tells ? 0 : sizeof no_memory - 1, HSR_E_NOMEM);
-}
-
-/* For GMP, which cannot handle a failure. */
-void *allocate(size_t size) {
-  void *p = std::malloc(size);
-  return p ? p : (end_without_memory(), nullptr);
-}
-void *reallocate(void *p, size_t, size_t size) {
-  void *q = std::realloc(p, size);
-  return q ? q : (end_without_memory(), nullptr);
-}
-void release(void *p, size_t) {
-  std::free(p);
 }
 
 [[noreturn]] void terminate() {
@@ -76,5 +61,4 @@ void end_with_parent(pid_t parent) {
 
 void end_in_one_line(void) {
   std::set_terminate(terminate);
-  mp_set_memory_functions(allocate, reallocate, release);
 }

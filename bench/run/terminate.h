@@ -10,9 +10,7 @@ extern "C" {
 
 /* From now on, errors that cannot be returned to a caller end the program with
  * one line instead of an abort. An exception that nothing catches ends it with
- * status 4 if it is for lack of memory, and otherwise with status 5. A lack of
- * memory inside GMP, which CGAL's rational numbers use, ends it with status 4.
- */
+ * status 4 if it is for lack of memory, and otherwise with status 5. */
 void end_in_one_line(void);
 
 /* Ends the process without the destructors of libraries. In a forked process

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/modules/modules.h"
 #include "bench/shapes/shapes.h"
 
 #include "algorithms/engines/cubes/cubes.h"
@@ -19,23 +18,27 @@ struct states {
   unsigned char *state;
 };
 
-/* What an event says about its cube, by the name of its counter. */
-static enum cube_state state_of(const char *counter) {
-  return !strcmp(counter, "nodes visited")  ? CUBE_VISITED
-         : !strcmp(counter, "nodes out")    ? CUBE_OUT
-         : !strcmp(counter, "cubes culled") ? CUBE_HIDDEN
-                                            : CUBE_NOT_REACHED;
+/* What an event says about its cube, by the key of its counter. */
+static enum cube_state state_of(const struct hsr_counter *counter) {
+  return hsr_has_key(counter, "cube-visited")  ? CUBE_VISITED
+         : hsr_has_key(counter, "cube-out")    ? CUBE_OUT
+         : hsr_has_key(counter, "cube-culled") ? CUBE_HIDDEN
+                                               : CUBE_NOT_REACHED;
 }
 
 static void hear(void *context, const struct hsr_event *event) {
   const struct states *s = context;
-  enum cube_state state = state_of(s->algorithm->counters[event->counter].name);
+  enum cube_state state = state_of(&s->algorithm->counters[event->counter]);
   if (event->a.kind != HSR_OF_CELL || !state)
     return;
   const uint32_t node = event->a.id[0], instance = event->a.id[1];
   size_t k = node + (instance == HSR_NO_ID ? 0 : s->first[instance]);
   if (k < s->n && s->state[k] < state)
     s->state[k] = (unsigned char)state;
+}
+
+static void ignore(void *context, const struct hsr_event *event) {
+  (void)context, (void)event;
 }
 
 static enum hsr_status states_init(struct states *s,
@@ -102,58 +105,40 @@ static enum hsr_status list_octree(struct cell_list *list,
   return HSR_OK;
 }
 
-/* --- The algorithm's rule ------------------------------------------------- */
-
-static long option(const struct hsr_algorithm *a,
-                   const struct hsr_values *values, const char *name) {
-  for (int k = 0; a->options[k].name; k++)
-    if (!strcmp(a->options[k].name, name))
-      return values->option[k];
-  return 0;
-}
-
-/* As hzbuffer's prepare makes it. */
-static struct hsr_octree_rule rule_of(const struct hsr_setup *setup) {
-  const struct hsr_algorithm *a = setup->algorithm;
-  struct hsr_values values = setup->choice.values;
-  if (strcmp(a->name, "hzbuffer") != 0) {
-    a = hsr_algorithm_find("hzbuffer")->plain;
-    values = hsr_values_standard(a->options);
-  }
-  uint32_t least = (uint32_t)option(a, &values, "least");
-  bool pushed = !option(a, &values, "placement");
-  return (struct hsr_octree_rule){
-      .small = pushed ? 0.1 : 0, .most = least, .least = least};
-}
+/* --- All of them ----------------------------------------------------------- */
 
 enum hsr_status shape_octree(const struct shape_source *source,
                              struct cell_list *list, struct hsr_error *err) {
   static const double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   static const char *const names[] = {"instance", "node", "level", "items",
                                       "state"};
-  struct hsr_octree_rule rule = rule_of(source->setup);
-  struct hsr_cubes cubes;
+  const struct hsr_cubes *cubes = hsr_setup_show(source->setup).cubes;
   struct states states = {.first = NULL};
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_answer answer = {.body = NULL};
+  if (!cubes)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s has no octree of cubes: -a hzbuffer has",
+                    source->setup->algorithm->name);
   for (int k = 0; k < 5; k++)
     cell_list_data(list, names[k], HSR_CELL_NUMBERS);
-  enum hsr_status status =
-      hsr_cubes_init(&cubes, source->setup->world, &rule, err);
+  /* A lazy octree is divided while a frame is drawn. So the first frame divides
+   * it, and the second is heard. */
+  enum hsr_status status = hear_run(source, &answer, &tally, ignore, NULL, err);
+  hsr_answer_free(&answer);
   if (!status)
-    status = states_init(&states, source, &cubes, err);
-  if (!status && !strcmp(source->setup->algorithm->name, "hzbuffer"))
+    status = states_init(&states, source, cubes, err);
+  if (!status)
     status = hear_run(source, &answer, &tally, hear, &states, err);
   if (!status)
     status =
-        list_octree(list, &cubes.octree, here, HSR_NO_ID, states.state, err);
-  for (uint32_t i = 0; !status && i < cubes.scene->n_instances; i++) {
-    const struct hsr_instance *instance = &cubes.scene->instances[i];
-    status = list_octree(list, &cubes.object[instance->object].octree,
+        list_octree(list, &cubes->octree, here, HSR_NO_ID, states.state, err);
+  for (uint32_t i = 0; !status && i < cubes->scene->n_instances; i++) {
+    const struct hsr_instance *instance = &cubes->scene->instances[i];
+    status = list_octree(list, &cubes->object[instance->object].octree,
                          instance->m, i, states.state + states.first[i], err);
   }
   hsr_answer_free(&answer);
   states_free(&states);
-  hsr_cubes_free(&cubes);
   return status;
 }

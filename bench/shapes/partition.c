@@ -39,7 +39,7 @@ struct walk {
   const struct tree *tree;
   const struct hsr_view *view;
   struct cell_list *list;
-  struct half half[MOST_DEPTH + 6]; /* that bound the cell at hand */
+  struct half half[MOST_DEPTH + 6]; /* that bound the current cell */
   int n, deepest;
   double size; /* of the box */
   uint32_t place;
@@ -104,7 +104,7 @@ static void begin_side(const struct half *plane, const double middle[3],
   }
 }
 
-/* The part of a plane within the cell at hand, but for bound `except`. */
+/* The part of a plane within the current cell, but for bound `except`. */
 static void find_side(const struct walk *w, const struct half *plane,
                       int except, struct corners *side) {
   struct corners other;
@@ -120,7 +120,7 @@ static void find_side(const struct walk *w, const struct half *plane,
   }
 }
 
-/* Side k of the cell at hand: less than three corners if it is none, or lies on
+/* Side k of the current cell: less than three corners if it is none, or lies on
  * an earlier bound, since one plane may divide a tree twice. */
 static void find_side_of(const struct walk *w, int k, struct corners *side) {
   const double least = 1e-9 * w->size;
@@ -185,7 +185,7 @@ static void list_plane(struct walk *w, uint32_t node,
   list_values(w, node, w->tree->name(w->tree->of, node), w->n - 6);
 }
 
-/* --- The walk ------------------------------------------------------------- */
+/* --- The traversal for one eye -------------------------------------------- */
 
 static bool is_eye_in_front(const struct walk *w, const struct half *plane) {
   const struct hsr_view *view = w->view;
@@ -230,7 +230,8 @@ static void visit(struct walk *w, uint32_t node) {
   visit_side(w, node, &plane, !front);
 }
 
-/* The box of all vertices, a little larger: a plane may hold one of its sides. */
+/* The box of all vertices, a little larger: a plane may hold one of its
+ * sides. */
 static void begin_box(struct walk *w, const struct hsr_world *world) {
   const double *const x[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   double lo[3], hi[3];
@@ -310,23 +311,15 @@ static uint32_t bsp_name(const void *of, uint32_t node) {
 
 enum hsr_status shape_bsp(const struct shape_source *source,
                           struct cell_list *list, struct hsr_error *err) {
-  const struct hsr_bsp_rule one_tree = {.most = 0};
-  const struct hsr_algorithm *a = source->setup->algorithm;
-  if (!(a->restrictions & (HSR_CF | HSR_TR)))
+  const struct hsr_bsp *bsp = hsr_setup_show(source->setup).bsp;
+  if (!bsp || bsp->n_cubes != 1)
     return hsr_fail(err, HSR_E_USAGE,
-                    "%s leaves faces as they are, and a BSP tree is of convex "
-                    "ones: -a bsp-painter",
-                    a->name);
-  struct hsr_bsp bsp;
-  enum hsr_status status =
-      hsr_bsp_init(&bsp, source->setup->world, &one_tree, err);
-  const struct tree tree = {&bsp, bsp_plane, bsp_child, bsp_is_leaf, bsp_name};
-  if (!status && bsp.cube[0].root == HSR_NO_BSP)
-    status = hsr_fail(err, HSR_E_INPUT, "no face is in the BSP tree");
-  if (!status)
-    status = list_tree(source, &tree, bsp.cube[0].root, list, err);
-  hsr_bsp_free(&bsp);
-  return status;
+                    "%s has no BSP tree of all faces: -a bsp-painter has",
+                    source->setup->algorithm->name);
+  const struct tree tree = {bsp, bsp_plane, bsp_child, bsp_is_leaf, bsp_name};
+  return bsp->cube[0].root == HSR_NO_BSP
+             ? hsr_fail(err, HSR_E_INPUT, "no face is in the BSP tree")
+             : list_tree(source, &tree, bsp->cube[0].root, list, err);
 }
 
 /* --- Separators ----------------------------------------------------------- */

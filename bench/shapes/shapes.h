@@ -30,7 +30,7 @@ void cell_list_free(struct cell_list *list);
 int cell_list_data(struct cell_list *list, const char *name,
                    enum hsr_cell_type type);
 
-/* Adds a point; its number. Adds a number to the cell at hand, a point's or, of
+/* Adds a point; its number. Adds a number to the current cell, a point's or, of
  * polyhedra, a count. Ends that cell. */
 uint32_t cell_list_point(struct cell_list *list, const double point[3]);
 void cell_list_number(struct cell_list *list, uint32_t number);
@@ -61,16 +61,16 @@ struct shape_source {
 /* Most cells of a shape: more are refused. */
 enum { MOST_SHAPE_CELLS = 4000000 };
 
-/* The cubes of the algorithm's octrees (hzbuffer; any other: hzbuffer's standard
- * ones), as boxes, or polygons. Data: instance (HSR_NO_ID: the octree of
- * instances), node, level, items, and state: what a run of the view did to the
- * cube. */
+/* These fail with HSR_E_USAGE if the algorithm has nothing of the kind. */
+
+/* The cubes of the algorithm's octrees, as boxes, or polygons. Data: instance
+ * (HSR_NO_ID: the octree of instances), node, level, items, and state: what a run
+ * of the view did to the cube. */
 enum cube_state { CUBE_NOT_REACHED, CUBE_VISITED, CUBE_OUT, CUBE_HIDDEN };
 enum hsr_status shape_octree(const struct shape_source *source,
                              struct cell_list *list, struct hsr_error *err);
 
-/* The cells of a BSP tree of the faces, as the algorithm bsp-painter makes it:
- * polyhedra, or of polygons the parts of its planes that divide them. Data: node,
+/* The cells of the algorithm's BSP tree of all faces: polyhedra, or of polygons the parts of its planes that divide them. Data: node,
  * depth, plane, and place: the order in which the view's eye comes to it. */
 enum hsr_status shape_bsp(const struct shape_source *source,
                           struct cell_list *list, struct hsr_error *err);

@@ -9,6 +9,7 @@
 struct changes {
   int compared, slower, faster, worse; /* cells */
   int ratios, distinguishable;         /* of their ratios to the reference */
+  int few;                             /* cells with too few starts to tell */
 };
 
 static enum hsr_status print_change(const json_t *cell, const json_t *before,
@@ -25,6 +26,7 @@ static enum hsr_status print_change(const json_t *cell, const json_t *before,
     struct figure change = figure_quotient(now.logs, now.samples.starts,
                                            then.logs, then.samples.starts);
     changes->compared++;
+    changes->few += !figure_has_interval(&change);
     if (figure_distinguishable(&change)) {
       char key[RESULTS_KEY];
       results_key(cell, key);
@@ -96,6 +98,9 @@ enum hsr_status print_changes(const struct results *results,
   }
   printf("%d cells timed in both: %d slower, %d faster; %d no longer right\n",
          changes.compared, changes.slower, changes.faster, changes.worse);
+  if (changes.few)
+    printf("%d of them have too few starts to tell: three are needed\n",
+           changes.few);
   printf("%d ratios to %s: %d distinguishable from before\n", changes.ratios,
          reference, changes.distinguishable);
   return changes.slower || changes.worse ? HSR_E_DIFFERENCE : HSR_OK;

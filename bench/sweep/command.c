@@ -3,13 +3,13 @@
  * work, as lines of JSON. */
 #include "bench/options/words.h"
 #include "bench/sweep/journal.h"
+#include "bench/terminal/terminal.h"
 #include "bench/times/rows.h"
 #include "common/base/clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <fnmatch.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -219,8 +219,8 @@ static const struct argp argp = {
         {NULL, 0, NULL, 0, "How:", 2},
         {"starts", STARTS, "N", 0, "processes a cell (standard: 5)", 2},
         {"budget", BUDGET, "SECONDS", 0,
-         "end after about this time: at least two starts a cell, and no more "
-         "than are needed to know all medians to 2 %",
+         "end after about this time: at least two starts a cell, and after "
+         "five no more than are needed to know all medians to 2 %",
          2},
         {"repetitions", REPETITIONS, "N", 0,
          "samples a process (standard: 9), one a round, in an order shuffled "
@@ -335,6 +335,7 @@ static enum hsr_status open_file(struct sweep *sweep, struct hsr_error *err) {
   sweep->file = open(path, how | O_CLOEXEC | (there ? 0 : O_EXCL), 0666);
   if (sweep->file < 0)
     return hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno));
+  sweep->is_new = !there;
   if (device)
     return HSR_OK;
   if (is_locked_by_another(sweep->file))
@@ -407,6 +408,12 @@ static void name_run(char run[17]) {
   snprintf(run, 17, "%016llx", (unsigned long long)x);
 }
 
+/* Whether the run has failed before its first record. Then it leaves no file
+ * that would block the next. */
+static bool is_left_empty(const struct sweep *sweep, enum hsr_status status) {
+  return status && sweep->is_new && !json_array_size(sweep->results.cells);
+}
+
 enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err) {
   char run[17];
@@ -420,6 +427,8 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
         &sweep, sweep_header(plan->options, run, sweep.code, argc, argv), err);
   if (!status)
     status = sweep_all(&sweep, err);
+  if (is_left_empty(&sweep, status))
+    unlink(plan->options->output);
   journal_close(&sweep.journal, !status);
   if (sweep.file >= 0 && close(sweep.file) && !status)
     status = hsr_fail(err, HSR_E_INPUT, "%s: %s", plan->options->output,
@@ -428,16 +437,47 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
   return status;
 }
 
+/* After Ctrl-C what is recorded stays, and the rest is in the journal. */
+static void tell_of_interrupt(const struct results *results) {
+  size_t n = json_array_size(results->cells);
+  if (isatty(STDERR_FILENO))
+    putc('\n', stderr); /* the terminal shows ^C */
+  if (n)
+    fprintf(stderr,
+            "hsr: interrupted; %zu cells are recorded; --resume goes on\n", n);
+  else
+    fputs("hsr: interrupted before a cell was judged\n", stderr);
+}
+
+/* Judging, two starts of every cell, and the start that is under way are
+ * brought to their end whatever the budget. */
+static void tell_of_budget(const struct sweep_options *o, double seconds) {
+  char text[200];
+  if (!o->budget || seconds <= 1.1 * (double)o->budget)
+    return;
+  snprintf(
+      text, sizeof text,
+      "budget: %ld s were asked for, the run took %.0f s. Judging, and two "
+      "starts of every cell, are never cut short",
+      o->budget, seconds);
+  terminal_wrap(stdout, 0, 2, text);
+}
+
 static enum hsr_status run_and_tell(const struct plan *plan, int argc,
                                     char **argv, struct hsr_error *err) {
   struct results results = {.headers = NULL}, baseline = {.headers = NULL};
   enum hsr_status status = HSR_OK;
   if (plan->options->baseline)
     status = results_read(&baseline, plan->options->baseline, err);
+  double begin = hsr_seconds_now();
   if (!status)
     status = sweep_run(plan, argc, argv, &results, err);
+  if (status == HSR_E_STOPPED)
+    tell_of_interrupt(&results);
   if (!status)
     status = tell(plan->options, &results, &baseline, err);
+  if (!status || status == HSR_E_DIFFERENCE)
+    tell_of_budget(plan->options, hsr_seconds_now() - begin);
   results_free(&results);
   results_free(&baseline);
   return status;
@@ -468,17 +508,6 @@ static void free_words(char **words) {
   free(words);
 }
 
-/* Ctrl-C: what is recorded stays, and what is not is in the journal. */
-static void tell_of_interrupt(int number) {
-  static const char text[] =
-      "\nhsr: interrupted; the same command with --resume goes on\n";
-  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) {
-    /* there is nobody to tell */
-  }
-  signal(number, SIG_DFL);
-  raise(number);
-}
-
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
   if (argc > 1 && !strcmp(argv[1], "merge"))
     return command_merge(argc - 1, argv + 1, err);
@@ -494,7 +523,7 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
     print_list(plan);
   else if (!status) {
     if (o->output)
-      signal(SIGINT, tell_of_interrupt);
+      interrupt_listen();
     status = run_and_tell(plan, argc, words, err);
   }
   if (plan)
@@ -502,5 +531,7 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
   free_words(words);
   free(plan);
   free(o);
+  if (status == HSR_E_STOPPED)
+    interrupt_end();
   return status;
 }

@@ -128,7 +128,7 @@ static int list_forms(const struct place_run *run,
                       struct hsr_form form[SWEEP_MOST_ENTRANTS + 1]) {
   int n = 0;
   if (run->picture)
-    form[n++] = hsr_form_standard(&hsr_answer_ids);
+    form[n++] = hsr_form_standard(HSR_IDS);
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
     if (run->kept[k])
       continue;
@@ -256,14 +256,16 @@ static void name_place(const struct place_run *run,
 
 /* --- Judging all ---------------------------------------------------------- */
 
-/* Waits for all processes, and notes what they have judged. */
+/* Waits for all processes, and notes what they have judged. After an interrupt
+ * it waits no longer. */
 static bool wait_and_note(struct place_run *run) {
   char name[RESULTS_KEY + 40];
   name_place(run, name);
   struct progress progress = progress_begin(stderr);
   bool good = true;
   pid_t ended;
-  while ((ended = waitpid(-1, NULL, WNOHANG)) >= 0 || errno == EINTR) {
+  while (!interrupt_came() &&
+         ((ended = waitpid(-1, NULL, WNOHANG)) >= 0 || errno == EINTR)) {
     if (ended)
       continue;
     int judged = 0;
@@ -301,6 +303,8 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   if (!wait_and_note(run))
     return hsr_fail(err, HSR_E_INPUT, "the journal cannot be written: %s",
                     strerror(errno));
+  if (interrupt_came())
+    return interrupt_fail(err);
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
     if (!run->noted[k])
@@ -382,7 +386,6 @@ static void compare_picture(const struct place_run *run, int k,
   if (file)
     fclose(file);
   free(ids);
-  unlink(run->ids_file[k]);
 }
 
 /* Times are recorded only together with mismatches: a peer whose answer could
@@ -432,6 +435,8 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
     status =
         take_turns(run->sweep->plan, &run->place, run->taker, run->n,
                    (uint64_t)o->seed * 1000003u + run->number, &listener, err);
+  if (status)
+    return status;
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
     if (cell->verdict == RIGHT && !is_oracle(run->entrant[k])) {
@@ -443,7 +448,7 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
     if (!run->entrant[k]->listed)
       judge_peer(run, k);
   }
-  return status;
+  return HSR_OK;
 }
 
 /* --- Records -------------------------------------------------------------- */
@@ -580,11 +585,13 @@ static json_t *cell_record(const struct place_run *run, int k) {
   return with_walk(run, record);
 }
 
-static enum hsr_status record_all(struct place_run *run,
-                                  struct hsr_error *err) {
+/* Records the view and its cells; those that were judged, if not `all`. */
+static enum hsr_status record(struct place_run *run, bool all,
+                              struct hsr_error *err) {
   enum hsr_status status = sweep_record(run->sweep, view_record(run), err);
   for (int k = 0; k < run->n && !status; k++)
-    status = sweep_record(run->sweep, cell_record(run, k), err);
+    if (all || run->noted[k])
+      status = sweep_record(run->sweep, cell_record(run, k), err);
   if (!status && run->sweep->file >= 0)
     fdatasync(run->sweep->file);
   return status;
@@ -651,6 +658,17 @@ static size_t shared_size(const struct place_run *run) {
          (size_t)(run->n * run->place.walk) * sizeof *run->shared->cells;
 }
 
+/* After an interrupt: records what was judged, if anything was. Its starts stay
+ * in the journal. */
+static enum hsr_status record_judged(struct place_run *run,
+                                     struct hsr_error *err) {
+  bool any = false;
+  for (int k = 0; k < run->n; k++)
+    any |= run->noted[k];
+  enum hsr_status status = any ? record(run, false, err) : HSR_OK;
+  return status ? status : interrupt_fail(err);
+}
+
 static enum hsr_status choose_views(struct place_run *run,
                                     struct hsr_error *err) {
   const struct place *p = &run->place;
@@ -698,6 +716,9 @@ static void close_place(struct place_run *run) {
   for (int k = 0; k < run->n; k++)
     free(run->taker[k].starts);
   if (run->picture) {
+    for (int k = 0; k < run->n; k++)
+      if (*run->ids_file[k])
+        unlink(run->ids_file[k]);
     munmap(run->picture, picture_size(run));
     rmdir(run->folder);
   }
@@ -725,8 +746,10 @@ enum hsr_status sweep_place(struct sweep *sweep, size_t number,
       status = judge_all(run, err);
     if (!status)
       status = time_all(run, err);
-    if (!status)
-      status = record_all(run, err);
+    if (status == HSR_E_STOPPED)
+      status = record_judged(run, err);
+    else if (!status)
+      status = record(run, true, err);
     if (!status)
       journal_clear(&sweep->journal);
   }

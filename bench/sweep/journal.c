@@ -54,8 +54,9 @@ void journal_clear(struct journal *j) {
 
 void journal_close(struct journal *j, bool end) {
   if (j->file >= 0) {
+    bool has_notes = lseek(j->file, 0, SEEK_END) > (off_t)sizeof(struct head);
     close(j->file);
-    if (end)
+    if (end || !has_notes)
       unlink(j->path);
   }
   free(j->path);

@@ -21,7 +21,8 @@ enum hsr_status journal_open(struct journal *journal, const char *output,
 /* Removes the notes: the place is recorded. */
 void journal_clear(struct journal *journal);
 
-/* Closes the journal, and removes it if the sweep has come to its `end`. */
+/* Closes the journal, and removes it if the sweep has come to its `end`, or if
+ * it has no notes. */
 void journal_close(struct journal *journal, bool end);
 
 /* Note that a cell, by its key, is judged; that one of its starts is timed. The

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr bench share. plan.c lists the cells. machine.c
- * describes the machine that they run on. group.c takes all cells of one scene,
+ * describes the machine that they run on. interrupt.c hears Ctrl-C. group.c takes all cells of one scene,
  * view and size: it judges them, has turns.c time them, and records them.
  * changes.c compares the results with earlier ones. merge.c puts shards
  * together. */
@@ -19,6 +19,7 @@ enum {
   SWEEP_MOST_THREADS = 8,
   SWEEP_MOST_ENTRANTS = 256,
   SWEEP_MOST_STARTS = 64,
+  SWEEP_BUDGET_STARTS = 5,
   SWEEP_MOST_REPETITIONS = 1000
 };
 
@@ -34,8 +35,9 @@ struct sweep_options {
   int n_threads;
   long views, walk, starts, repetitions, seed, timeout, memory_mb;
   long budget;  /* seconds that the sweep should take; 0: any. Then there are as
-                   many starts as there is time for, up to `starts`, but no more
-                   than the times need to be known well */
+                   many starts as there is time for, up to `starts`, but from
+                   SWEEP_BUDGET_STARTS on no more than the times need to be
+                   known well */
   long samples; /* compared in each picture; 0: as many as the scene allows */
   long shard, shards;        /* shard from 1 */
   const char *only;          /* pattern of keys, or NULL */
@@ -140,6 +142,19 @@ json_t *sweep_header(const struct sweep_options *options, const char *run,
 void hash_program(char hash[17]);
 void hash_scene(const struct hsr_scene *scene, char hash[17]);
 
+/* --- interrupt.c ---------------------------------------------------------- */
+
+/* From now on Ctrl-C does not end the program at once: the sweep ends as soon
+ * as it has recorded what is judged. A second one does end it. */
+void interrupt_listen(void);
+bool interrupt_came(void);
+
+/* HSR_E_STOPPED. */
+enum hsr_status interrupt_fail(struct hsr_error *err);
+
+/* Ends the program by the signal, so that a shell sees why. */
+void interrupt_end(void);
+
 /* --- turns.c -------------------------------------------------------------- */
 
 /* What was measured in one process start of an entrant. */
@@ -176,7 +191,8 @@ struct turn_listener {
  * turns, in a new order every round. Starts that a taker has already are left
  * out. Takers that do not fit into memory together run in several lots.
  * `random` is the seed of the orders. A taker that fails is left out from then
- * on. HSR_E_NOMEM, also if no more processes can be started. */
+ * on. HSR_E_NOMEM, also if no more processes can be started; HSR_E_STOPPED
+ * after an interrupt. */
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
                            const struct turn_listener *listener,
@@ -198,11 +214,13 @@ struct sweep {
   char code[17];          /* hash_program */
   struct results results; /* earlier ones, and those of this run */
   int file;               /* -1: none */
+  bool is_new;            /* the file was made by this run */
   double begin;           /* hsr_seconds_now() */
 };
 
 /* Judges, times and records those cells of a place that are wanted and have no
- * record yet. */
+ * record yet. HSR_E_STOPPED after an interrupt: the cells that were judged are
+ * recorded without times. */
 enum hsr_status sweep_place(struct sweep *sweep, size_t place,
                             struct hsr_error *err);
 

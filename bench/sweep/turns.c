@@ -93,10 +93,11 @@ static bool open_process(struct process *process, const struct plan *plan,
 }
 
 /* Waits until there is more of its output to read, or its output has ended.
- * False if neither happens before hsr_seconds_now() reaches `end`. */
+ * False if neither happens before hsr_seconds_now() reaches `end`, or before an
+ * interrupt. */
 static bool is_ready(const struct process *process, double end) {
   for (;;) {
-    double left = end - hsr_seconds_now();
+    double left = interrupt_came() ? 0 : end - hsr_seconds_now();
     struct pollfd ready = {.fd = process->out, .events = POLLIN};
     int n = left > 0 ? poll(&ready, 1, (int)(left * 1e3) + 1) : 0;
     if (n >= 0 || errno != EINTR)
@@ -280,7 +281,8 @@ run_lot(const struct plan *plan, const struct place *place,
       end_all(process, k);
       return HSR_E_NOMEM;
     }
-  for (int round = 0; round < plan->options->repetitions; round++) {
+  for (int round = 0; round < plan->options->repetitions && !interrupt_came();
+       round++) {
     int order[SWEEP_MOST_ENTRANTS];
     for (int k = 0; k < n; k++)
       order[k] = k;
@@ -290,6 +292,10 @@ run_lot(const struct plan *plan, const struct place *place,
         draw(&process[order[k]], plan, start, round);
         tell(progress, plan, listener, start);
       }
+  }
+  if (interrupt_came()) {
+    end_all(process, n);
+    return interrupt_fail(err);
   }
   return finish_lot(plan, process, n, start, listener, err);
 }
@@ -376,7 +382,8 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
     bool good = true;
     if (!status && start > 0 && isfinite(listener->end))
       enough = hsr_seconds_now() > listener->end ||
-               is_enough(taker, n, start + 1, &good);
+               (start + 1 >= SWEEP_BUDGET_STARTS &&
+                is_enough(taker, n, start + 1, &good));
     if (!good)
       status = hsr_fail_nomem(err);
   }

@@ -331,62 +331,61 @@ NUMBER(depth_from_heights) {
 NUMBER(tests_a_pair) {
   UNUSED;
   const struct hsr_table1 *m = &t->scene[scene].measured;
-  return tables_count(t, "roberts", "edge/volume test", scene) /
-         (m->E_s * m->C_t);
+  return tables_count(t, "roberts", "edge-volume", scene) / (m->E_s * m->C_t);
 }
 
 NUMBER(searches_a_cluster) {
   UNUSED;
-  return tables_count(t, "appel", "searches", scene) /
+  return tables_count(t, "appel", "search", scene) /
          t->scene[scene].measured.C_t;
 }
 
 NUMBER(saved_by_contours) {
   UNUSED;
-  return 1 - tables_count(t, "galimberti", "contour pairs", scene) /
-                 tables_count(t, "galimberti", "edge intersection", scene);
+  return 1 - tables_count(t, "galimberti", "contour-pair", scene) /
+                 tables_count(t, "galimberti", "edge-intersection", scene);
 }
 
 NUMBER(planes_a_cluster) {
   UNUSED;
-  return tables_count(t, "schumacker", "inter-cluster priority", scene) /
+  return tables_count(t, "schumacker", "inter-cluster", scene) /
          t->scene[scene].measured.C_t;
 }
 
 NUMBER(spans_reused) {
   UNUSED;
-  return tables_count(t, "romney", "spans reused", scene) /
-         tables_count(t, "romney", "spans", scene);
+  return tables_count(t, "romney", "span-reused", scene) /
+         tables_count(t, "romney", "span", scene);
 }
 
 NUMBER(comparisons_an_edge) {
   (void)claim, (void)remark;
   const struct hsr_table1 *m = &t->scene[scene].measured;
-  return tables_count(t, algorithm, "X sort", scene) / (2 * m->n * m->S_l);
+  return tables_count(t, algorithm, "x-sort", scene) / (2 * m->n * m->S_l);
 }
 
 NUMBER(spans_against_bouknight) {
   UNUSED;
-  return tables_count(t, "watkins", "spans", scene) /
-         tables_count(t, "bouknight", "spans", scene);
+  return tables_count(t, "watkins", "span", scene) /
+         tables_count(t, "bouknight", "span", scene);
 }
 
 NUMBER(examinations_against_windows) {
   UNUSED;
-  return tables_count(t, "weiler-atherton", "examinations", scene) /
-         tables_count(t, "warnock", "Warnock special", scene);
+  return tables_count(t, "weiler-atherton", "examination", scene) /
+         tables_count(t, "warnock", "window-test", scene);
 }
 
 NUMBER(spans_a_visible_segment) {
   UNUSED;
   const struct hsr_table1 *m = &t->scene[scene].measured;
-  return tables_count(t, "watkins", "spans", scene) / (m->n * m->S_v);
+  return tables_count(t, "watkins", "span", scene) / (m->n * m->S_v);
 }
 
 NUMBER(divisions_a_comparison) {
   UNUSED;
-  return tables_count(t, "watkins", "depth divisions", scene) /
-         tables_count(t, "watkins", "depth search", scene);
+  return tables_count(t, "watkins", "depth-division", scene) /
+         tables_count(t, "watkins", "depth-search", scene);
 }
 
 /* --- Judging -------------------------------------------------------------- */

@@ -140,16 +140,9 @@ static double cost_of(const struct hsr_algorithm *a,
   return cost;
 }
 
-/* The algorithm of a variant, or NULL. */
-static const struct hsr_listed *find_listed(const char *variant) {
-  char name[RESULTS_MOST_NAME + 1];
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(variant, ":"), variant);
-  return hsr_algorithm_find(name);
-}
-
 double tables_frame_cost(const json_t *cell) {
   const struct hsr_listed *listed =
-      find_listed(results_text(cell, "algorithm"));
+      results_listed(results_text(cell, "algorithm"));
   if (!listed || !listed->plain->steps)
     return NAN;
   const struct paper_group *group = paper_group(listed->plain->name);
@@ -242,7 +235,7 @@ static enum hsr_status fill(struct tables *t, struct hsr_error *err) {
                      l->plain);
   for (const char *const *name = tables_variants; *name; name++)
     fill_algorithm(t, &t->variant[t->n_variants++], *name,
-                   find_listed(*name)->plain);
+                   results_listed(*name)->plain);
   return HSR_OK;
 }
 
@@ -297,9 +290,11 @@ const struct series *tables_cost(const struct tables *t, const char *algorithm,
 }
 
 double tables_count(const struct tables *t, const char *algorithm,
-                    const char *counter, int scene) {
+                    const char *key, int scene) {
   const struct table_algorithm *a = tables_algorithm(t, algorithm);
-  return a ? count_in(a->cell[scene], counter) : NAN;
+  const json_t *cell = a ? a->cell[scene] : NULL;
+  return strcmp(results_text(cell, "status"), "ok") ? NAN
+                                                    : results_count(cell, key);
 }
 
 const char *tables_missing(const struct table_algorithm *a, int scene) {

@@ -33,13 +33,9 @@ static double sum_of_counts(const json_t *cell, const char *list) {
   double sum = 0;
   for (const char *at = list; *at;) {
     size_t length = strcspn(at, "+");
-    char name[80];
-    snprintf(name, sizeof name, "%.*s", (int)length, at);
-    const json_t *count =
-        json_object_get(json_object_get(cell, "counts"), name);
-    if (!json_is_integer(count))
-      return NAN;
-    sum += (double)json_integer_value(count);
+    char key[80];
+    snprintf(key, sizeof key, "%.*s", (int)length, at);
+    sum += results_count(cell, key);
     at += length + (at[length] == '+');
   }
   return sum;

@@ -14,7 +14,8 @@
 /* A number that a cell of the results has. */
 struct greene_term {
   const char *cell; /* its key (bench/results/results.h) */
-  const char *of;   /* counters, joined by '+'; or "seconds", the least time of
+  const char
+      *of; /* keys of counters, joined by '+'; or "seconds", the least time of
                        a frame; or "samples", those of all frames */
 };
 

@@ -89,9 +89,10 @@ const struct table_algorithm *tables_algorithm(const struct tables *t,
 const struct series *tables_cost(const struct tables *t, const char *algorithm,
                                  const char *step);
 
-/* The value of an algorithm's counter on a scene; NAN if it has none. */
+/* The value of an algorithm's counter of that key on a scene; NAN if it has
+ * none. */
 double tables_count(const struct tables *t, const char *algorithm,
-                    const char *counter, int scene);
+                    const char *key, int scene);
 
 /* The comparisons of a frame that a cell of the results counted: the costs of
  * all steps that every frame takes. NAN if its picture is not right, or if its

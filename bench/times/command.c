@@ -7,14 +7,14 @@
 
 #include <string.h>
 
-enum { MOST_FILES = 64, CSV = 0x200, PLOT, REFERENCE };
+enum { MOST_FILES = 64, CSV = 0x200, LATEX, PLOT, REFERENCE };
 
 struct options {
   struct option_base base;
   const char *file[MOST_FILES];
   int n_files;
   const char *reference, *plot;
-  bool csv, json;
+  bool csv, json, latex;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -22,6 +22,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   switch (key) {
   case CSV:
     o->csv = true;
+    return 0;
+  case LATEX:
+    o->latex = true;
     return 0;
   case 'j':
     o->json = true;
@@ -43,8 +46,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->file[o->n_files++] = arg;
     return 0;
   case ARGP_KEY_END:
-    if (o->csv && o->json)
-      return option_fail(&o->base, "times: --csv or --json, not both");
+    if (o->csv + o->json + o->latex > 1)
+      return option_fail(&o->base,
+                         "times: one of --csv, --json and --latex, not two");
     return o->n_files ? 0
                       : option_fail(&o->base, "times: which file of results? "
                                               "(see hsr help times)");
@@ -57,6 +61,7 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"csv", CSV, NULL, 0, "print the figures as CSV, times in seconds", 0},
         {"json", 'j', NULL, 0, "print the figures as one JSON object", 0},
+        {"latex", LATEX, NULL, 0, "print the table for LaTeX with booktabs", 0},
         {"plot", PLOT, "FILE", 0,
          "write a plot of the times: .svg, .pdf or .png", 0},
         {"reference", REFERENCE, "A", 0,
@@ -68,6 +73,7 @@ static const struct argp argp = {
     "intervals, and ratios to a reference with their 99 % intervals.\v"
     "  hsr times results.ndjson\n"
     "  hsr times results.ndjson --csv >times.csv\n"
+    "  hsr times results.ndjson --latex >times.tex\n"
     "  hsr times results.ndjson --plot times.svg",
     NULL,
     NULL,
@@ -77,13 +83,15 @@ static enum hsr_status tell(const struct options *o, const struct rows *rows,
                             struct hsr_error *err) {
   if (o->plot) {
     enum hsr_status status = rows_plot(rows, o->plot, err);
-    if (status || !(o->csv || o->json))
+    if (status || !(o->csv || o->json || o->latex))
       return status;
   }
   if (o->json)
     return rows_print_json(rows, err);
   if (o->csv)
     rows_print_csv(rows);
+  else if (o->latex)
+    rows_print_latex(rows);
   else
     rows_print(rows);
   return HSR_OK;

@@ -155,8 +155,13 @@ static cairo_surface_t *make_surface(const char *path, double height,
                                      FILE *stream) {
   if (hsr_ends_in(path, ".svg"))
     return cairo_svg_surface_create_for_stream(append, stream, WIDTH, height);
-  if (hsr_ends_in(path, ".pdf"))
-    return cairo_pdf_surface_create_for_stream(append, stream, WIDTH, height);
+  if (hsr_ends_in(path, ".pdf")) {
+    cairo_surface_t *pdf =
+        cairo_pdf_surface_create_for_stream(append, stream, WIDTH, height);
+    /* No time of making: the same figures are the same file. */
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "");
+    return pdf;
+  }
   return cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, (int)height);
 }
 

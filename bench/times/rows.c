@@ -76,6 +76,44 @@ bool rows_same_place(const struct row *a, const struct row *b) {
   return same;
 }
 
+bool rows_is_reference(const struct rows *rows, const struct row *row) {
+  return !strcmp(results_text(row->cell, "algorithm"), rows->reference);
+}
+
+bool rows_is_alike(const struct rows *rows, const struct row *row) {
+  return row->has_ratio && !rows_is_reference(rows, row) &&
+         figure_has_interval(&row->ratio) &&
+         !figure_distinguishable(&row->ratio);
+}
+
+bool rows_has_few_starts(const struct rows *rows, const struct row *row) {
+  return row->has_ratio && !rows_is_reference(rows, row) &&
+         !figure_has_interval(&row->ratio);
+}
+
+void rows_say_status(const struct row *row, char text[ROWS_STATUS]) {
+  const char *status = results_text(row->cell, "status"),
+             *reason = results_text(row->cell, "reason");
+  long wrong = results_number(row->cell, "mismatches");
+  long compared = results_number(row->cell, "compared");
+  int length = 0;
+  if (strcmp(status, "ok") && strncmp(reason, status, strlen(status)))
+    length = snprintf(text, ROWS_STATUS, "%s%s", status,
+                      *reason || wrong ? ": " : "");
+  if (wrong)
+    length +=
+        snprintf(text + length, ROWS_STATUS - (size_t)length,
+                 "%ld of %ld differ%s", wrong, compared, *reason ? ", " : "");
+  snprintf(text + length, ROWS_STATUS - (size_t)length, "%s", reason);
+}
+
+void rows_name_place(const struct row *row, char name[RESULTS_KEY]) {
+  const json_t *c = row->cell;
+  results_picture_key(results_text(c, "scene"), results_number(c, "view"),
+                      results_number(c, "walk"), results_number(c, "width"),
+                      results_number(c, "height"), name);
+}
+
 char *rows_time(double seconds, char text[ROWS_TIME]) {
   if (seconds < 1e-3)
     snprintf(text, ROWS_TIME, "%.4g us", 1e6 * seconds);

@@ -34,6 +34,16 @@ void rows_free(struct rows *rows);
 /* Whether two rows are of one scene, view and size. */
 bool rows_same_place(const struct row *a, const struct row *b);
 
+/* Whether the row is of the algorithm by whose time the others are divided. */
+bool rows_is_reference(const struct rows *rows, const struct row *row);
+
+/* Whether the interval of a row's ratio says that its time may be the
+ * reference's. */
+bool rows_is_alike(const struct rows *rows, const struct row *row);
+
+/* Whether a row has a ratio whose interval is not known for lack of starts. */
+bool rows_has_few_starts(const struct rows *rows, const struct row *row);
+
 /* A time in words, in the unit that `seconds` suggests: "1.234 ms". Returns
  * `text`. */
 enum { ROWS_TIME = 24 };
@@ -43,8 +53,17 @@ char *rows_time(double seconds, char text[ROWS_TIME]);
  * was. */
 void rows_print(const struct rows *rows);
 
+/* What there is to say of a row besides times: "wrong: 417 of 512 differ"; "":
+ * nothing. */
+enum { ROWS_STATUS = 900 };
+void rows_say_status(const struct row *row, char text[ROWS_STATUS]);
+
+/* Names a row's scene, view and size: "house 1 512x512". */
+void rows_name_place(const struct row *row, char name[RESULTS_KEY]);
+
 /* Print on stdout. HSR_E_NOMEM, HSR_E_INPUT. */
 void rows_print_csv(const struct rows *rows);
+void rows_print_latex(const struct rows *rows);
 enum hsr_status rows_print_json(const struct rows *rows, struct hsr_error *err);
 
 /* Writes a plot of the times, sorted, with their intervals; a panel for each

@@ -39,10 +39,7 @@ static double scale_of(double seconds) {
 
 static void print_heading(const struct rows *rows, const struct row *row) {
   char key[RESULTS_KEY], plain[TERMINAL_NAME], title[TERMINAL_NAME];
-  results_picture_key(
-      results_text(row->cell, "scene"), results_number(row->cell, "view"),
-      results_number(row->cell, "walk"), results_number(row->cell, "width"),
-      results_number(row->cell, "height"), key);
+  rows_name_place(row, key);
   snprintf(title, sizeof title, "%s", terminal_plain(key, plain, sizeof plain));
   printf("%s%-24s", row == rows->row ? "" : "\n", title);
   if (strlen(title) > 24)
@@ -74,12 +71,14 @@ static void print_times(const struct rows *rows, const struct row *row) {
                  INTERVAL);
   if (!row->has_ratio)
     return;
-  bool reference =
-      !strcmp(results_text(row->cell, "algorithm"), rows->reference);
   printf(" %6s%c", number(row->ratio.value, 3, text),
-         reference || figure_distinguishable(&row->ratio) ? ' ' : '~');
-  print_interval(reference ? NAN : row->ratio.low, row->ratio.high, 1,
-                 is_wide() ? INTERVAL : 0);
+         rows_is_alike(rows, row) ? '~' : ' ');
+  int width = is_wide() ? INTERVAL : 0;
+  if (rows_has_few_starts(rows, row))
+    printf(" %-*s", width, "too few starts");
+  else
+    print_interval(rows_is_reference(rows, row) ? NAN : row->ratio.low,
+                   row->ratio.high, 1, width);
 }
 
 static void print_more(const struct row *row) {
@@ -87,21 +86,6 @@ static void print_more(const struct row *row) {
   printf("%*s%10s", row->has_ratio ? 0 : 26, "", rows_time(row->least, text));
   if (row->memory_kb >= 0)
     printf(" %6.1f MB", (double)row->memory_kb / 1024);
-}
-
-/* What there is to say besides times: "wrong: 417 samples", "refused: ...". */
-static void say_status(const json_t *cell, char *text, size_t n) {
-  const char *status = results_text(cell, "status"),
-             *reason = results_text(cell, "reason");
-  long wrong = results_number(cell, "mismatches");
-  long compared = results_number(cell, "compared");
-  int length = 0;
-  if (strcmp(status, "ok") && strncmp(reason, status, strlen(status)))
-    length = snprintf(text, n, "%s%s", status, *reason || wrong ? ": " : "");
-  if (wrong)
-    length += snprintf(text + length, n - (size_t)length, "%ld of %ld differ%s",
-                       wrong, compared, *reason ? ", " : "");
-  snprintf(text + length, n - (size_t)length, "%s", reason);
 }
 
 /* The kind of answer of that name; NULL: there is none. */
@@ -126,8 +110,8 @@ static void say_compared(const json_t *cell, char text[60]) {
 
 /* Whether there is nothing to say of a row but that it is right. */
 static bool is_counted_only(const struct row *row) {
-  char status[900], compared[60];
-  say_status(row->cell, status, sizeof status);
+  char status[ROWS_STATUS], compared[60];
+  rows_say_status(row, status);
   say_compared(row->cell, compared);
   return !row->timed && !*status && !*compared;
 }
@@ -147,9 +131,9 @@ static void print_counted(const struct row *row, size_t n) {
 }
 
 static void print_row(const struct rows *rows, const struct row *row) {
-  char status[900], compared[60];
+  char status[ROWS_STATUS + 60], compared[60];
   print_name(row->cell);
-  say_status(row->cell, status, sizeof status - sizeof compared);
+  rows_say_status(row, status);
   say_compared(row->cell, compared);
   if (row->timed)
     print_times(rows, row);
@@ -190,12 +174,12 @@ static double noise_of(const struct rows *rows) {
 }
 
 static void print_notes(const struct rows *rows) {
-  bool any = false, marked = false;
+  bool any = false, marked = false, few = false;
   for (size_t k = 0; k < rows->n; k++) {
     const struct row *row = &rows->row[k];
     any |= row->has_ratio;
-    marked |= row->has_ratio && !figure_distinguishable(&row->ratio) &&
-              strcmp(results_text(row->cell, "algorithm"), rows->reference);
+    marked |= rows_is_alike(rows, row);
+    few |= rows_has_few_starts(rows, row);
   }
   char text[300];
   snprintf(text, sizeof text, "ratio: to the time of %s%s", rows->reference,
@@ -204,6 +188,10 @@ static void print_notes(const struct rows *rows) {
     putchar('\n');
     terminal_wrap(stdout, 0, 2, text);
   }
+  if (few)
+    terminal_wrap(stdout, 0, 2,
+                  "too few starts: a ratio has an interval from three starts "
+                  "on. Ask for more --starts, or a longer --budget");
   double noise = noise_of(rows);
   if (isnan(noise))
     return;

@@ -148,7 +148,7 @@ static const struct argp argp = {
     "its steps, in order, as a line of JSON: what was done to which faces, "
     "where, and what was decided. From time to time a keyframe gives the "
     "counts and the picture so far. The format is that of "
-    "docs/trace.schema.json.\v"
+    "docs/schemas/trace.schema.json.\v"
     "  hsr trace house -a raycast -o house.ndjson.gz\n"
     "  hsr trace house -a raycast --rows 20 --every 10 -o - | less",
     NULL,

@@ -51,9 +51,9 @@ static json_t *counter_json(const struct hsr_algorithm *a, int k) {
   const struct hsr_counter *c = &a->counters[k];
   int line = hsr_line_of(a, k);
   return json_pack(
-      "{ss ss ss ss ss so so sb}", "name", c->name, "meaning", c->meaning,
-      "kind", hsr_step_kind_name[c->kind], "a", hsr_subject_kind_name[c->a],
-      "b", hsr_subject_kind_name[c->b], "outcomes",
+      "{ss ss* ss ss ss ss so so sb}", "name", c->name, "key", c->key,
+      "meaning", c->meaning, "kind", hsr_step_kind_name[c->kind], "a",
+      hsr_subject_kind_name[c->a], "b", hsr_subject_kind_name[c->b], "outcomes",
       words_json(c->outcomes, '|'), "line",
       line ? json_integer(line) : json_null(), "computed", c->computed);
 }
@@ -141,7 +141,7 @@ static json_t *view_json(const struct trace_header *h) {
   const struct hsr_camera *c = &h->run->view.camera;
   const struct hsr_window *w = &h->run->view.window;
   const double *l = h->run->view.light;
-  json_t *light = h->run->answer.drawn.form.type == HSR_SHADOWED
+  json_t *light = h->run->answer.drawn.form.type->takes & 1 << HSR_LIGHTING
                       ? json_pack("[ffff]", l[0], l[1], l[2], l[3])
                       : NULL;
   return json_pack("{si si si s[iiii] so so so sf sf sf so*}", "number",

@@ -11,7 +11,8 @@ enum hsr_status trace_check(const struct hsr_variant *variant,
     why = "a judge has no steps to trace";
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
-  else if ((type != a->kind && !hsr_makes_also(a, type)) || !type->paint)
+  else if ((type != hsr_own_kind(a) && !hsr_makes_also(a, type)) ||
+           !type->paint)
     why = "answers of this kind are not traced";
   else if (!a->outline)
     why = "it has no outline yet, and cannot be traced";
@@ -19,7 +20,7 @@ enum hsr_status trace_check(const struct hsr_variant *variant,
              : HSR_OK;
 }
 
-/* An algorithm that takes instances gets an outline, as in hsr render. */
+/* An algorithm that takes instances gets a roster, as in hsr render. */
 static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
   enum hsr_status status =
       hsr_world_open(&r->laid_out, r->scene, r->most_faces, err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr trace: what the parts of this folder share. docs/trace.schema.json
+/* hsr trace: what the parts of this folder share. docs/schemas/trace.schema.json
  * describes what they write.
  *
  * output.c    a file of lines of JSON, plain or compressed, whole or not there

@@ -392,8 +392,9 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   v->page = PAGE_TIMES;
 #if HSR_HAVE_WINDOW
   if (!status) {
-    v->library = hsr_library_table("hsr-window.so", "hsr_window", err);
-    status = v->library ? HSR_OK : err->status;
+    const void *table;
+    status = hsr_library_table("hsr-window.so", "hsr_window", &table, err);
+    v->library = table;
   }
 #else
   if (!status)

@@ -58,8 +58,8 @@ static void paint_numbers(const float *number, size_t n, unsigned char *rgb) {
   }
 }
 
-/* How often each sample was touched: by the algorithm, or, in its depth
- * complexity, once by each face that covers it, which is what zbuffer does. */
+/* Draws how often each sample was touched: by the algorithm; or for the depth
+ * complexity once by each face that covers it, as zbuffer-fast does. */
 static enum hsr_status draw_numbers(struct viewer *v,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {

@@ -5,6 +5,7 @@
 #include "bench/view/view.h"
 
 #include "bench/shapes/shapes.h"
+#include "common/trees/bsp.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -54,7 +55,7 @@ static enum hsr_status make_surface(struct frozen *f,
 }
 
 /* Cubes: visited green, outside of the frustum red, hidden orange. Planes: the
- * earlier the walk comes to one, the brighter. */
+ * earlier the traversal comes to one, the brighter. */
 static enum hsr_status make_tree(struct frozen *f,
                                  const struct shape_source *source,
                                  struct hsr_error *err) {
@@ -62,7 +63,7 @@ static enum hsr_status make_tree(struct frozen *f,
       {60, 60, 70}, {60, 220, 90}, {235, 70, 60}, {255, 165, 40}};
   struct cell_list *list = &f->list[TREE];
   const struct hsr_setup *setup = source->setup;
-  bool bsp = !strncmp(setup->algorithm->name, "bsp", 3);
+  bool bsp = hsr_setup_show(setup).bsp;
   bool planes = bsp || setup->world->clusters;
   enum hsr_status status = bsp ? shape_bsp(source, list, err)
                            : setup->world->clusters
@@ -84,19 +85,26 @@ static enum hsr_status make_tree(struct frozen *f,
 }
 
 /* The algorithm, or one that has a tree to show. */
-static const char *name_with_tree(const struct viewer *v) {
-  const struct hsr_algorithm *a = v->player[0]->variant.listed->plain;
-  const bool has_tree = !strcmp(a->name, "hzbuffer") ||
-                        !strncmp(a->name, "bsp", 3) ||
-                        !strncmp(a->name, "schumacker", 10);
-  return has_tree && !v->filtered ? v->player[0]->variant.name : "hzbuffer";
+static enum hsr_status open_with_tree(struct frozen *f, struct hsr_error *err) {
+  const struct viewer *v = f->viewer;
+  const struct hsr_setup *setup = &f->player.render.setup;
+  enum hsr_status status = player_open(&f->player, v->player[0]->variant.name,
+                                       PLAYER_COUNTS, v, err);
+  if (status)
+    return status;
+  const struct hsr_shown shown = hsr_setup_show(setup);
+  bool has_tree = shown.cubes || (shown.bsp && shown.bsp->n_cubes == 1) ||
+                  setup->world->clusters;
+  return has_tree && setup->choice.form.type->by_faces
+             ? HSR_OK
+             : player_open(&f->player, "hzbuffer", PLAYER_COUNTS, v, err);
 }
 
 static enum hsr_status make(struct frozen *f, struct hsr_error *err) {
   struct viewer *v = f->viewer;
   enum hsr_status status = viewer_view(v, v->m, v->coarse, &v->culled, err);
   if (!status)
-    status = player_open(&f->player, name_with_tree(v), PLAYER_COUNTS, v, err);
+    status = open_with_tree(f, err);
   if (!status)
     status = hsr_world_open(&f->world, v->scene, MOST_FROZEN, err);
   if (!status && hsr_is_roster(&f->world))

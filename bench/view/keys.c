@@ -15,7 +15,8 @@
 
 static bool is_offered(const struct hsr_listed *listed) {
   return !(listed->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE)) &&
-         listed->plain->kind != HSR_VOXELS;
+         (hsr_own_kind(listed->plain)->shade ||
+          hsr_own_kind(listed->plain)->lines);
 }
 
 /* The algorithm before or after the first player's that takes the scene. */
@@ -267,7 +268,7 @@ static void command_of(const struct viewer *v, const struct player *player,
                        const char *name, const char *suffix, char *text,
                        size_t size) {
   char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], lines[100] = "";
-  if (player->render.kind == HSR_SEGMENTS)
+  if (player->render.kind->lines)
     line_options(v, lines);
   snprintf(text, size,
            "hsr render %s --camera %s%s%s -a %s%s -s %dx%d -o %.*s%s",

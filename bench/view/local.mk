@@ -15,8 +15,8 @@ if WITH_WINDOW
 pkglibexec_PROGRAMS += hsr-window.so
 hsr_window_so_SOURCES = %D%/window.h %D%/window_vtk.cc common/base/status.c
 hsr_window_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-hsr_window_so_CFLAGS = $(AM_CFLAGS) -fPIC
-hsr_window_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_window_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
+hsr_window_so_CXXFLAGS = $(AM_CXXFLAGS) -fvisibility=default
 hsr_window_so_LDFLAGS = -shared
 hsr_window_so_LDADD = $(VTK_WINDOW_LIBS)
 endif

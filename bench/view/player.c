@@ -32,7 +32,7 @@ void player_close(struct player *player) {
 static enum hsr_status check(const struct player *p, struct hsr_error *err) {
   const struct hsr_variant *variant = &p->variant;
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  if (!kind->shade && kind != HSR_SEGMENTS)
+  if (!kind->shade && !kind->lines)
     return hsr_fail(err, HSR_E_USAGE, "%s draws %s, which are no picture",
                     variant->name, kind->draws);
   if (p->sort == PLAYER_WORKS &&
@@ -167,7 +167,7 @@ static enum hsr_status shade_lines(struct player *p,
   if (!status)
     status = shade_picture(&p->render, err); /* without seams */
   if (!status)
-    status = hsr_plot_init(&plot, hsr_answer_drawing_of(&p->render.answer),
+    status = hsr_plot_init(&plot, hsr_answer_lines(&p->render.answer),
                            &p->render.world, view, HSR_HIDDEN_DASHED, err);
   if (!status)
     status = hsr_plot_raster(&plot, linear, err);
@@ -182,7 +182,7 @@ static enum hsr_status shade(struct player *p, const struct hsr_view *view,
                              unsigned char *rgb, struct hsr_error *err) {
   struct render *r = &p->render;
   const size_t n = (size_t)view->m * (size_t)view->n;
-  if (r->kind == HSR_SEGMENTS)
+  if (r->kind->lines)
     return shade_lines(p, view, rgb, err);
   if (player_ids(p) && laid_out(p)) {
     shade_ids(p, view, rgb);

@@ -33,7 +33,7 @@ struct player {
   struct render_options options; /* of render */
   struct render render;
   bool is_ready;
-  struct hsr_world laid_out; /* for colours, if render's world is an outline of
+  struct hsr_world laid_out; /* for colours, if render's world is a roster of
                                 not too many faces */
   uint32_t *stamp; /* a face: the picture in which its colour was made */
   unsigned char *face_rgb;
@@ -87,7 +87,8 @@ struct viewer {
   double crease;           /* degrees; negative: all edges */
   struct hsr_scene *scene;
   struct player *player[2]; /* the second is for comparisons; owned */
-  struct player counter;    /* of the first, counting; or zbuffer */
+  struct player counter;    /* the first one's counting build; or that of
+                               zbuffer-fast */
   struct player lines;      /* the line drawing over the picture */
   /* What the players are called; of the first, without what `filtered` adds. */
   char first[HSR_MOST_VARIANT + 1], second[HSR_MOST_VARIANT + 1];

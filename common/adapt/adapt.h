@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Making an environment fit an algorithm's restrictions.
+/* Making a scene fit an algorithm's restrictions.
  *
  * Source      Sutherland et al. 1974, figure 29a: what each algorithm demands
  *             of its environment.
- * Adapters    each mends one restriction by dividing faces, in exact terms
- *             (common/scene/pieces.h), once for all views. They are applied by
- *             name, in the order below, and each is timed by itself. The ids of
- *             a picture are still those of the scene's own faces. */
+ * Adapters    an adapter makes a world satisfy a restriction. It divides faces
+ *             into exact pieces (common/scene/pieces.h), once for all views.
+ *             The adapters that an algorithm needs are applied in the order of
+ *             hsr_adapters, and each is timed by itself. The ids of a picture
+ *             are still those of the scene's own faces. */
 #ifndef HSR_COMMON_ADAPT_H
 #define HSR_COMMON_ADAPT_H
 
@@ -21,38 +22,44 @@ enum {
   HSR_CC = 1 << 0, /* clusters are closed convex polyhedra */
   HSR_CF = 1 << 1, /* faces are convex polygons */
   HSR_TR = 1 << 2, /* faces are triangles */
-  HSR_LS = 1 << 3, /* clusters linearly separable */
-  HSR_NP = 1 << 4, /* no penetrating faces */
-  HSR_TP = 1 << 5, /* topology needed: adjacency, clusters */
-  HSR_PF = 1 << 6, /* planar faces only */
-  HSR_OF = 1 << 7, /* no faces outside the field of view */
-  HSR_BE = 1 << 8  /* no faces behind the observer */
+  HSR_LS = 1 << 3, /* clusters are linearly separable */
+  HSR_NP = 1 << 4, /* faces do not penetrate one another */
+  HSR_TP = 1 << 5, /* topology is needed: adjacency, clusters */
+  HSR_PF = 1 << 6, /* faces are planar */
+  HSR_OF = 1 << 7, /* no face is outside the field of view */
+  HSR_BE = 1 << 8  /* no face is behind the observer */
 };
 enum { HSR_N_RESTRICTIONS = 9 };
 
-/* The code of one restriction, "TR" for HSR_TR; "" if it is none of these. */
+/* Returns the code of one restriction, "TR" for HSR_TR; "" if it is none of
+ * these. */
 const char *hsr_restriction_code(unsigned restriction);
 
 struct hsr_adapter {
   const char *name;  /* "triangulate" */
-  unsigned mends;    /* HSR_TR, ...; several: only if all are demanded */
+  unsigned mends;    /* the restriction that it satisfies, HSR_TR, ... If there
+                        are several, it is applied only if an algorithm demands
+                        all of them */
   const char *about; /* what it does, a clause */
 
-  /* Makes *out from `in`, which is borrowed. If nothing need be done, *changed
-   * is false and *out is not written. Else *out is freed with hsr_world_free;
-   * `in` may be freed before it, but the world of the scene itself must outlive
-   * both. HSR_E_NOMEM; HSR_E_REFUSED, with the code and the face in *err, where
-   * a face cannot be mended. */
+  /* Makes *out, a world of pieces, from `in`, which is borrowed. If there is
+   * nothing to do, *changed is false and *out is not written. If *changed is
+   * true, *out is freed with hsr_world_free. `in` may be freed before *out, but
+   * the world of the scene itself must outlive both. HSR_E_NOMEM;
+   * HSR_E_REFUSED, with the code and the face in *err, if a face cannot be
+   * adapted; HSR_E_INTERNAL if a library fails. */
   enum hsr_status (*adapt)(const struct hsr_world *in, struct hsr_world *out,
                            bool *changed, struct hsr_error *err);
 };
 
-/* In the order of their application, ended by .name == NULL. */
+/* The adapters, in the order of their application. The list ends with .name ==
+ * NULL. */
 extern const struct hsr_adapter hsr_adapters[];
 
-/* Checks that all faces of a world that nobody has adapted are convex and flat:
- * HSR_E_REFUSED if not, with a text about `what`: "object chair", "the scene".
- * HSR_E_NOMEM. */
+/* Checks that all faces of a world that has not been adapted are convex and
+ * flat. HSR_E_REFUSED if not, with a text that names the world by `what`:
+ * "object chair", "the scene". HSR_E_NOMEM; HSR_E_INTERNAL if a library
+ * fails. */
 enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
                                     const char *what, struct hsr_error *err);
 

@@ -219,7 +219,7 @@ void add_triangulation(const hsr_world &world, uint32_t f, const Piece &whole,
     return;
   }
   if (!simple)
-    throw Refused{HSR_CF, hsr_world_parent(&world, f), "crosses itself"};
+    throw Not_adapted{HSR_CF, hsr_world_parent(&world, f), "crosses itself"};
   for (const Triangle &t : triangles)
     add_triangle(whole, t, list);
 }
@@ -423,7 +423,7 @@ hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
       for (uint32_t g : cuts[parent]) {
         cut_pieces(whole, g, shapes, pieces);
         if (list.size() + pieces.size() > MOST_PIECES)
-          throw Refused{HSR_NP, parent, "is penetrated by too many others"};
+          throw Not_adapted{HSR_NP, parent, "is penetrated by too many others"};
       }
       const bool divided = pieces.size() > 1 || known;
       for (const Piece &piece : pieces)

@@ -425,8 +425,8 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
     if (least < PROHIBITIVE)
       return best;
     if (step == 1)
-      throw Refused{HSR_LS, pieces_[group[0]].parent,
-                    "lies in one plane with too many others"};
+      throw Not_adapted{HSR_LS, pieces_[group[0]].parent,
+                        "lies in one plane with too many others"};
   }
 }
 
@@ -487,8 +487,8 @@ void Tree::add_oriented(uint32_t piece, Group &to) const {
 
 void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
   if (pieces_.size() >= MOST_PIECES)
-    throw Refused{HSR_LS, pieces_[piece].parent,
-                  "is one of too many that must be divided"};
+    throw Not_adapted{HSR_LS, pieces_[piece].parent,
+                      "is one of too many that must be divided"};
   Convex other = shapes_.part(pieces_[piece], plane, -1);
   pieces_[piece] = shapes_.part(pieces_[piece], plane, +1);
   front.push_back(piece);
@@ -525,7 +525,8 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
 void Tree::add_piece(uint32_t f, Group &to) {
   Convex piece;
   if (pieces_.size() >= MOST_PIECES)
-    throw Refused{HSR_LS, hsr_world_parent(&world_, f), "is one of too many"};
+    throw Not_adapted{HSR_LS, hsr_world_parent(&world_, f),
+                      "is one of too many"};
   if (!shapes_.make(f, piece))
     return;
   to.push_back(uint32_t(pieces_.size()));
@@ -593,8 +594,8 @@ void Tree::give_priorities() {
     open_.pop_back();
     Group circuits;
     if (!group.empty() && questions_ > MOST_QUESTIONS)
-      throw Refused{HSR_LS, pieces_[group[0]].parent,
-                    "is one of too many that are hard to separate"};
+      throw Not_adapted{HSR_LS, pieces_[group[0]].parent,
+                        "is one of too many that are hard to separate"};
     if (!order(group, next.place, circuits) &&
         !split_at_gap(group, next.place, false))
       split_by_plane(group, next.place, choose_plane(group, circuits));

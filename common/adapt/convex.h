@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convex pieces of faces, and on which side of a plane they lie, in exact
-// terms.
+// Convex pieces of faces, and the exact side of a plane on which they lie.
 //
-// Source      A polygon is known by the planes of its sides: J. Bernstein, D.
-//             Fussell, "Fast, exact, linear booleans", Symposium on Geometry
-//             Processing, 2009.
-// Corner      where two sides meet: a vertex of the face, or the point where an
-//             edge of the face or a cut meets another cut. So every corner is
-//             known exactly by planes of the scene, however often a piece is
-//             cut. Its coordinates are approximate, within `error`.
-// Planes      are numbered by their class (common/scene/world.h). A plane faces
-//             the way of the first face that lies in it. Many planes lie across
-//             an axis: there one subtraction, whose sign is exact, gives the
-//             side of a vertex. More planes across an axis may be added, and
-//             may make cuts.
+// Source      J. Bernstein, D. Fussell, "Fast, exact, linear booleans",
+//             Symposium on Geometry Processing, 2009: a polygon is represented
+//             by the planes of its sides.
+// Corner      two sides meet at a corner. It is a vertex of the face, or the
+//             point where an edge of the face or a cut meets another cut. So
+//             planes of the scene define every corner exactly, however often a
+//             piece is cut. Its coordinates are approximate, within `error`.
+// Planes      a plane's number is its class (common/scene/world.h). Its front
+//             is that of the first face that lies in it. Many planes lie across
+//             an axis. For these, the sign of one subtraction is the exact side
+//             of a vertex. More planes across an axis may be added, to cut
+//             pieces.
 // Not flat    a face that is not flat keeps the corners of the whole face,
-//             however it is cut. Their error is `reach`: as far as what is seen
-//             of the face may be from them (common/scene/clusters.h). If that
-//             leaves a side uncertain, it stays so.
+//             however it is cut. Their error is `reach`, the greatest distance
+//             of a drawn point of the face from their hull
+//             (common/scene/clusters.h). If that leaves a side uncertain, the
+//             side is UNSURE.
 #ifndef HSR_COMMON_CONVEX_H
 #define HSR_COMMON_CONVEX_H
 
@@ -37,66 +37,75 @@ template <class T> struct Homogeneous {
   T w;
 };
 
-// A corner, and the side from it to the next one. The side lies on the edge
-// from vertex a to b or, if b is NO_VERTEX, in plane a.
+// A corner, and the side from it to the next corner. The side lies on the edge
+// from vertex a to vertex b or, if b is NO_VERTEX, in plane a.
 const uint32_t NO_VERTEX = UINT32_MAX;
 struct Corner {
   Point at;
   double error; // of each coordinate
   uint32_t a, b;
-  // The exact point, once it was asked for. Pieces with this corner share it.
+  // The exact point, if it has been computed. Pieces with this corner share it.
   mutable std::shared_ptr<const Homogeneous<Exact>> exact{};
 };
 
+// A convex piece of a face.
 struct Convex {
-  uint32_t from;   // the face of the world that it is, or is a piece of
+  uint32_t from;   // the face of the world of which it is a piece, or all
   uint32_t parent; // that face's parent
-  uint32_t plane;  // its class
+  uint32_t plane;  // the class of its plane
   std::vector<Corner> corners;
   std::vector<hsr_cut> cuts; // `face` is a plane here
 };
 
-// Where a piece lies about a plane: it has points strictly in front of it, or
-// strictly behind it. UNSURE: the piece is not flat, and the side is uncertain.
+// The sides of a plane on which a piece has points, strictly. UNSURE: the piece
+// is not flat, and the side is not certain. 0: all points are on the plane.
 enum : unsigned { FRONT = 1, BEHIND = 2, BOTH = FRONT | BEHIND, UNSURE = 4 };
 
-// A plane across an axis: x, y or z = at, and the side that is its front.
+// A plane across an axis, where the coordinate `axis` is `at`.
 struct Level {
   size_t axis;
   double at;
-  int front; // +1 where x, y or z is greater; 0: the plane is another
+  int front; // +1: its front is where the coordinate is greater; -1: where it
+             // is less; 0: the plane is not across an axis
 };
 
-// It keeps the exact planes that were asked for. Several threads may ask on which
-// side a piece is, or divide pieces of their own; one at a time has exact numbers.
+// The planes of a world, and the questions about them. It caches exact planes
+// and exact corners. Several threads may ask for the sides of pieces, and may
+// divide pieces of their own. A lock lets one of them at a time use exact
+// numbers. All functions may throw std::bad_alloc.
 class Convex_pieces {
 public:
-  // Pieces of the faces of `world`, which is borrowed.
+  // `world` is laid out, perhaps of pieces, and borrowed.
   explicit Convex_pieces(const hsr_world &world);
-  // The same planes, also those that are added to either, but none that is exact
-  // yet: for a thread of its own. Pieces of both must share no exact corner.
+  // A copy, for a thread of its own. It shares the planes, also those that are
+  // added to either later. It starts with an empty cache. The pieces of both
+  // must share no exact corner.
   Convex_pieces(const Convex_pieces &other);
   Convex_pieces &operator=(const Convex_pieces &) = delete;
 
-  // Adds the plane x, y or z = at, whose front is where the coordinate is
-  // greater. Returns its number.
+  // Adds the plane where coordinate `axis` is `at`. Its front is where the
+  // coordinate is greater. Returns its number.
   uint32_t add_level(size_t axis, double at) {
     level_.push_back({axis, at, 1});
     return uint32_t(level_.size() - 1);
   }
 
-  // Makes face f a piece. False if it has no point.
+  // Sets `piece` to face f of the world, which is convex. False if that is a
+  // piece without any point.
   bool make(uint32_t f, Convex &piece) const;
 
   // Whether the plane of face g of the scene passes through a piece. True also
   // if that is uncertain, as it may be if the piece is not flat.
   bool may_cross(const Piece &piece, uint32_t g) const;
 
+  // Returns the sides of a plane on which the piece lies: FRONT, BEHIND, UNSURE
+  // or several of them.
   unsigned about(const Convex &piece, uint32_t plane) const;
 
-  // The same of many pieces. Columns hold them, piece k from first[k] on. look()
-  // finds what is known by doubles of each corner, and about() what follows for
-  // piece k of the columns, which is `piece`.
+  // The same for many pieces and one plane. Columns hold the corners of the
+  // pieces; those of piece k begin at first[k]. clear() empties them, and add()
+  // appends a piece. look() finds the side of each corner in doubles. about()
+  // returns the sides of piece k, which is `piece`.
   struct Columns {
     std::vector<double> at[3], error;
     std::vector<int64_t> vertex, known;
@@ -120,19 +129,20 @@ public:
                : closely_about(piece, columns, k, plane);
   }
 
-  // The part of a piece on one side of a plane. The piece has points on both
-  // sides.
+  // Returns the part of a piece on one side of a plane, +1 in front or -1
+  // behind. The piece must have points on both sides.
   Convex part(const Convex &piece, uint32_t plane, int side) const;
 
-  // The piece in the terms of common/adapt/division.h. All its cuts must be by
-  // planes of faces. Sets with_outline to whether its outline is of use.
+  // Returns the piece as a Piece of common/adapt/division.h. All its cuts must
+  // be by planes of faces. Sets with_outline to whether its outline is of use.
   Piece finished(const Convex &piece, bool &with_outline) const;
 
   const Level &level(uint32_t plane) const { return level_[plane]; }
-  // The first face in a plane, which is no added one.
+  // The first face of the scene in a plane that was not added.
   uint32_t face_of(uint32_t plane) const { return face_of_[plane]; }
-  // +1 if the face's front is its plane's front, -1 if it is the back.
+  // +1 if the front of the face is that of its plane, else -1.
   int turned(uint32_t parent) const { return turned_[parent]; }
+  // See "Not flat"; world units; 0 if the face is flat.
   double reach(uint32_t parent) const { return reach_[parent]; }
   bool is_flat(const Convex &piece) const {
     return whole_.mesh.deviation[piece.parent] == 0;

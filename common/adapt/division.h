@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces in the making: what the adapters share.
+// Lists of pieces, from which the adapters make a world of pieces.
 #ifndef HSR_COMMON_DIVISION_H
 #define HSR_COMMON_DIVISION_H
 
@@ -13,24 +13,27 @@ namespace hsr {
 
 using Point = std::array<double, 3>;
 
+// A piece of a face (common/scene/pieces.h).
 struct Piece {
-  uint32_t parent;
-  std::vector<uint32_t> loop;
+  uint32_t parent;            // the face of the whole world
+  std::vector<uint32_t> loop; // vertices of the whole world
   std::vector<hsr_cut> cuts;  // `face` is a face of the whole world
   std::vector<Point> outline; // empty: only the loop is known
 };
 
-// Thrown for a face that cannot be mended.
-struct Refused {
-  unsigned restriction;
-  uint32_t face;
-  const char *why;
+// Thrown for a face that cannot be adapted.
+struct Not_adapted {
+  unsigned restriction; // HSR_TR, ...
+  uint32_t face;        // its id
+  const char *why;      // a clause: the text is "face id 7 " and this
 };
 
+// The world that was divided into the pieces of `world`; else `world` itself.
 inline const hsr_world &whole_of(const hsr_world &world) {
   return world.pieces ? *world.pieces->whole : world;
 }
 
+// Vertex v of a world.
 inline Point point_of(const hsr_world &world, uint32_t v) {
   return {world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]};
 }
@@ -50,9 +53,10 @@ inline Piece piece_of(const hsr_world &world, uint32_t f) {
   return piece;
 }
 
-// Pieces in flat arrays, from which a world of them is made.
+// Pieces in flat arrays.
 class List {
 public:
+  // Appends a copy of a piece, without its outline unless with_outline.
   void add(const Piece &piece, bool with_outline) {
     parent_.push_back(piece.parent);
     vertex_.insert(vertex_.end(), piece.loop.begin(), piece.loop.end());
@@ -65,8 +69,10 @@ public:
     outline_start_.push_back(uint32_t(outline_.size() / 3));
   }
 
+  // The number of pieces.
   size_t size() const { return parent_.size(); }
 
+  // Makes a world of the pieces, as hsr_world_of_pieces does.
   hsr_status make(hsr_world *out, const hsr_world &whole,
                   hsr_error *err) const {
     const hsr_piece_list list = {
@@ -83,11 +89,12 @@ private:
   std::vector<double> outline_;
 };
 
-// Runs an adapter's body, which may throw, and turns exceptions into errors.
+// Returns the status of body(), which may throw. Turns exceptions into errors:
+// HSR_E_REFUSED, HSR_E_NOMEM, HSR_E_INTERNAL.
 template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   try {
     return body();
-  } catch (const Refused &refused) {
+  } catch (const Not_adapted &refused) {
     return hsr_fail(err, HSR_E_REFUSED, "%s: face id %u %s",
                     hsr_restriction_code(refused.restriction), refused.face,
                     refused.why);
@@ -98,12 +105,14 @@ template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   }
 }
 
-// Face f of a scene as convex polygons through its corners: itself, or
-// triangles. The face is flat and does not cross itself.
+// Returns face f of a scene as convex polygons through its vertices: the face
+// itself if it is convex, else triangles. The face must be flat and must not
+// cross itself.
 std::vector<std::vector<uint32_t>> convex_loops(const hsr_world &world,
                                                 uint32_t f);
 
-// The adapters of clusters.
+// The adapters that make clusters and give them priorities, as
+// hsr_adapter::adapt.
 hsr_status cluster(const hsr_world *in, hsr_world *out, bool *changed,
                    hsr_error *err);
 hsr_status give_priorities(const hsr_world *in, hsr_world *out, bool *changed,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/adapt.h \
   %D%/surfaces.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/adapt_cgal.cc \
   %D%/cluster_cgal.cc \
   %D%/convex.cc \

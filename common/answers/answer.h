@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Kinds of answers: what algorithms make, and everything that is done with it.
  *
- * A kind is one `const struct hsr_answer_type` in a file of its own, and one
- * line in list.def. The command, the judge, the bench, the report and the crew
+ * A kind is one `const struct hsr_answer_type`. It has two files in kinds/, its
+ * table and a header with its typed body, and one line in list.def. The command, the judge, the bench, the report and the crew
  * know answers only through this table.
  *
  * An algorithm makes some kinds itself. Other kinds are folded from pictures of
@@ -10,17 +10,11 @@
 #ifndef HSR_COMMON_ANSWERS_ANSWER_H
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
-#include "common/answers/area.h"
-#include "common/answers/filter.h"
-#include "common/answers/transparent.h"
-#include "common/grids/splatting.h"
 #include "common/base/count.h"
 #include "common/files/image.h"
 #include "common/files/page.h"
 #include "common/base/option.h"
-#include "common/voxels/voxels.h"
 #include "common/lines/drawing.h"
-#include "common/lines/polygons.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"
 #include "common/view/view.h"
@@ -71,7 +65,7 @@ struct hsr_fold {
 };
 
 /* How the answers to a view of the parts of a scene are added up: by sums of
- * whole numbers, to which an algorithm that has HSR_SUMS adds what it draws. */
+ * whole numbers, to which an algorithm adds what it draws. */
 struct hsr_summing {
   bool (*fits)(const struct hsr_form *form);
   /* Gives the answer sums, all 0. HSR_E_NOMEM. */
@@ -133,11 +127,23 @@ void hsr_shaded_free(struct hsr_shaded *shaded);
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
-  HSR_LINES,    /* hidden, crease */
-  HSR_PALETTE,  /* of a grid */
-  HSR_LIGHTING, /* the view's light */
-  HSR_BACKDROP, /* background */
+  HSR_LINES,       /* hidden, crease */
+  HSR_PALETTE,     /* of a grid */
+  HSR_LIGHTING,    /* the view's light */
+  HSR_BACKDROP,    /* background */
+  HSR_NO_BACKDROP, /* background none */
   HSR_N_TAKES
+};
+
+/* A picture of what a run has made so far. All is in samples of the view; a colour
+ * is 0xrrggbb, as in files. */
+struct hsr_slide {
+  void *on; /* for the functions */
+  void (*fill)(void *on, const struct hsr_window *window, uint32_t rgb);
+  void (*line)(void *on, const double from[2], const double to[2]);
+  void (*square)(void *on, const double middle[2], double half, double depth,
+                 uint32_t rgb); /* the nearest hides the others */
+  void (*touch)(void *on, const struct hsr_window *window); /* looked at */
 };
 
 /* An array of m n places by rows. */
@@ -159,10 +165,14 @@ struct hsr_answer_type {
                                        it */
   const struct hsr_fold *fold;       /* NULL: algorithms make it themselves */
   const struct hsr_summing *summing; /* NULL: parts are not added up */
-  bool by_windows; /* each window of it can be made alone, and in any order */
-  bool by_places;  /* m x n places are compared, and each can be asked for
+  bool by_windows;   /* each window of it can be made alone, and in any order */
+  bool by_faces;     /* each place holds one face, and nothing else. Then the
+                    answers of a scene's parts can be put together: at each
+                    place the nearest face is taken */
+  bool sees_through; /* transparent faces are drawn as such */
+  bool by_places;    /* m x n places are compared, and each can be asked for
                       alone; false: it is made and compared as a whole */
-  unsigned takes;  /* 1 << HSR_SHADING, ... */
+  unsigned takes;    /* 1 << HSR_SHADING, ... */
 
   /* Makes the body of an empty answer, of form, m and n. HSR_E_NOMEM. */
   enum hsr_status (*make)(struct hsr_answer *answer, struct hsr_error *err);
@@ -219,16 +229,29 @@ struct hsr_answer_type {
                                 const char *(*name)(void *whom, long k),
                                 void *whom, const char *text,
                                 struct hsr_error *err);
+  /* Returns why a picture of this form cannot be made by tiles: the rest of a
+   * sentence that begins with "--tiles". It returns NULL if the picture can be
+   * made so. The function itself is NULL if that holds for every form. */
+  const char *(*not_by_tiles)(const struct hsr_form *form);
+  /* The line drawing in an answer. NULL: the kind is none. */
+  const struct hsr_drawing *(*lines)(const struct hsr_answer *answer);
   /* Prints one line about its contents, with the newline. */
   void (*print)(const struct hsr_answer *answer,
                 const struct hsr_showing *showing, FILE *out);
 
-  /* For traces: docs/trace.schema.json. If all of these are NULL, a run that
+  /* For traces: docs/schemas/trace.schema.json. If all of these are NULL, a run that
    * makes this kind cannot be traced. */
 
   /* Adds what an event of kind HSR_ACCEPT describes. HSR_E_NOMEM. */
   enum hsr_status (*paint)(struct hsr_answer *answer,
                            const struct hsr_event *event);
+  /* Adds to a slide what an event of kind `step` shows, which is HSR_ACCEPT or
+   * HSR_SAMPLE. `painted` has the event; `face` is the colour of its face. NULL:
+   * an accepted event without a part fills its window with that colour. */
+  void (*sketch)(const struct hsr_answer *painted,
+                 const struct hsr_event *event, enum hsr_step_kind step,
+                 const struct hsr_view *view, uint32_t face,
+                 const struct hsr_slide *slide);
   /* Puts what was painted into the order of an answer. NULL: the kind has no
    * order. HSR_E_NOMEM. */
   enum hsr_status (*settle)(struct hsr_answer *answer);
@@ -251,16 +274,6 @@ extern const struct hsr_answer_type *const hsr_answer_types[];
 /* The index of a kind in that list. */
 int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_MOST_ANSWER_TYPES 16
-
-/* The names that algorithms give in their descriptors. */
-#define HSR_IDS (&hsr_answer_ids)
-#define HSR_SEGMENTS (&hsr_answer_segments)
-#define HSR_VOXELS (&hsr_answer_voxels)
-#define HSR_COMPOSITED (&hsr_answer_composited)
-#define HSR_AREAS (&hsr_answer_area)
-#define HSR_POLYGONS (&hsr_answer_polygons)
-#define HSR_TRANSPARENT (&hsr_answer_transparent)
-#define HSR_SHADOWED (&hsr_answer_shadowed)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -290,64 +303,22 @@ void hsr_answer_pack(const struct hsr_answer *answer,
 void hsr_answer_unpack(struct hsr_answer *answer,
                        const struct hsr_window *window, const void *bytes);
 
+/* The line drawing in an answer; NULL: it has none, or is not made yet. */
+static inline const struct hsr_drawing *
+hsr_answer_lines(const struct hsr_answer *answer) {
+  const struct hsr_answer_type *type = answer->form.type;
+  return answer->body && type->lines ? type->lines(answer) : NULL;
+}
+
 /* Roughly how many pictures of the view's size are drawn for one answer. */
 double hsr_form_pictures(const struct hsr_form *form,
                          const struct hsr_view *view);
 
-/* A shadowed picture: m * n ids, and whether light reaches each; false where
- * there is no face. */
-struct hsr_shadowed {
-  uint32_t *ids;
-  bool *lit;
-};
-
-/* The body of an answer of each of these kinds; NULL for any other kind. Ids
- * are m * n numbers; the sums of a filtered picture are 3 m n; a composited one
- * is 4 m n: red, green, blue, opacity; an area picture is 3 m n intervals; a
- * transparent one has 3 m n channels. */
-uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
-struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
-struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
-uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
-uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
-struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
-struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer);
-uint16_t *hsr_answer_colours_of(const struct hsr_answer *answer);
-
-/* Of a composited picture with sums: 5 m n of them, red, green, blue, opacity and
- * the weight, which is counted with `normalise` alone. NULL: it has none. */
-enum { HSR_SPLAT_SUMS = 5 };
-uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer);
-struct hsr_shadowed *hsr_answer_shadowed_of(const struct hsr_answer *answer);
-bool *hsr_answer_lit_of(const struct hsr_answer *answer);
-
-/* For a form of voxels: how many lie along the longest side of the scene's box.
- */
-int hsr_form_voxels(const struct hsr_form *form);
-
 /* In the ids of an answer that is unset, where nothing is written. */
 #define HSR_NOT_WRITTEN 0xfefefefeu
-
-/* An answer around m x n ids, or a drawing, that the caller owns; not to be
- * freed. */
-struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
-struct hsr_answer hsr_answer_of_drawing(struct hsr_drawing *drawing, int m,
-                                        int n);
-
-/* How a picture of this form is filtered; the filter is HSR_FILTER_NONE if the
- * form is of another kind. */
-struct hsr_filtering hsr_form_filtering(const struct hsr_form *form);
-
-/* How a picture of HSR_COMPOSITED is splatted. */
-struct hsr_splatting hsr_form_splatting(const struct hsr_form *form);
-
-/* What a picture of HSR_AREAS is asked for. */
-struct hsr_area_form hsr_form_area(const struct hsr_form *form);
-
-/* For a form of transparent pictures. */
-enum hsr_mix hsr_form_mix(const struct hsr_form *form);
 
 #ifdef __cplusplus
 }
 #endif
+
 #endif

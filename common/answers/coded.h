@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Subjects and points in JSON, as docs/trace.schema.json has them. */
+/* Subjects and points in JSON, as docs/schemas/trace.schema.json has them. */
 #ifndef HSR_COMMON_ANSWERS_CODED_H
 #define HSR_COMMON_ANSWERS_CODED_H
 

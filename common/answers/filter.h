@@ -38,14 +38,15 @@ enum {
   HSR_SUB_ABUFFER = 4 /* columns in the pattern of 4 x 8 */
 };
 
+/* But for the first, in the order of the words of the option `filter`. */
 enum hsr_filter {
   HSR_FILTER_NONE,
-  HSR_FILTER_BOX,       /* area sampling: all of the pixel has one weight */
-  HSR_FILTER_COSINE,    /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
-  HSR_FILTER_BOX_4X8,   /* the box over 4 x 8 samples, Carpenter's masks */
-  HSR_FILTER_BOX_4X4,   /* the box over 4 x 4 */
-  HSR_FILTER_BOX_64X64, /* the box over 64 x 64: a level more of masks */
-  HSR_FILTER_FIELD      /* one field of a frame: 1-4-6-4-1 over its lines */
+  HSR_FILTER_BOX,      /* area sampling: all of the pixel has one weight */
+  HSR_FILTER_COSINE,   /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
+  HSR_FILTER_BOX_4X8,  /* the box over 4 x 8 samples, Carpenter's masks */
+  HSR_FILTER_BOX_4X4,  /* the box over 4 x 4 */
+  HSR_FILTER_FIELD,    /* one field of a frame: 1-4-6-4-1 over its lines */
+  HSR_FILTER_BOX_64X64 /* the box over 64 x 64: a level more of masks */
 };
 
 /* How many cells a pixel has along a side. */
@@ -63,12 +64,6 @@ static inline int hsr_filter_columns(enum hsr_filter filter) {
 /* And rows. */
 static inline int hsr_filter_rows(enum hsr_filter filter) {
   return filter == HSR_FILTER_BOX_4X4 ? HSR_SUB_ABUFFER : HSR_SUB;
-}
-
-/* Whether a pixel is one mask of 64 sub-samples. */
-static inline bool hsr_filter_is_of_64(enum hsr_filter filter) {
-  return hsr_filter_cells(filter) == 1 &&
-         hsr_filter_columns(filter) * hsr_filter_rows(filter) == 64;
 }
 
 /* The mask of all sub-samples of a cell. */

@@ -22,43 +22,49 @@ struct hsr_arena {
   size_t n_blocks_taken;          /* calls of malloc over the arena's life */
 };
 
-/* An empty arena is all zero. */
+/* The initialiser of an empty arena, which is all zero. */
 #define HSR_ARENA_EMPTY                                                        \
   { 0 }
 
-/* An array of n elements of `size` bytes, aligned to 64 bytes for any vector
- * register. Its content is undefined; the arena owns it. NULL if memory ran out
- * or n * size overflows; never NULL otherwise, not even for n = 0. */
+/* Returns an array of n elements of `size` bytes, aligned to 64 bytes for any
+ * vector register. Its content is undefined. The arena owns it until the next
+ * hsr_arena_reset or hsr_arena_free. NULL: memory ran out, or n * size
+ * overflows. For n = 0 the pointer is not NULL. */
 void *hsr_arena_array(struct hsr_arena *arena, size_t n, size_t size);
 
 /* The same, with all bytes zero. */
 void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size);
 
-/* Forgets every array and keeps the memory. Several blocks are replaced by one;
- * if that fails, they are only freed. */
+/* Forgets every array and keeps the memory. Several blocks are replaced by one
+ * that is as large as all that was in use. If there is no memory for that one,
+ * the arena is left without any block. */
 void hsr_arena_reset(struct hsr_arena *arena);
 
-/* Gives all memory back. The arena is empty afterwards and may be used again.
- */
+/* Frees all memory. The arena is empty afterwards and may be used again. Its
+ * peak_bytes and n_blocks_taken are kept. */
 void hsr_arena_free(struct hsr_arena *arena);
 
-/* An array that grows in an arena, by doubling. All zero is an empty one. After
- * it has moved, the old copy stays in the arena until the reset. */
+/* An array that grows in an arena, by doubling. It is empty if it is all zero.
+ * When it moves, the old copy stays in the arena until hsr_arena_reset. */
 struct hsr_growing {
-  void *items;
-  size_t n, room;
+  void *items;    /* owned by the arena; NULL when room is 0 */
+  size_t n, room; /* items in use, and items that there is room for */
 };
 
-/* Appends an item of `size` bytes, its content undefined. False if memory ran
- * out. */
+/* Appends an item of `size` bytes, items[n - 1] of the new n, whose content is
+ * undefined. All items of an array have the same size. False: memory ran out,
+ * and the array is as it was. */
 bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
                     size_t size);
 
-/* Asks the system for huge pages where memory of malloc is large: there are fewer
- * pages to make, and the processor's tables, which hold few, reach further. */
+/* Asks the system to put `size` bytes of malloc'ed memory on huge pages. It
+ * does so only if there are 4 MB or more, and only on Linux. With larger pages
+ * there are fewer page faults and fewer misses in the processor's page tables.
+ * It is a hint: nothing can fail. `memory` may be NULL. */
 void hsr_huge_pages(void *memory, size_t size);
 
-/* HSR_NEW(arena, T, n): an array of n T. */
+/* HSR_NEW(arena, T, n) is hsr_arena_array for n elements of type T.
+ * HSR_NEW_ZEROED is hsr_arena_zeroed. */
 #define HSR_NEW(arena, type, n)                                                \
   ((type *)hsr_arena_array((arena), (n), sizeof(type)))
 #define HSR_NEW_ZEROED(arena, type, n)                                         \

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Masks of 64 bits, and of eight bytes. */
+/* Functions of 64-bit masks, and of eight bytes read as one number. */
 #ifndef HSR_COMMON_BITS_H
 #define HSR_COMMON_BITS_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* The number, from 0, of the lowest bit that is set; there must be one. */
+/* Returns the number of the lowest bit that is set, from 0. `mask` must not be
+ * 0. */
 static inline int hsr_first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);
@@ -18,6 +19,7 @@ static inline int hsr_first_bit(uint64_t mask) {
 #endif
 }
 
+/* Returns how many bits are set. */
 static inline unsigned hsr_count_bits(uint64_t mask) {
 #ifdef __GNUC__
   return (unsigned)__builtin_popcountll(mask);
@@ -29,7 +31,8 @@ static inline unsigned hsr_count_bits(uint64_t mask) {
 #endif
 }
 
-/* Eight bytes as a number, the first one in its lowest bits. */
+/* Returns byte[0] .. byte[7] as one number, with byte[0] in the lowest bits.
+ * The pointer need not be aligned. */
 static inline uint64_t hsr_eight_bytes(const uint8_t *byte) {
   uint64_t word = 0;
 #if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The clock by which everything is timed. */
+/* The clock that all timings are taken from. */
 #ifndef HSR_COMMON_BASE_CLOCK_H
 #define HSR_COMMON_BASE_CLOCK_H
 
@@ -7,7 +7,8 @@
 extern "C" {
 #endif
 
-/* Seconds since some moment in the past. The clock never goes back. */
+/* Returns the seconds since a fixed but unspecified moment (CLOCK_MONOTONIC).
+ * The value never decreases while the system runs. */
 double hsr_seconds_now(void);
 
 #ifdef __cplusplus

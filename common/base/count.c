@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/base/count.h"
 
+#include <string.h>
+
 #define X(id, name) name,
 const char *const hsr_step_kind_name[HSR_N_STEP_KINDS] = {HSR_STEP_KINDS(X)};
 const char *const hsr_subject_kind_name[HSR_N_SUBJECT_KINDS] = {
     HSR_SUBJECT_KINDS(X)};
 const char *const hsr_question_name[HSR_N_QUESTIONS] = {HSR_QUESTIONS(X)};
 #undef X
+
+bool hsr_has_key(const struct hsr_counter *counter, const char *key) {
+  return counter->key && !strcmp(counter->key, key);
+}
 
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from) {
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
@@ -21,8 +27,11 @@ void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
                     struct hsr_subject b, struct hsr_window window, int outcome,
                     const void *part) {
   struct hsr_trace *trace = tally->trace;
+  int place = hsr_tally_place(tally, counter);
+  if (place >= HSR_MAX_COUNTERS) /* its part is not listed */
+    return;
   struct hsr_event event = {.number = trace->n++,
-                            .counter = hsr_tally_place(tally, counter),
+                            .counter = place,
                             .a = a,
                             .b = b,
                             .own = {a.id[0], b.id[0]},

@@ -5,8 +5,8 @@
  * when someone listens, it emits one event. So the number of events of a
  * counter is always its count.
  *
- * Both compile to nothing if HSR_COUNTING is 0: the compiler checks their
- * arguments, which must have no side effects, and leaves them out. */
+ * Where HSR_COUNTING is 0, the macros compile to nothing. The compiler still
+ * checks their arguments, which must have no side effects. */
 #ifndef HSR_COMMON_BASE_COUNT_H
 #define HSR_COMMON_BASE_COUNT_H
 
@@ -43,14 +43,15 @@ enum hsr_step_kind {
 };
 extern const char *const hsr_step_kind_name[HSR_N_STEP_KINDS];
 
-/* The kinds of subjects that a step may have. The comments say what the numbers
- * id[0], id[1], id[2] of a subject mean. A counter of edges may also count
- * implied edges. */
+/* The kinds of subjects that a step may have. The comments give the meaning of
+ * the numbers id[0], id[1], id[2] of a subject. An edge is named by its two
+ * vertices and its face, or HSR_NO_ID if it belongs to several faces. A counter
+ * whose subject is HSR_OF_EDGE may also count implied edges. */
 #define HSR_SUBJECT_KINDS(X)                                                   \
   X(NOTHING, "nothing")                                                        \
-  X(FACE, "face")   /* face */                                                 \
-  X(PIECE, "piece") /* face, number of the piece */                            \
-  X(EDGE, "edge")   /* vertex, vertex, face; HSR_NO_ID: of several faces */    \
+  X(FACE, "face")            /* face */                                        \
+  X(PIECE, "piece")          /* face, number of the piece */                   \
+  X(EDGE, "edge")            /* vertex, vertex, face or HSR_NO_ID */           \
   X(IMPLIED, "implied edge") /* face, face, part: where two faces penetrate */ \
   X(VERTEX, "vertex")        /* vertex */                                      \
   X(VOLUME, "volume")        /* number */                                      \
@@ -65,7 +66,7 @@ enum hsr_subject_kind {
 };
 extern const char *const hsr_subject_kind_name[HSR_N_SUBJECT_KINDS];
 
-#define HSR_NO_ID UINT32_MAX
+#define HSR_NO_ID UINT32_MAX /* no vertex, or no single face */
 struct hsr_subject {
   enum hsr_subject_kind kind;
   uint32_t id[3];
@@ -73,25 +74,32 @@ struct hsr_subject {
 
 /* What a counter of an algorithm counts. Every algorithm numbers its counters
  * from 0, with an enumeration in its file, and describes them in its
- * descriptor. A counter that is not described there is not kept, which is not
- * the same as 0. Counters of different algorithms that count the same have the
- * same name. What several algorithms share are parts: counter k of part p has
- * the number HSR_PART_SIZE p + k (algorithms/part.h). */
+ * descriptor. A counter of a part that the descriptor does not list is not kept.
+ * Its count is then unknown; it is not 0. Counters of different algorithms that count the
+ * same thing have the same name. Code that several algorithms share is a part
+ * (algorithms/part.h): counter k of part p has the number HSR_PART_SIZE p + k.
+ */
 enum { HSR_MAX_COUNTERS = 48, HSR_PART_SIZE = 64, HSR_MOST_PARTS = 32 };
 struct hsr_counter {
   const char *name;    /* "X merge" */
   const char *meaning; /* "comparisons to merge entering edges into the list" */
   enum hsr_step_kind kind;
-  enum hsr_subject_kind a, b; /* of its events */
-  const char *outcomes; /* what a step may decide, a word for each outcome from
-                           0, "farther|nearer"; NULL: nothing is decided */
-  bool computed; /* added in bulk by HSR_COMPUTED: steps that hardware would do,
-                    computed and not performed; it has no events */
+  enum hsr_subject_kind a, b; /* the subjects of its events */
+  const char *outcomes; /* the outcomes of a step, from 0, with | between them:
+                           "farther|nearer". NULL: a step decides nothing */
+  bool computed; /* the program does not perform these steps, as hardware would,
+                    but computes their number. HSR_COMPUTED adds it in bulk, and
+                    the counter has no events */
+  const char *key; /* a stable word of a to z and -, by which programs know the
+                      counter: "cube-visited". NULL: no program looks for it */
 };
 
-/* The questions put to the services of common/exact/screen.h. Each is decided
- * by a filter in doubles with a proved bound, or else by the exact path. The
- * exact path is rare, and is counted in both builds. */
+/* Whether programs know the counter by that key. */
+bool hsr_has_key(const struct hsr_counter *counter, const char *key);
+
+/* The questions that common/exact/screen.h answers. A filter in doubles with a
+ * proved error bound decides most of them. The exact path decides the others.
+ * It is rare, and it is counted in the timed build too. */
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
   X(CUT, "sides of cuts")                                                      \
@@ -115,66 +123,76 @@ extern const char *const hsr_question_name[HSR_N_QUESTIONS];
 
 /* One step of a run. */
 struct hsr_event {
-  uint64_t number; /* in the run, from 0 */
-  int counter;     /* its place in the algorithm's list of counters */
-  struct hsr_subject a, b;
-  uint32_t own[2]; /* the first numbers of a and b as the algorithm has them:
-                      those of the faces that it was given */
-  struct hsr_window window; /* in samples; empty: the whole picture, or none */
-  int outcome;              /* which of the counter's outcomes; or 0 */
-  const void *part; /* HSR_ACCEPT of an answer that is not ids: what is added to
-                       it, in a form that its kind of answer defines; else NULL.
-                       Borrowed for the call of `listen` */
+  uint64_t number;         /* in the run, from 0 */
+  int counter;             /* its place in the algorithm's list of counters */
+  struct hsr_subject a, b; /* in the scene's ids */
+  uint32_t own[2]; /* id[0] of a and of b in the algorithm's own numbers, those
+                      of the world that it was given */
+  struct hsr_window window; /* in samples. If it is empty, the step has no
+                               window or is about the whole picture */
+  int outcome;              /* index of one of the counter's outcomes, or 0 */
+  const void *part; /* of a step of kind HSR_ACCEPT, if the answer is not ids:
+                       what the step adds to the answer, in a form that the kind
+                       of answer defines. Else NULL. Borrowed for the call of
+                       `listen` */
 };
 
-/* The listener of a run. There is one at a time: a traced run is on one thread,
- * so that its events are in order. */
+/* The listener of a run. A traced run has one listener and one thread, so that
+ * its events are in order. */
 struct hsr_trace {
-  /* Called for every event. Borrowed for the call. */
+  /* Called for every event, which is borrowed for the call. */
   void (*listen)(void *context, const struct hsr_event *event);
   void *context;
   uint64_t n; /* events so far */
 
-  /* Called before `listen`, with `names`: turns the subjects of an event from
-   * an algorithm's own numbers into the scene's. NULL: they are the scene's. */
+  /* Called before `listen`, with `names`. It turns the subjects of an event
+   * from an algorithm's own numbers into the scene's ids. NULL: the algorithm's
+   * numbers are the scene's ids. */
   void (*name)(const void *names, struct hsr_event *event);
   const void *names;
 };
 
 /* --- What one render counted ---------------------------------------------- */
 
-/* All zero at the start. */
+/* A tally is all zero at the start. */
 struct hsr_tally {
-  uint64_t count[HSR_MAX_COUNTERS];
-  uint8_t base[HSR_MOST_PARTS];    /* where the counters of each part begin in
-                                   count[]: hsr_tally_begin */
+  /* A module may use a part that its descriptor does not list. The counts of
+   * such parts stand from HSR_MAX_COUNTERS on, where only a test looks. */
+  uint64_t count[HSR_MAX_COUNTERS + HSR_PART_SIZE];
+  uint8_t base[HSR_MOST_PARTS];    /* the place in count[] of each part's first
+                                      counter; set by hsr_tally_begin
+                                      (algorithms/algorithm.h) */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
-  uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
+  uint64_t depths_compared; /* depth comparisons, by the filter or exact; kept
+                               in the counting build only */
   bool out_of_memory;       /* an exact predicate could not be decided */
 
-  /* Work picture: 1 is added for each touch of a sample. Sample (i, j) is at
-   * work[j * work_stride + i]. Borrowed; NULL when not asked for. */
+  /* The work picture: each touch of a sample adds 1. Sample (i, j) is
+   * work[j * work_stride + i]. Borrowed. NULL: no work picture is wanted. */
   float *work;
   size_t work_stride;
 
   struct hsr_trace *trace; /* borrowed; NULL when nobody listens */
 };
 
-/* Where a counter is kept in count[]. */
+/* Returns the index of a counter in count[]. */
 static inline int hsr_tally_place(const struct hsr_tally *tally, int counter) {
   return tally->base[counter / HSR_PART_SIZE] + counter % HSR_PART_SIZE;
 }
 
-/* What a counter counted. */
+/* Returns the count of a counter. */
 static inline uint64_t hsr_tally_count(const struct hsr_tally *tally,
                                        int counter) {
   return tally->count[hsr_tally_place(tally, counter)];
 }
 
-/* Adds the counts and questions of `from` to those of `to`. */
+/* Adds the counts and questions of `from` to those of `to`, and its
+ * out_of_memory. Both must number their counters alike. The work picture and
+ * the trace of `to` stay as they are. */
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 
-/* What HSR_STEP does when someone listens. */
+/* Emits one event to tally->trace, which must not be NULL. Callers use HSR_STEP
+ * and HSR_ACCEPTED instead. */
 void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
                     struct hsr_subject b, struct hsr_window window, int outcome,
                     const void *part);
@@ -188,7 +206,7 @@ static inline struct hsr_subject hsr_subject_make(enum hsr_subject_kind kind,
   return subject;
 }
 #define HSR_NOTHING hsr_subject_make(HSR_OF_NOTHING, 0, 0, 0)
-/* f may be HSR_BACKGROUND: no face. */
+/* f may be HSR_BACKGROUND (common/scene/scene.h), which is no face. */
 #define HSR_FACE(f) hsr_subject_make(HSR_OF_FACE, f, 0, 0)
 #define HSR_PIECE(f, number) hsr_subject_make(HSR_OF_PIECE, f, number, 0)
 #define HSR_EDGE(a, b, f) hsr_subject_make(HSR_OF_EDGE, a, b, f)
@@ -217,15 +235,15 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #endif
 
 /* HSR_STEP(tally, X_MERGE, HSR_EDGE(...), HSR_EDGE(...), HSR_ON(...), outcome):
- * one step. Subjects are in the numbers of the world that the algorithm got. If
- * the answer is ids, a step of kind HSR_ACCEPT writes face a (HSR_BACKGROUND is
- * allowed) to all samples of the window.
+ * one step. Subjects are in the numbers of the world that the algorithm was
+ * given. Where the answer is ids, a step of kind HSR_ACCEPT says that face a,
+ * or HSR_BACKGROUND, is written to all samples of the window.
  * HSR_ACCEPTED(tally, DRAWN, a, b, window, part): a step of kind HSR_ACCEPT
  * that adds `part` to an answer that is not ids.
  * HSR_COMPUTED(tally, Y_CULL, n): adds n to a counter that is computed.
- * HSR_TOUCH(tally, i, j): the sample was touched.
- * HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were touched
- * all at once; each gets its share of 1.
+ * HSR_TOUCH(tally, i, j): adds 1 to the sample in the work picture.
+ * HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were handled
+ * in one operation. Each of them gets an equal share of 1 in the work picture.
  * HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
 #define HSR_TOLD(tally, counter_, a, b, window, outcome, part)                 \

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two number types in which the core's own C++ files decide a sign:
-// intervals, which may leave it open, and exact numbers.
+// The two number types that the core's C++ files use to decide a sign:
+// intervals, which may leave the sign open, and exact numbers.
 //
-// Exact       integers times powers of two, whose sums, differences and products
-//             are exact; their exponents are not bounded by those of doubles.
-// Memory      GMP ends the process if memory runs out; what it says and the
-//             status are set by the program (bench/run/terminate.h).
+// Exact       integers times powers of two. Their sums, differences and
+//             products are exact. Their exponents have no limit as those of
+//             doubles have.
+// Memory      numbers cannot fail. If memory runs out they have a reserve
+//             (number_memory.cc); if that is used up, the program ends.
 #ifndef HSR_COMMON_BASE_EXACT_H
 #define HSR_COMMON_BASE_EXACT_H
 
@@ -17,14 +18,15 @@
 
 namespace hsr {
 
-// For use where CGAL has directed the rounding upwards.
+// Only for use while the rounding mode is upwards, as CGAL sets it.
 using Interval = CGAL::Interval_nt<false>;
 using Exact = CGAL::Mpzf;
 
-// For use anywhere.
+// For use in any rounding mode: each operation sets and restores it.
 using Safe_interval = CGAL::Interval_nt<true>;
 
-// x times 2^exponent, or the next double towards `to` if that has too few digits.
+// x times 2^exponent. If that is below the normal doubles or above all doubles,
+// the result is moved by one double towards `to`, so that rounding is outward.
 inline double scaled(double x, double exponent, double to) {
   const double y =
       std::ldexp(x, int(std::fmax(-3000, std::fmin(exponent, 3000))));
@@ -37,14 +39,15 @@ inline Safe_interval scaled_outward(const Safe_interval &x, double exponent) {
           scaled(x.sup(), exponent, INFINITY)};
 }
 
-// x as a quotient of integers in lowest terms: the denominator is a power of
-// two, so one of both is odd.
+// x as a quotient of integers in lowest terms. The denominator is a power of
+// two, so the numerator or the denominator is odd.
 inline CGAL::Gmpq fraction(const Exact &x) {
   return CGAL::Gmpq(x);
 }
 
-// An interval that holds x, times 2^-exponent. Its ends are 0 or from 1/2 to 1,
-// and equal if 53 digits are enough.
+// Returns an interval that holds x / 2^*exponent, and sets *exponent. The size
+// of each end is 0 or from 1/2 to 1. Both ends are equal if x has 53 binary
+// digits or fewer.
 inline Safe_interval leading_digits(const Exact &x, long *exponent) {
   const CGAL::Gmpq whole = fraction(x);
   const mpz_srcptr digits = mpq_numref(whole.mpq());
@@ -66,9 +69,10 @@ inline Interval interval_of(const Exact &x) {
   return {held.inf(), held.sup()};
 }
 
-// An interval that holds a / b. Exact numbers have no least exponent, but doubles
-// have: the product of a few coordinates below 2^-300 is no double. So the
-// leading digits are divided, and then scaled.
+// An interval that holds a / b; b must not be 0. The leading digits are divided
+// first, and the quotient is scaled after that. The reason: exact numbers have
+// no least exponent, but doubles have one, and the product of a few coordinates
+// below 2^-300 is below the least double.
 inline Safe_interval quotient(const Exact &a, const Exact &b) {
   long digits_a, digits_b;
   const Safe_interval part =

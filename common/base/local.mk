@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/arena.h \
   %D%/count.h \
   %D%/option.h \
   %D%/share.h \
   %D%/status.h \
   %D%/window.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \
   %D%/clock.c \
@@ -15,6 +15,7 @@ libhsr_a_SOURCES += \
   %D%/exact.h \
   %D%/names.c \
   %D%/names.h \
+  %D%/number_memory.cc \
   %D%/numbers.h \
   %D%/option.c \
   %D%/share.c \

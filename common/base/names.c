@@ -67,17 +67,34 @@ static bool resembles(const char *name, const char *word) {
   return distance(name, word) <= (length < 3 ? 1 : (length + 1) / 3);
 }
 
+/* Appends a name if it resembles the word; *found have been before. */
+static void offer(const char *name, const char *word, int *found, char *text,
+                  size_t size) {
+  size_t used = strlen(text);
+  if (*found < MOST_LISTED && resembles(name, word))
+    snprintf(text + used, size - used, "%s%s",
+             (*found)++ ? ", " : ": did you mean ", name);
+}
+
+static void ask(int found, char *text, size_t size) {
+  size_t used = strlen(text);
+  if (found)
+    snprintf(text + used, size - used, "?");
+}
+
 void hsr_names_like(const struct hsr_names *list, const char *word, char *text,
                     size_t size) {
-  size_t used = strlen(text);
   int found = 0;
-  for (size_t i = 0; i < list->n && found < MOST_LISTED && used < size; i++)
-    if (resembles(list->names[i], word)) {
-      used +=
-          (size_t)snprintf(text + used, size - used, "%s%s",
-                           found ? ", " : ": did you mean ", list->names[i]);
-      found++;
-    }
-  if (found && used < size)
-    snprintf(text + used, size - used, "?");
+  for (size_t i = 0; i < list->n; i++)
+    offer(list->names[i], word, &found, text, size);
+  ask(found, text, size);
+}
+
+void hsr_names_like_of(const void *table, size_t stride, const char *word,
+                       char *text, size_t size) {
+  int found = 0;
+  const char *const *name = table;
+  for (; *name; name = (const void *)((const char *)name + stride))
+    offer(*name, word, &found, text, size);
+  ask(found, text, size);
 }

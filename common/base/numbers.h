@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The greater and the smaller of two numbers. fmax and fmin are calls, since
- * they ask for NaN; here, if a is NaN, the answer is b. */
+/* The greater and the smaller of two numbers. They are faster than fmax and
+ * fmin, which compilers turn into calls because of NaN. If a or b is NaN, the
+ * result is b. */
 #ifndef HSR_COMMON_NUMBERS_H
 #define HSR_COMMON_NUMBERS_H
 

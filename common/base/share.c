@@ -39,7 +39,8 @@ void hsr_threads_run(int threads, void (*work)(void *context, int thread),
       pthread_join(hand[k].thread, NULL);
 }
 
-/* What is shared out. `next` is wider than n, which all threads pass. */
+/* The parts that are shared out. `next` is wider than n, since every thread
+ * adds 1 once more after the last part. */
 struct shared {
   void (*part)(void *context, uint32_t k, int thread);
   void *context;

@@ -15,20 +15,24 @@ enum hsr_status {
   HSR_E_INPUT = 3,      /* a file or a scene cannot be used as it is */
   HSR_E_NOMEM = 4,      /* memory ran out, or a limit was met */
   HSR_E_INTERNAL = 5,   /* a fault of hsr, or of a library below it */
-  HSR_E_REFUSED = 6     /* the algorithm cannot take this scene; as an exit
-                           status, 4: a limit */
+  HSR_E_REFUSED = 6,    /* the algorithm cannot take this scene; the command
+                           then exits with 4, as for a limit */
+  HSR_E_STOPPED = 7     /* whoever asked for the work stopped it; no command
+                           does */
 };
 
-/* One failure, as one line. Owned by the caller, who may pass NULL wherever a
- * function takes one. Written only on failure. `text` has no newline. It is
- * "file:line: what is wrong" if a file is at fault, else "what is wrong". */
+/* One failure, as one line. The caller owns it, and may pass NULL wherever a
+ * function takes one. A function writes it only if it fails. `text` has no
+ * newline. It is "file:line: what is wrong" if a file is at fault, else "what
+ * is wrong". */
 struct hsr_error {
   enum hsr_status status;
   char text[480];
 };
 
 /* Fills *err (unless NULL) from a printf format and returns `status`. Control
- * characters in the result are replaced by '?', so that it stays one line. */
+ * characters in the result are replaced by '?', so that it stays one line. A
+ * longer text than err->text holds is cut off. */
 enum hsr_status hsr_fail(struct hsr_error *err, enum hsr_status status,
                          const char *format, ...)
 #if defined __GNUC__
@@ -36,7 +40,7 @@ enum hsr_status hsr_fail(struct hsr_error *err, enum hsr_status status,
 #endif
     ;
 
-/* The failure of an allocation: HSR_E_NOMEM, "out of memory". */
+/* Fills *err (unless NULL) with "out of memory" and returns HSR_E_NOMEM. */
 enum hsr_status hsr_fail_nomem(struct hsr_error *err);
 
 #ifdef __cplusplus

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* HSR_VECTOR before a function compiles it also for the wider vector units of
- * x86-64; the version is chosen when the program starts. The source is plain C,
- * the portable twin. Every version rounds alike, since nothing is contracted or
- * reordered. The counting build, which is never timed, has that twin only:
- * clang gives the choice a global name, which would then be defined twice. */
+/* HSR_VECTOR before a function compiles it several times, also for the wider
+ * vector units of x86-64 (AVX2, AVX-512). The program chooses a version when it
+ * starts. The source is plain C. Every version rounds alike, since nothing is
+ * contracted or reordered. The counting build, which is never timed, has the
+ * portable version only. The reason: clang gives the choosing function a global
+ * name, and both builds would define it. */
 #ifndef HSR_COMMON_VECTOR_H
 #define HSR_COMMON_VECTOR_H
 
@@ -18,9 +19,9 @@
 #endif
 
 /* HSR_VECTOR_OF_WORDS(name, (type parameter, ...), (parameter, ...)) { ... }
- * defines a function that returns nothing, and compiles it for several vector
- * units, too. It is for numbers of 8 and 16 bits. For these AVX-512 needs its
- * part BW, which the clones of gcc 12 do not have. */
+ * defines a static function that returns nothing, and compiles it for several
+ * vector units too. It is for loops over numbers of 8 and 16 bits. For these
+ * AVX-512 needs the extension BW, which target_clones of gcc 12 cannot name. */
 #if HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #define HSR_VECTOR_OF_WORDS(name, parameters, arguments)                       \
   static inline __attribute__((always_inline)) void name##_body parameters;    \

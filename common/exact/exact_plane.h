@@ -17,15 +17,19 @@ namespace hsr {
 
 template <class T> using Vector3 = typename CGAL::Simple_cartesian<T>::Vector_3;
 
+// Vertex v of a world.
 template <class T> Vector3<T> point(const hsr_world *w, uint32_t v) {
   return {T(w->mesh.x[v]), T(w->mesh.y[v]), T(w->mesh.z[v])};
 }
 
-// N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
+// The plane N . (k P - S) = 0 of docs/correct-picture.md, where S is the sum of
+// the face's k vertices. `offset` is N . S.
 template <class T> struct FacePlane {
   Vector3<T> normal;
   T k, offset;
 
+  // The plane of the vertices of face f. For a piece, pass its parent's world
+  // and number.
   FacePlane(const hsr_world *w, uint32_t f)
       : normal(T(0), T(0), T(0)), k(double(hsr_face_size(w, f))) {
     const uint32_t *vertex = w->mesh.vertex + w->mesh.start[f],
@@ -41,19 +45,21 @@ template <class T> struct FacePlane {
     offset = normal * sum;
   }
 
-  // The plane x, y or z = at. front +1: its front is where the coordinate is
-  // greater; -1: where it is less.
+  // The plane where coordinate `axis` is `at`. Its front is where the
+  // coordinate is greater if `front` is +1, and where it is less if `front` is
+  // -1.
   FacePlane(size_t axis, double at, int front)
       : normal(T(axis == 0 ? front : 0), T(axis == 1 ? front : 0),
                T(axis == 2 ? front : 0)),
         k(1), offset(T(front) * T(at)) {}
 
+  // The height of a point over the plane, times k |N|.
   T height(const Vector3<T> &p) const { return k * (normal * p) - offset; }
 };
 
-// The side of the plane of face f that vertex v is on, +1 in front or -1
-// behind, if the rounded plane makes that certain; else 0. The bound is that of
-// order.c.
+// Returns the side of the plane of face f that vertex v is on, +1 in front or
+// -1 behind, if the rounded plane makes that certain. Else returns 0. The error
+// bound is that of order.c.
 inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
   const double n[3] = {w->mesh.nx[f], w->mesh.ny[f], w->mesh.nz[f]};
   const double r[3] = {w->mesh.x[v] - w->mesh.px[f],
@@ -68,7 +74,7 @@ inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
   return height > error ? 1 : height < -error ? -1 : 0;
 }
 
-// The exact side: +1 in front, -1 behind, 0 on the plane. May throw
+// Returns the exact side: +1 in front, -1 behind, 0 on the plane. May throw
 // std::bad_alloc.
 inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
   if (hsr_on_plane(w, f, v))
@@ -78,11 +84,12 @@ inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
   return CGAL::sign(FacePlane<Exact>(w, f).height(point<Exact>(w, v)));
 }
 
-// An axis along which face f may be projected, and the sign of the normal's
-// component there, which is certainly not 0. It is that of the largest component
-// of the rounded normal, unless that may be 0: products of coordinates below
-// 2^-480 underflow, and a sliver's normal may be all rounding. May throw
-// std::bad_alloc.
+// An axis along which a face may be projected, and the sign of its normal's
+// component along that axis, which is not 0. projection_of finds it for face f.
+// The axis is that of the largest component of the rounded normal, if that is
+// certainly not 0. Otherwise exact signs decide. That happens if products of
+// coordinates below 2^-480 underflow, or if a sliver's rounded normal is all
+// rounding error. May throw std::bad_alloc.
 struct Projection {
   int axis, sign;
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Splats, exactly: docs/composited-picture.md, Footprints. For what the filters
- * of a module leave open; each call takes microseconds. */
+/* Exact answers about splats. docs/composited-picture.md, "Footprints", has the
+ * definitions. The filters of a module decide most questions; these functions
+ * are for the rest. Each call takes microseconds. */
 #ifndef HSR_COMMON_FOOTPRINT_H
 #define HSR_COMMON_FOOTPRINT_H
 
@@ -11,17 +12,20 @@
 extern "C" {
 #endif
 
-/* How far each kernel reaches, in millionths of a cell. */
+/* The radius of each kernel, by enum hsr_splat_kernel, in millionths of a cell.
+ */
 extern const int hsr_kernel_reach[];
 
-/* c, in millionths, of each kind of blur and each kernel. */
+/* The factor c of the definition, in millionths, by enum hsr_splat_blur and
+ * enum hsr_splat_kernel. */
 extern const int hsr_blur_factor[][2];
 
-/* A splat as the definition has it. */
+/* A splat, by the numbers of the definition. */
 struct hsr_splat {
-  const struct hsr_view *view;
-  double at[3], size[3]; /* of the sample, and of its cell */
-  double width;
+  const struct hsr_view *view; /* borrowed */
+  double at[3];                /* the place of the sample, world units */
+  double size[3];              /* of its cell, along x, y, z, world units */
+  double width;                /* as the next ones, of struct hsr_splatting */
   bool antialias;
   enum hsr_splat_kernel kernel;
   enum hsr_splat_blur blur;
@@ -29,36 +33,37 @@ struct hsr_splat {
 };
 
 enum {
-  HSR_FOOTPRINT = 1024, /* entries of a kernel's table; no weight beyond */
-  HSR_FOOTPRINT_PARTS = 32
+  HSR_FOOTPRINT = 1024,    /* entries of a kernel's table of weights */
+  HSR_FOOTPRINT_PARTS = 32 /* parts of half a kernel along the ray */
 };
 
-/* Each of these sets *out_of_memory if memory ran out, and any answer is given
- * then. */
+/* The functions below set *out_of_memory if memory runs out. Their result is
+ * then meaningless. */
 
-/* Whether the depth of the sample exceeds near. */
+/* Whether the depth of the sample is above near. */
 bool hsr_exact_is_beyond_near(const struct hsr_splat *splat,
                               bool *out_of_memory);
 
-/* Whether it is blurred by its motion since the view before. */
+/* Whether the splat is blurred by its motion since the previous view. */
 bool hsr_exact_is_blurred(const struct hsr_splat *splat, bool *out_of_memory);
 
-/* The energy e, 0 to 65536. */
+/* Returns the energy e of the splat, 0 to 65536. */
 uint32_t hsr_exact_energy(const struct hsr_splat *splat, bool *out_of_memory);
 
-/* The index of the weight in pixel (i, j); HSR_FOOTPRINT if it is not covered.
- */
+/* Returns the index, in the kernel's table, of the splat's weight in pixel (i,
+ * j); HSR_FOOTPRINT if the splat does not cover the pixel. */
 int hsr_exact_footprint(const struct hsr_splat *splat, int i, int j,
                         bool *out_of_memory);
 
-/* Whether there are buckets: the depths of the box from lo to hi reach farther
- * than near, and than one depth. */
+/* Whether a volume is divided into buckets. It is if its box, from lo to hi in
+ * world units, has depths above near and more than one depth. */
 bool hsr_exact_is_deep(const struct hsr_view *view, const double lo[3],
                        const double hi[3], bool *out_of_memory);
 
-/* The part of the kernel before the end of bucket `bucket` of n in pixel (i,
- * j), the buckets reaching over the depths of the box from lo to hi: -32 to 32.
- * The pixel is covered. */
+/* Returns the part of the kernel that lies before the end of a bucket, in pixel
+ * (i, j), which the splat covers: -HSR_FOOTPRINT_PARTS to HSR_FOOTPRINT_PARTS.
+ * The bucket has number `bucket` of n, which divide the depths of the box from
+ * lo to hi, in world units. */
 int hsr_exact_footprint_part(const struct hsr_splat *splat, int i, int j,
                              const double lo[3], const double hi[3], int bucket,
                              int n, bool *out_of_memory);

@@ -173,8 +173,8 @@ struct Splat : Camera {
     return least;
   }
 
-  // What the ray of a pixel meets: V' + sQ, D', and the distance squared. False:
-  // the pixel is not covered.
+  // Finds V' + sQ, D' and the square of the distance for the ray of a pixel.
+  // False: the ray does not pass the splat.
   bool pass(int i, int j, Vector &v, Vector &d, Number &square) const {
     Vector point, way;
     ray(across(i, j), v, d);

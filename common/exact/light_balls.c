@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which of many faces are to one side of a light ray's row, by balls about them.
+/* Finding faces that do not meet the plane of a light ray's row, by balls that
+ * hold them.
  *
- * Notation    row(v) = W . (v - O), of struct hsr_lit_point: W is within e of the
- *             rounded w in each component, O within h of o; c and r are a ball's
- *             middle and radius, which are exact, and d = c - o. |x|1 is a sum of
- *             sizes.
+ * Notation    row(v) = W . (v - O), of struct hsr_lit_point: W is within e of
+ *             the rounded w in each component, O within h of o; c and r are a
+ *             ball's middle and radius, which are exact, and d = c - o. |x|1 is
+ *             a sum of sizes.
  * Bound       For v in the ball, row(v) is off W . (c - O) by no more than
  *             |W|1 r, where |W|1 <= |w|1 + 3 e; and that is off the rounded
  *             w . d by no more than
  *                 h |w|1 + e |d|1 + 3 e h + 6 u sum |w_k d_k|, u = 2^-53.
- *             This is doubled for the rounding of the bound, and 2^-960 is added
- *             for what is below all doubles. What is not a number is not beside.
- */
+ *             This is doubled for the rounding of the bound, and 2^-960 is
+ *             added for underflow. If a value is NaN, the face is not
+ *             "beside". */
 #include "common/base/vector.h"
 #include "common/exact/shadow.h"
 
@@ -60,7 +61,7 @@ enum hsr_status hsr_light_balls_make(struct hsr_light_balls *balls,
   return HSR_OK;
 }
 
-/* What of the bound is the same for all balls. */
+/* The parts of the bound that are the same for all balls. */
 struct row {
   double w[3], o[3], e, size, constant;
 };

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/named_lines.h \
   %D%/order.h \
   %D%/predicates.h \
   %D%/sample_ray.h \
   %D%/screen.h \
   %D%/shadow.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/alone.c \
   %D%/alone.h \
   %D%/exact_plane.h \

@@ -2,18 +2,20 @@
 /* The lines of docs/visible-polygons.md and the points where they cross, as
  * exact numbers, for algorithms that divide the picture plane into polygons.
  *
- * Lines       a line that has several names has one number. The function of a
- *             line is that of its first name; that of another name has the same
- *             sign everywhere, or the opposite one.
- * Points      a point in which many lines cross has one number. So points are
- *             equal if their numbers are, and lines too.
+ * Lines       a table numbers the lines that it is asked about. A line that has
+ *             several names has one number. The function of a line is that of
+ *             the name by which it was first asked for. The function of another
+ *             name has the same sign everywhere, or the opposite sign
+ *             everywhere.
+ * Points      a point where many lines cross has one number. So two points, or
+ *             two lines, are equal if and only if their numbers are.
  * Method      the coefficients of a line are integers without a common divisor,
  *             and so are the homogeneous coordinates of a point. Each is also
- *             kept in doubles, with a proved relative error. A sign is found
- *             in doubles if the bound of the error allows it, else in integers.
- * Memory      what was asked for is kept until the table is freed. GMP ends the
- *             process if memory runs out; what else runs out sets the flag of
- *             hsr_named_lines_failed, and answers mean nothing from then on. */
+ *             kept in doubles, with a proved relative error. A sign is found in
+ *             doubles if the error bound allows it, else in integers.
+ * Memory      lines and points are kept until the table is freed. If memory runs
+ *             out, hsr_named_lines_failed returns true, and results are
+ *             meaningless from then on. */
 #ifndef HSR_COMMON_NAMED_LINES_H
 #define HSR_COMMON_NAMED_LINES_H
 
@@ -27,85 +29,94 @@ extern "C" {
 
 struct hsr_named_lines;
 
-/* An empty table, or NULL for lack of memory. `world`, which is laid out, and
- * `view` are borrowed and must outlive it. */
+/* Returns an empty table, which the caller frees with hsr_named_lines_free.
+ * NULL: out of memory. `world`, which is laid out, and `view` are borrowed and
+ * must outlive the table. */
 struct hsr_named_lines *hsr_named_lines_new(const struct hsr_world *world,
                                             const struct hsr_view *view);
-void hsr_named_lines_free(struct hsr_named_lines *lines); /* NULL is allowed */
 
+/* Frees a table. NULL is allowed. */
+void hsr_named_lines_free(struct hsr_named_lines *lines);
+
+/* Whether memory has run out in a call of this table. */
 bool hsr_named_lines_failed(const struct hsr_named_lines *lines);
 
-/* How many signs were found in integers. */
+/* Returns how many signs were found in integers. */
 uint64_t hsr_named_lines_exact(const struct hsr_named_lines *lines);
 
 /* --- Lines ---------------------------------------------------------------- */
 
-/* The number of a line. *sign is +1 if the function of this name has the sign of
- * the line's function, else -1. HSR_NO_LINE if the name's function is zero
- * everywhere: an edge whose ends and the eye are on one line, the meeting of a
- * plane with itself, the row of a corner at infinity; then *sign is 0. A line may lie at infinity: its function
- * has one sign everywhere. */
+/* Returns the number of the line with this name. *sign is +1 if the function of
+ * the name has the sign of the line's function, and -1 if it has the opposite
+ * sign. HSR_NO_LINE, with *sign 0, if the function of the name is zero
+ * everywhere: for an edge whose ends and the eye are on one line, the meeting
+ * of a plane with itself, or the row of a corner whose image is at infinity.
+ * The line may lie at infinity; its function then has one sign everywhere. */
 #define HSR_NO_LINE UINT32_MAX
 uint32_t hsr_line_number(struct hsr_named_lines *lines,
                          struct hsr_line_name name, int *sign);
 
-/* The first name of a line. */
+/* Returns the name by which a line was first asked for. */
 struct hsr_line_name hsr_line_name_of(const struct hsr_named_lines *lines,
                                       uint32_t line);
 
-/* Whether the plane of a face does not hold the eye, and the sign of c in
- * docs/correct-picture.md: 0 if it does. */
+/* Returns the sign of c in docs/correct-picture.md, for the plane of a face. It
+ * is 0 if and only if the plane holds the eye. */
 int hsr_plane_sign(struct hsr_named_lines *lines, uint32_t face);
 
-/* For one who walks along a line with its positive side on the right, in the
- * picture: +1 if one turns right to walk along the other line likewise, -1 if
- * left, 0 if the lines are parallel. */
+/* Compares the directions of two lines. A line is directed so that its positive
+ * side is on the right, as seen in the picture. Returns +1 if the direction of
+ * `to` is to the right of that of `from`, -1 if it is to the left, 0 if the
+ * lines are parallel. */
 int hsr_line_turn(struct hsr_named_lines *lines, uint32_t from, uint32_t to);
 
-/* The direction of that walk, rounded. The component of the greater size has a
- * relative error of at most 2^-51, and both have the right sign: a component
- * that is not 0 is not rounded to 0. */
+/* Writes the direction of a line, in (sx, sy), rounded and not normalised. The
+ * greater component has a relative error of at most 2^-51. Both have the right
+ * sign, and a component that is not 0 is not rounded to 0. */
 void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
                         double direction[2]);
 
-/* The sign of a line's function at a point of the picture plane. */
+/* Returns the sign of a line's function at the screen point (sx, sy), in
+ * pixels. */
 int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
                      double sy);
 
 /* --- Points --------------------------------------------------------------- */
 
-/* The number of the point where two different lines cross. HSR_NO_POINT if they
- * are parallel. */
+/* Returns the number of the point where two different lines cross. HSR_NO_POINT
+ * if they are parallel. */
 #define HSR_NO_POINT UINT32_MAX
 uint32_t hsr_crossing(struct hsr_named_lines *lines, uint32_t k, uint32_t l);
 
-/* The image of corner k of a face. *w is the sign of its depth w in
- * common/view/view.h. If that is 0, the image is infinitely far away, in the
- * direction whose components have the signs toward[]: HSR_NO_POINT. */
+/* Returns the number of the point that is the image of corner k of a face. *w
+ * is the sign of the corner's w (common/view/view.h). If it is 0, the image is
+ * at infinity, and HSR_NO_POINT is returned. The signs of the components of its
+ * direction are written to toward[]. */
 uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
                           uint32_t k, int *w, int toward[2]);
 
-/* Whether a face surrounds the point half way between p and q, displaced as
- * samples are: by the parity of edges that cross to the right, in
- * docs/correct-picture.md. */
+/* Whether a face surrounds the point half-way between p and q, by the parity of
+ * the edges that cross to the right (docs/correct-picture.md). The point is
+ * displaced as samples are. */
 bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
                         uint32_t p, uint32_t q);
 
-/* The sign of a line's function at a point. */
+/* Returns the sign of a line's function at a point. */
 int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
                       uint32_t line);
 
-/* Compares the coordinates of two points along an axis, 0 or 1: -1, 0 or +1 as
- * that of p is less than that of q, equal, or greater. */
+/* Compares the coordinates of two points along an axis, 0 for sx or 1 for sy.
+ * Returns -1, 0 or +1 if that of p is less than that of q, equal, or
+ * greater. */
 int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
                          int axis);
 
-/* Likewise for the coordinate of p and a double. */
+/* The same for the coordinate of p and the double `at`. */
 int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
                             double at);
 
-/* (sx, sy) of a point, each with a relative error of at most 2^-50; infinite if
- * no double comes near. */
+/* Writes sx, sy of a point, in pixels, each with a relative error of at most
+ * 2^-50. A coordinate above all doubles becomes infinite. */
 void hsr_crossing_at(const struct hsr_named_lines *lines, uint32_t point,
                      double at[2]);
 

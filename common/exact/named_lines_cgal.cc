@@ -4,18 +4,18 @@
 // Line        a sx + b sy + c. The coefficients are polynomials in the doubles
 //             of the scene and the view. They are found once, in exact numbers,
 //             and divided by their common divisor.
-// Direction   one who walks along (b, -a) has the positive side on the right, sy
-//             being down.
+// Direction   one who walks along (b, -a) has the positive side on the right,
+//             sy being down.
 // Doubles     an integer becomes a double by mpz_get_d_2exp, which truncates:
-//             relative error 2^-52. The coefficients of a line are scaled by one
-//             power of two, so that the largest is between 1/2 and 1; one that
-//             is 2^-1022 or less loses 2^-1074. A coordinate is a quotient of two
-//             such doubles: its relative error is at most 2^-52 + 2^-52 + 2^-53
-//             and terms of second order, less than 2^-50.
-// Side        the terms a x, b y have a relative error of at most 2^-52 + 2^-50 +
-//             2^-53, and each of the two additions adds 2^-53. So the error of
-//             a x + b y + c is below 2^-48 (|a x| + |b y| + |c|), and 2^-900 for
-//             what is lost below the least double. If a coordinate is not
+//             relative error 2^-52. The coefficients of a line are scaled by
+//             one power of two, so that the largest is between 1/2 and 1; one
+//             that is 2^-1022 or less loses 2^-1074. A coordinate is a quotient
+//             of two such doubles: its relative error is at most 2^-52 + 2^-52
+//             + 2^-53 and terms of second order, less than 2^-50.
+// Side        the terms a x, b y have a relative error of at most 2^-52 + 2^-50
+//             + 2^-53, and each of the two additions adds 2^-53. So the error
+//             of a x + b y + c is below 2^-48 (|a x| + |b y| + |c|), and 2^-900
+//             for what is lost below the least double. If a coordinate is not
 //             finite, no comparison holds, and integers decide.
 
 #include "common/exact/named_lines.h"
@@ -197,6 +197,8 @@ struct hsr_named_lines {
 
   std::vector<Line> line;
   std::vector<Point> point;
+  Line no_line{};
+  Point no_point{};
   std::vector<Depth> depth;  // a face
   std::vector<Image> images; // a vertex
   std::unordered_map<hsr_line_name, Named, Hash_name, Same_name> by_name;
@@ -293,8 +295,8 @@ struct hsr_named_lines {
     return {Exact(0.0), sign > 0 ? at[2] : -at[2], sign > 0 ? -at[1] : at[1]};
   }
 
-  // A vertex as (w sx, w sy, w), times a positive number: with V - E = w (F + x R
-  // + y U), by Cramer's rule.
+  // A vertex as (w sx, w sy, w), times a positive number: with V - E = w (F + x
+  // R + y U), by Cramer's rule.
   std::array<Exact, 3> image(uint32_t vertex) const {
     const double place[3] = {world->mesh.x[vertex], world->mesh.y[vertex],
                              world->mesh.z[vertex]};
@@ -319,8 +321,8 @@ struct hsr_named_lines {
     return -CGAL::sign(along_u);
   }
 
-  // A point of the picture as a ray: m n W (F + x R + y U), or in parallel m n W
-  // (P - E); and m n W.
+  // A point of the picture as a ray: m n W (F + x R + y U), or in parallel m n
+  // W (P - E); and m n W.
   struct Ray {
     Vector d;
     Exact scale;
@@ -429,8 +431,27 @@ struct hsr_named_lines {
     return {number, 1};
   }
 
+  // After a failure a number may be that of no line or point.
+  const Line &line_at(uint32_t l) const {
+    return l < line.size() ? line[l] : no_line;
+  }
+  const Point &point_at(uint32_t p) const {
+    return p < point.size() ? point[p] : no_point;
+  }
+
+  // A sign in integers; 0 if memory runs out.
+  template <class Sign> int exactly(const Sign &sign) {
+    exact++;
+    try {
+      return sign();
+    } catch (...) {
+      failed = true;
+      return 0;
+    }
+  }
+
   uint32_t add_crossing(uint32_t k, uint32_t l) {
-    return add_point(cross(line[k].exact, line[l].exact), k, l);
+    return add_point(cross(line_at(k).exact, line_at(l).exact), k, l);
   }
 
   uint32_t add_point(Triple value, uint32_t k, uint32_t l) {
@@ -498,7 +519,7 @@ uint32_t hsr_line_number(struct hsr_named_lines *lines,
 
 struct hsr_line_name hsr_line_name_of(const struct hsr_named_lines *lines,
                                       uint32_t line) {
-  return lines->line[line].name;
+  return lines->line_at(line).name;
 }
 
 int hsr_plane_sign(struct hsr_named_lines *lines, uint32_t face) {
@@ -512,26 +533,27 @@ int hsr_plane_sign(struct hsr_named_lines *lines, uint32_t face) {
 
 /* The directions are (b, -a); their determinant is a b' - a' b. */
 int hsr_line_turn(struct hsr_named_lines *lines, uint32_t from, uint32_t to) {
-  const Line &k = lines->line[from], &l = lines->line[to];
+  const Line &k = lines->line_at(from), &l = lines->line_at(to);
   const double p = k.d[0] * l.d[1], q = l.d[0] * k.d[1];
   const double bound = SIDE_ERROR * (std::fabs(p) + std::fabs(q)) + LOST;
   if (p - q > bound)
     return 1;
   if (p - q < -bound)
     return -1;
-  lines->exact++;
-  return CGAL::sign(k.exact[0] * l.exact[1] - l.exact[0] * k.exact[1]);
+  return lines->exactly([&] {
+    return CGAL::sign(k.exact[0] * l.exact[1] - l.exact[0] * k.exact[1]);
+  });
 }
 
 void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
                         double direction[2]) {
-  direction[0] = lines->line[line].direction[0];
-  direction[1] = lines->line[line].direction[1];
+  direction[0] = lines->line_at(line).direction[0];
+  direction[1] = lines->line_at(line).direction[1];
 }
 
 int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
                      double sy) {
-  const Line &l = lines->line[line];
+  const Line &l = lines->line_at(line);
   const double p = l.d[0] * sx, q = l.d[1] * sy, r = l.d[2];
   const double value = p + q + r;
   const double bound =
@@ -540,10 +562,11 @@ int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
     return 1;
   if (value < -bound)
     return -1;
-  lines->exact++;
   const auto exact = [](const Gmpz &x) { return Exact(x); };
-  return CGAL::sign(exact(l.exact[0]) * Exact(sx) +
-                    exact(l.exact[1]) * Exact(sy) + exact(l.exact[2]));
+  return lines->exactly([&] {
+    return CGAL::sign(exact(l.exact[0]) * Exact(sx) +
+                      exact(l.exact[1]) * Exact(sy) + exact(l.exact[2]));
+  });
 }
 
 uint32_t hsr_crossing(struct hsr_named_lines *lines, uint32_t k, uint32_t l) {
@@ -592,7 +615,7 @@ uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
 bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
                         uint32_t p, uint32_t q) {
   try {
-    const Triple &a = lines->point[p].exact, &b = lines->point[q].exact;
+    const Triple &a = lines->point_at(p).exact, &b = lines->point_at(q).exact;
     lines->exact++;
     return lines->surrounds(face,
                             {a[0] * b[2] + b[0] * a[2],
@@ -605,10 +628,10 @@ bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
 
 int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
                       uint32_t line) {
-  const Point &at = lines->point[point];
+  const Point &at = lines->point_at(point);
   if (at.line[0] == line || at.line[1] == line)
     return 0;
-  const Line &l = lines->line[line];
+  const Line &l = lines->line_at(line);
   const double p = l.d[0] * at.at[0], q = l.d[1] * at.at[1], r = l.d[2];
   const double value = p + q + r;
   const double bound =
@@ -617,16 +640,17 @@ int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
     return 1;
   if (value < -bound)
     return -1;
-  lines->exact++;
-  return CGAL::sign(l.exact[0] * at.exact[0] + l.exact[1] * at.exact[1] +
-                    l.exact[2] * at.exact[2]);
+  return lines->exactly([&] {
+    return CGAL::sign(l.exact[0] * at.exact[0] + l.exact[1] * at.exact[1] +
+                      l.exact[2] * at.exact[2]);
+  });
 }
 
 int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
                          int axis) {
   if (p == q)
     return 0;
-  const Point &a = lines->point[p], &b = lines->point[q];
+  const Point &a = lines->point_at(p), &b = lines->point_at(q);
   const double by = a.at[axis] - b.at[axis];
   const double bound =
       SIDE_ERROR * (std::fabs(a.at[axis]) + std::fabs(b.at[axis])) + LOST;
@@ -634,14 +658,15 @@ int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
     return 1;
   if (by < -bound)
     return -1;
-  lines->exact++;
-  return CGAL::compare(a.exact[size_t(axis)] * b.exact[2],
-                       b.exact[size_t(axis)] * a.exact[2]);
+  return lines->exactly([&] {
+    return CGAL::compare(a.exact[size_t(axis)] * b.exact[2],
+                         b.exact[size_t(axis)] * a.exact[2]);
+  });
 }
 
 int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
                             double at) {
-  const Point &a = lines->point[p];
+  const Point &a = lines->point_at(p);
   const double by = a.at[axis] - at;
   const double bound =
       SIDE_ERROR * (std::fabs(a.at[axis]) + std::fabs(at)) + LOST;
@@ -649,13 +674,14 @@ int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
     return 1;
   if (by < -bound)
     return -1;
-  lines->exact++;
-  return CGAL::sign(Exact(a.exact[size_t(axis)]) -
-                    Exact(at) * Exact(a.exact[2]));
+  return lines->exactly([&] {
+    return CGAL::sign(Exact(a.exact[size_t(axis)]) -
+                      Exact(at) * Exact(a.exact[2]));
+  });
 }
 
 void hsr_crossing_at(const struct hsr_named_lines *lines, uint32_t point,
                      double at[2]) {
-  at[0] = lines->point[point].at[0];
-  at[1] = lines->point[point].at[1];
+  at[0] = lines->point_at(point).at[0];
+  at[1] = lines->point_at(point).at[1];
 }

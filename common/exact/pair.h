@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Comparing two faces of a scene that is not laid out, by laying out just those
- * two. This is rare: an approximate comparison usually decides. */
+/* Comparing two faces of a scene that is not laid out: only those two are laid
+ * out. This is rare, since an approximate comparison usually decides. */
 #ifndef HSR_COMMON_PAIR_H
 #define HSR_COMMON_PAIR_H
 
@@ -16,25 +16,27 @@ struct hsr_pair {
   struct hsr_screen screen;
 };
 
-/* The largest number of vertices that a face of the scene has. */
+/* Returns the greatest number of vertices of a face of the scene; 3 if there is
+ * no larger face. The faces of a grid must be made (hsr_scene_make_faces). */
 uint32_t hsr_largest_face(const struct hsr_scene *scene);
 
-/* `scene` is the world that the ids belong to, laid out or an outline. All
- * arguments are borrowed. *pair must not be moved, and lasts as long as the
- * arena's arrays. HSR_E_NOMEM. */
+/* Makes room for two faces. `scene` is the world that the ids belong to, laid
+ * out or a roster. The faces of a grid must be made. All arguments are borrowed
+ * and must outlive *pair, whose arrays are in the arena. *pair must not be
+ * copied or moved. HSR_E_NOMEM. */
 enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_world *scene,
                               const struct hsr_view *view,
                               struct hsr_arena *arena);
 
-/* hsr_nearer and hsr_nearer_at for two faces given by their ids in the scene, f
- * != g. */
+/* hsr_nearer and hsr_nearer_at (common/exact/screen.h) for two faces given by
+ * their ids in the scene, f != g. */
 bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                      int j, struct hsr_tally *tally);
 bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
                         double sx, double sy, struct hsr_tally *tally);
 
-/* Are the planes of two faces the same? */
+/* Whether the planes of two faces, given by their ids, are exactly the same. */
 bool hsr_pair_same_plane(struct hsr_pair *pair, uint32_t f, uint32_t g,
                          struct hsr_tally *tally);
 

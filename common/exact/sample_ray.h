@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ray of a sample in the numbers T of common/polygon/exact_numbers.h.
 //
-// Division    there is none: x = (2 (sx + l) - W)/W and y = (H - 2 (sy + t))/H
-//             of common/view/view.h are multiplied through by m n > 0, where m
-//             x n is W x H.
+// Division    nothing is divided. x = (2 (sx + l) - W)/W and y = (H - 2 (sy +
+//             t))/H of common/view/view.h are multiplied by m n > 0, where m is
+//             W and n is H.
 #ifndef HSR_SAMPLE_RAY_H
 #define HSR_SAMPLE_RAY_H
 
@@ -12,14 +12,15 @@
 
 namespace hsr {
 
-/* Where a function of the ray is evaluated, in coordinates from E: at S of
- * common/view/view.h, m n times, which is m n D, or in parallel m n (P - E),
- * with `one` m n; or at a derivative of it, with `one` 0. */
+/* The point S of common/view/view.h, times m n, with E as origin: s is m n D in
+ * perspective and m n (P - E) in parallel, and `one` is m n. A derivative of S
+ * has the same type, with `one` 0. */
 template <class T> struct Heading {
   Vector<T> s;
   T one;
 };
 
+/* S of the screen point (sx, sy), not perturbed. */
 template <class T>
 Heading<T> at_sample(const hsr_view &view, double sx, double sy) {
   const T m = T(double(view.whole_m)), n = T(double(view.whole_n));

@@ -893,7 +893,7 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
   return lo;
 }
 
-/* As hsr_edge_column, but -1 where the tolerance leaves a doubt. */
+/* As hsr_edge_column, but -1 if the tolerance leaves a doubt. */
 HSR_VECTOR static void columns_of(const struct hsr_edge *edge, uint32_t n,
                                   double sx, double sy, int m, int *column) {
   for (uint32_t k = 0; k < n; k++) {
@@ -920,7 +920,7 @@ static int compare_columns(const void *a, const void *b) {
   return (p > q) - (p < q);
 }
 
-/* Mostly they are two. */
+/* Sorts columns. Usually there are two. */
 static void sort_columns(int *columns, int n) {
   if (n > 32) {
     qsort(columns, (size_t)n, sizeof *columns, compare_columns);
@@ -1001,10 +1001,10 @@ static bool ask_past_near(const struct question *q, int i) {
              &q->tally->out_of_memory) > 0;
 }
 
-/* The first column in (lo, hi] where the answer is not at_lo, as it is at lo.
- */
+/* The first column in (lo, hi] where the answer differs from at_lo, the answer
+ * at lo. It differs at hi. */
 static int change(const struct question *q, bool at_lo, int lo, int hi) {
-  while (hi - lo > 1) { /* as at_lo at lo, not so at hi */
+  while (hi - lo > 1) { /* the answer is at_lo at lo, but not at hi */
     int middle = lo + (hi - lo) / 2;
     if (q->holds(q, middle) == at_lo)
       lo = middle;
@@ -1034,8 +1034,8 @@ struct crossing {
   int column;
 };
 
-/* The column near which an edge crosses the row, wherever its ends are. A
- * guess: any number if it cannot be told. */
+/* A guess of the column near which an edge crosses the row, wherever its ends
+ * are. If rounding leaves it open, it is any number. */
 static int guess_column(const struct question *q, const struct row_edge *edge) {
   double column =
       ceil(-edge->rest / edge->across - hsr_sample_x(q->screen->view, 0));

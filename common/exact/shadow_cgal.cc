@@ -13,9 +13,9 @@
 //             Every interval below holds the number that it stands for, so a
 //             sign is certain if its interval does not hold 0. What is not a
 //             number, after an overflow, compares false and decides nothing.
-// Rows        most faces are to one side of the row. Doubles tell that of a corner
-//             before the intervals: with W and O within e and h of the rounded w
-//             and o, W . (v - O) is off by no more than
+// Rows        most faces are to one side of the row. Doubles tell that of a
+//             corner before the intervals: with W and O within e and h of the
+//             rounded w and o, W . (v - O) is off by no more than
 //                 h |w| + e |v - o| + 3 e h + 6 u sum |w_k (v_k - o_k)|,
 //             in sums of sizes, u = 2^-53. This is doubled for the rounding of
 //             the bound, and 2^-960 is added for what is below all doubles.
@@ -42,7 +42,7 @@ bool is_sun(const double L[4]) {
   return L[3] == 0;
 }
 
-/* X is the axis of this number. */
+/* The number, 0 or 1, of the axis X of docs/shadow-picture.md. */
 int across(const double L[4]) {
   return is_sun(L) && L[1] == 0 && L[2] == 0 ? 1 : 0;
 }
@@ -301,7 +301,8 @@ void slide(const double L[4], const Vector<Interval> &p, Interval image[2]) {
   }
 }
 
-/* What is not a number may be anywhere. */
+/* Makes a box hold an image, too. A coordinate that is not a number may be
+ * anywhere. */
 void extend(hsr_light_box *box, const Interval image[2]) {
   for (int k = 0; k < 2; k++) {
     if (!(image[k].inf() <= image[k].sup())) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tiles of pictures of colours: as those of ids in common/files/image.h, but with
- * the channels R, G, B of 32-bit floats, 3 a pixel. */
+/* Tiles of pictures of colours. They are as tiles of ids in
+ * common/files/image.h, but with 3 linear 32-bit floats a pixel, in the
+ * channels R, G, B. */
 #ifndef HSR_COMMON_COLOUR_TILES_H
 #define HSR_COMMON_COLOUR_TILES_H
 
@@ -10,7 +11,8 @@
 extern "C" {
 #endif
 
-/* As hsr_image_write_tile and hsr_image_join_tiles. */
+/* As hsr_image_write_tile and hsr_image_join_tiles. rgb has 3 floats a
+ * sample. */
 enum hsr_status hsr_image_write_colour_tile(const char *path,
                                             const struct hsr_tile_grid *tiling,
                                             long number, const float *rgb,

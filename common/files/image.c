@@ -3,46 +3,55 @@
 #include "common/files/image_library.h"
 #include "common/files/library.h"
 
-static const struct hsr_image_library *load(struct hsr_error *err) {
-  return hsr_library_table("hsr-images.so", "hsr_images", err);
+static enum hsr_status load(const struct hsr_image_library **images,
+                            struct hsr_error *err) {
+  const void *table;
+  enum hsr_status status =
+      hsr_library_table("hsr-images.so", "hsr_images", &table, err);
+  *images = table;
+  return status;
 }
 
 enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->write(path, picture, text, err) : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->write(path, picture, text, err);
 }
 
 enum hsr_status hsr_image_write_alpha(const char *path,
                                       const struct hsr_picture *picture,
                                       const float *alpha, const char *text,
                                       struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->write_alpha(path, picture, alpha, text, err)
-                : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->write_alpha(path, picture, alpha, text, err);
 }
 
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->write_work(path, m, n, work, err) : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->write_work(path, m, n, work, err);
 }
 
 enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
                                      const float *x, struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->write_ramp(path, m, n, x, err) : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->write_ramp(path, m, n, x, err);
 }
 
 enum hsr_status hsr_image_write_tile(const char *path,
                                      const struct hsr_tile_grid *tiling,
                                      long number, const uint32_t *ids,
                                      const char *text, struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images
-             ? images->write_tile(path, tiling, number, false, ids, text, err)
-             : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status
+             ? status
+             : images->write_tile(path, tiling, number, false, ids, text, err);
 }
 
 enum hsr_status hsr_image_join_tiles(const char *path,
@@ -50,9 +59,11 @@ enum hsr_status hsr_image_join_tiles(const char *path,
                                      const char *(*name)(void *whom, long k),
                                      void *whom, const char *text,
                                      struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->join_tiles(path, tiling, false, name, whom, text, err)
-                : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status
+             ? status
+             : images->join_tiles(path, tiling, false, name, whom, text, err);
 }
 
 enum hsr_status hsr_image_write_colour_tile(const char *path,
@@ -60,9 +71,11 @@ enum hsr_status hsr_image_write_colour_tile(const char *path,
                                             long number, const float *rgb,
                                             const char *text,
                                             struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->write_tile(path, tiling, number, true, rgb, text, err)
-                : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status
+             ? status
+             : images->write_tile(path, tiling, number, true, rgb, text, err);
 }
 
 enum hsr_status
@@ -70,14 +83,16 @@ hsr_image_join_colour_tiles(const char *path,
                             const struct hsr_tile_grid *tiling,
                             const char *(*name)(void *whom, long k), void *whom,
                             const char *text, struct hsr_error *err) {
-  const struct hsr_image_library *images = load(err);
-  return images ? images->join_tiles(path, tiling, true, name, whom, text, err)
-                : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status
+                : images->join_tiles(path, tiling, true, name, whom, text, err);
 }
 
 enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
                                float **value, struct hsr_error *err) {
   *value = NULL;
-  const struct hsr_image_library *images = load(err);
-  return images ? images->read(path, colours, size, value, err) : HSR_E_INPUT;
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->read(path, colours, size, value, err);
 }

@@ -10,49 +10,56 @@ extern "C" {
 #endif
 
 /* Writes a picture in the format of the suffix:
- *   .exr  channels R G B Z as float and id as 32-bit unsigned (rgb, depth and
- *         ids must all be there);
+ *   .exr  channels R G B Z as float and id as 32-bit unsigned. The picture must
+ *         have rgb, depth and ids;
  *   any other suffix that OpenImageIO writes (.png, .ppm, .tif, .jpg ...): rgb
- *         as 8 bits a channel, sRGB-encoded.
- * Writes to a temporary name beside `path` and renames it, so that a failure
- * leaves no partial file. `text`, NULL or "key=value" lines, goes into the
- * file's metadata where the format has a place. HSR_E_INPUT: the suffix is not
- * known or the file cannot be written (*err names it); HSR_E_NOMEM. */
+ *         with 8 bits a channel, sRGB-encoded.
+ * The file is written under a temporary name beside `path` and then renamed, so
+ * that a failure leaves no partial file. `text` is NULL or lines of
+ * "key=value", which are put into the file's metadata if the format has a place
+ * for them. HSR_E_INPUT if the suffix is not known or the file cannot be
+ * written; *err names it. HSR_E_NOMEM. */
 enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
-/* Writes colours, of which the share alpha[k], 0 to 1, of pixel k is there, as
- * .png, with 8 bits a channel. Fails as hsr_image_write. */
+/* Writes the colours of a picture with an opacity alpha[k], 0..1, for each
+ * pixel k, as .png, with 8 bits a channel. Errors as hsr_image_write. */
 enum hsr_status hsr_image_write_alpha(const char *path,
                                       const struct hsr_picture *picture,
                                       const float *alpha, const char *text,
                                       struct hsr_error *err);
 
-/* Writes values from 0 to 1, m x n, through a perceptual colour ramp, dark to
- * bright. Not to .exr. Fails as hsr_image_write. */
+/* Writes m x n values from 0 to 1, x[j * m + i], as colours of a perceptual
+ * ramp from dark to bright. Not for .exr. Errors as hsr_image_write. */
 enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
                                      const float *x, struct hsr_error *err);
 
-/* Writes one float channel, m x n. To .exr as it is (channel Y); to others
- * through that ramp, logarithmically, the largest value brightest. Fails as
- * hsr_image_write. */
+/* Writes a work picture, work[j * m + i], m x n. In .exr the numbers are kept,
+ * in channel Y. In other formats their logarithms become colours of the ramp,
+ * the largest brightest. Errors as hsr_image_write. */
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err);
 
-/* A picture too large for memory, by its tiles: the ids of m x n samples in
- * squares of `side`, those at the right and the bottom being cut. They are
- * numbered by rows. */
+/* The tiles of a picture that is too large for memory. Its m x n samples are
+ * divided into squares of side x side. Those at the right and at the bottom are
+ * smaller if need be. Tiles are numbered by rows, from 0. */
 enum { HSR_TILE_GRAIN = 256 }; /* `side` is a multiple of this */
 struct hsr_tile_grid {
   int m, n, side;
 };
+
+/* Returns how many tiles there are along n samples. */
 static inline int hsr_tiles_along(int n, int side) {
   return (n + side - 1) / side;
 }
+
+/* Returns the number of tiles of a picture. */
 static inline long hsr_tile_count(const struct hsr_tile_grid *t) {
   return (long)hsr_tiles_along(t->m, t->side) * hsr_tiles_along(t->n, t->side);
 }
+
+/* Returns the samples of a tile, in the picture. */
 static inline struct hsr_window hsr_tile_window(const struct hsr_tile_grid *t,
                                                 long number) {
   int across = hsr_tiles_along(t->m, t->side);
@@ -63,31 +70,32 @@ static inline struct hsr_window hsr_tile_window(const struct hsr_tile_grid *t,
   return tile;
 }
 
-/* Writes the ids of one tile, by its rows, as an .exr file of its own: channel
- * id, 32-bit unsigned, with its place in the whole picture. Files and failures
- * as for hsr_image_write. */
+/* Writes the ids of tile `number`, by its rows, as an .exr file of its own. The
+ * file has the channel id, 32-bit unsigned, and the tile's place in the
+ * picture. `text`, temporary files and errors are as in hsr_image_write. */
 enum hsr_status hsr_image_write_tile(const char *path,
                                      const struct hsr_tile_grid *tiling,
                                      long number, const uint32_t *ids,
                                      const char *text, struct hsr_error *err);
 
-/* Joins the files of all tiles to one tiled .exr. The files are named, and the
- * progress is told, by `name`, which is called for each tile once, in order;
- * the name is needed until the next call. The bytes of the file depend only on
- * the ids, the text and the size of tiles. No more memory is taken than for a
- * few tiles. HSR_E_INPUT: a tile cannot be read or is none of this picture, or
- * the file cannot be written; HSR_E_NOMEM. */
+/* Joins the files of all tiles to one tiled .exr. name(whom, k) returns the
+ * path of the file of tile k. It is called once for each tile, in order, so it
+ * can show progress too. The path must be valid until the next call. The bytes
+ * of the file depend only on the ids, the text and the size of tiles. Memory is
+ * that of a few tiles. HSR_E_INPUT if a tile cannot be read or does not belong
+ * to this picture, or if the file cannot be written; HSR_E_NOMEM. */
 enum hsr_status hsr_image_join_tiles(const char *path,
                                      const struct hsr_tile_grid *tiling,
                                      const char *(*name)(void *whom, long k),
                                      void *whom, const char *text,
                                      struct hsr_error *err);
 
-/* Reads a picture in any format that OpenImageIO reads: linear colours, 3 a
- * pixel, or its first channel, 1 a pixel; by rows from the top. size[]:
- * columns, rows. *value is malloc'ed, the caller's; NULL after a failure. Takes
- * no more memory than a picture packed into so many bytes can need.
- * HSR_E_INPUT, HSR_E_NOMEM, HSR_E_INTERNAL. */
+/* Reads a picture in any format that OpenImageIO reads, by rows from the top.
+ * If `colours`, *value has 3 linear numbers a pixel; else it has the first
+ * channel, 1 number a pixel. size[] becomes the numbers of columns and rows.
+ * *value is malloc'ed and the caller frees it; NULL after a failure. Memory is
+ * limited by what a file of this size can hold. HSR_E_INPUT if the file cannot
+ * be read; HSR_E_NOMEM; HSR_E_INTERNAL if the library fails. */
 enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
                                float **value, struct hsr_error *err);
 

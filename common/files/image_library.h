@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What hsr-images.so offers; only for image.c and image_oiio.cc. */
+/* The functions of hsr-images.so; only for image.c and image_oiio.cc. */
 #ifndef HSR_COMMON_IMAGE_LIBRARY_H
 #define HSR_COMMON_IMAGE_LIBRARY_H
 
@@ -19,7 +19,7 @@ struct hsr_image_library {
                                 struct hsr_error *err);
   enum hsr_status (*read)(const char *path, bool colours, uint32_t size[2],
                           float **value, struct hsr_error *err);
-  /* Of colours: 3 floats a pixel. Else of ids: 32 bits a pixel. */
+  /* If `colours`, pixels are 3 floats each; else they are ids of 32 bits. */
   enum hsr_status (*write_tile)(const char *path,
                                 const struct hsr_tile_grid *tiling, long number,
                                 bool colours, const void *pixels,

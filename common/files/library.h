@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of hsr that need a heavy library. Each is a file of its own, which is
- * loaded when it is first called: what writes no picture loads no
- * OpenImageIO. */
+/* Parts of hsr that need a heavy library. Each part is a shared object of its
+ * own, which is loaded when it is first needed. So a command that writes no
+ * picture does not load OpenImageIO. */
 #ifndef HSR_COMMON_LIBRARY_H
 #define HSR_COMMON_LIBRARY_H
 
@@ -11,11 +11,13 @@
 extern "C" {
 #endif
 
-/* The table of functions `name` in a file, "hsr-images.so": the one beside this
- * program, or else the one that is installed. The file stays loaded. NULL if it
- * cannot be loaded, and *err says why. */
-const void *hsr_library_table(const char *file, const char *name,
-                              struct hsr_error *err);
+/* Loads a shared object, as "hsr-images.so". *table becomes the address of its
+ * symbol `name`, which is a table of functions; NULL after an error. The file
+ * is the one beside this program or library or, if there is none, the one that
+ * is installed. It stays loaded. HSR_E_INPUT if it cannot be loaded;
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_library_table(const char *file, const char *name,
+                                  const void **table, struct hsr_error *err);
 
 #ifdef __cplusplus
 }

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/colour_tiles.h \
   %D%/image.h \
   %D%/page.h \
   %D%/plot.h \
   %D%/whole_file.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/image.c \
   %D%/image_library.h \
   %D%/library.c \
@@ -25,7 +25,7 @@ hsr_images_so_SOURCES = \
   common/base/status.c \
   common/files/whole_file.c
 hsr_images_so_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_CFLAGS)
-hsr_images_so_CFLAGS = $(AM_CFLAGS) -fPIC
-hsr_images_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_images_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
+hsr_images_so_CXXFLAGS = $(AM_CXXFLAGS) -fvisibility=default
 hsr_images_so_LDFLAGS = -shared
 hsr_images_so_LDADD = $(OIIO_LIBS)

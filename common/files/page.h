@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The size of a page. */
 #ifndef HSR_COMMON_PAGE_H
 #define HSR_COMMON_PAGE_H
 
-/* How large a page of .svg or .pdf is. Its shape is that of the picture, and its
- * pens are as wide as on any other. */
+/* The size of a page of .svg or .pdf. Its shape is that of the picture. The
+ * width of pens does not depend on it. */
 struct hsr_page {
-  double width;     /* 0: a pixel of 1/96 inch for each of the picture */
-  const char *unit; /* of the width, as .svg files write it: "mm" */
-  double pixels;    /* a unit, at 96 an inch */
+  double width;     /* in `unit`; 0: each pixel of the picture is 1/96 inch */
+  const char *unit; /* as .svg files write it: "mm" */
+  double pixels;    /* how many pixels of 1/96 inch a unit has */
 };
 
 #endif

@@ -2,10 +2,10 @@
 /* A line drawing on paper, as the strokes of a plotter's pens; or visible
  * polygons, filled.
  *
- * Paper       in pixels, sx to the right and sy down, [0, m] x [0, n], as in
- *             common/view/view.h; white.
- * Rounded     strokes are only looked at. Their ends are those of the drawing's
- *             intervals, rounded and kept inside the picture. */
+ * Paper       [0, m] x [0, n] pixels, with sx to the right and sy down, as in
+ *             common/view/view.h. The paper of a line drawing is white.
+ * Rounded     strokes are for the eye only. Their ends are those of the
+ *             drawing's intervals, rounded and clamped to the picture. */
 #ifndef HSR_COMMON_PLOT_H
 #define HSR_COMMON_PLOT_H
 
@@ -24,13 +24,13 @@ struct hsr_pen {
   const char *name; /* [a-z0-9-]+ */
   double width;     /* pixels */
   double grey;      /* 0 black ... 1 white, sRGB-encoded */
-  double dash;      /* and gap, pixels; 0: none */
+  double dash;      /* the length of a dash, and of a gap, pixels; 0: solid */
 };
 
 struct hsr_stroke {
-  uint32_t pen, object; /* indices into pen and the scene's objects */
-  size_t number;        /* of its interval in the drawing */
-  double from[2], to[2];
+  uint32_t pen, object;  /* indices into pen and the scene's objects */
+  size_t number;         /* the number of its interval in the drawing */
+  double from[2], to[2]; /* its ends, pixels */
 };
 
 /* The colour of a region, linear, 0..1. */
@@ -39,62 +39,68 @@ struct hsr_fill {
 };
 
 struct hsr_plot {
-  int m, n;
-  struct hsr_page page;
-  const struct hsr_pen *pen; /* n_pens, the visible one first */
+  int m, n;                  /* of the picture, pixels */
+  struct hsr_page page;      /* all zero; the caller may set it */
+  const struct hsr_pen *pen; /* n_pens, static; pen 0 is for visible edges */
   uint32_t n_pens;
-  struct hsr_stroke *stroke; /* n_strokes; the last pen's first, so that what
-                                is visible is on top; by object, by number */
+  struct hsr_stroke *stroke; /* n_strokes, in descending order of pens, so that
+                                visible edges are on top; then by object, then
+                                by number */
   size_t n_strokes;
-  const struct hsr_polygons
-      *polygons;                   /* below the strokes; borrowed; or NULL */
-  struct hsr_fill *fill;           /* a region of theirs */
-  float paper[3];                  /* linear */
-  const struct hsr_scene *scene;   /* borrowed: the names of its objects */
-  const char *title, *description; /* borrowed; NULL: none */
+  const struct hsr_polygons *polygons; /* drawn below the strokes; borrowed;
+                                          NULL: none */
+  struct hsr_fill *fill;               /* by region of the polygons */
+  float paper[3];                      /* its colour, linear, 0..1 */
+  const struct hsr_scene *scene;       /* for the names of objects; borrowed */
+  const char *title, *description; /* NULL; the caller may set them; borrowed */
 };
 
-/* Finds where a point of the world is on the paper, in pixels. False if it is
- * not before the eye. */
+/* Finds the place of a point of the world on the paper, in pixels, clamped to
+ * the picture. False if the point is not before the eye. */
 bool hsr_plot_point(const struct hsr_view *view, const double point[3],
                     double at[2]);
 
-/* Lays out a drawing of the whole view. An implied edge belongs to the object
- * of its first face. Freed with hsr_plot_free, also after a failure.
- * HSR_E_NOMEM. */
+/* Lays out a drawing of the whole view. An edge gets the object that it belongs
+ * to; an implied edge gets that of its first face. *plot is written in full,
+ * and is freed with hsr_plot_free also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                               const struct hsr_drawing *drawing,
                               const struct hsr_world *world,
                               const struct hsr_view *view,
                               enum hsr_hidden hidden, struct hsr_error *err);
-/* Lays out visible polygons, which are borrowed, in the colours of `shading`; the
- * paper has that of the background. Freed in the same way. HSR_E_NOMEM. */
+/* Lays out visible polygons, which are borrowed, in the colours of `shading`;
+ * the paper has that of the background. Freed in the same way. HSR_E_NOMEM. */
 enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
                                        const struct hsr_polygons *polygons,
                                        const struct hsr_world *world,
                                        const struct hsr_view *view,
                                        enum hsr_shading shading,
                                        struct hsr_error *err);
+
+/* Frees what the plot owns. */
 void hsr_plot_free(struct hsr_plot *plot);
 
-/* Pixels of the page, at 96 an inch, for each of the picture. */
+/* Returns how many pixels of 1/96 inch on the page a pixel of the picture
+ * has. */
 double hsr_plot_scale(const struct hsr_plot *plot);
 
-/* How many strokes, from number k on, share the pen and object of stroke k. */
+/* Returns how many strokes, from stroke[k] on, have the pen and the object of
+ * stroke[k]. */
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k);
 
 /* --- Paper ---------------------------------------------------------------- */
 
-/* Write a file, whole or not at all. HSR_E_INPUT: it cannot be written;
- * HSR_E_NOMEM. In .svg each object has a <path> of its own for each pen, and so
- * has each region of polygons, its id "face-F-R" with the face F and the number
- * R of the region. */
+/* Write a file, completely or not at all. In .svg, each object has one <path>
+ * for each pen, and each region of polygons has one <path> with the id
+ * "face-F-R", where F is its face and R its number. HSR_E_INPUT if the file
+ * cannot be written; HSR_E_NOMEM. */
 enum hsr_status hsr_plot_write_svg(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 
-/* Antialiased pixels: rgb[3 * (j * m + i) ...], linear, m * n of them.
+/* Draws the plot as m x n antialiased pixels. Pixel (i, j) is rgb[3 * (j * m +
+ * i)] and the next two, linear, 0..1, in an array of the caller.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_plot_raster(const struct hsr_plot *plot, float *rgb,
                                 struct hsr_error *err);

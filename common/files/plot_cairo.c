@@ -3,6 +3,7 @@
 #include "common/files/plot.h"
 #include "common/files/srgb.h"
 #include "common/files/whole_file.h"
+#include "common/lines/polygons.h"
 
 #include <cairo-pdf.h>
 
@@ -104,6 +105,8 @@ enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
     return status;
   cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(
       append, file.stream, points * scale * plot->m, points * scale * plot->n);
+  /* No time of making: the same drawing is the same file. */
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
   if (plot->title)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE,
                                    plot->title);

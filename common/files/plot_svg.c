@@ -5,6 +5,7 @@
 #include "common/files/plot.h"
 #include "common/files/srgb.h"
 #include "common/files/whole_file.h"
+#include "common/lines/polygons.h"
 
 #include <math.h>
 #include <string.h>

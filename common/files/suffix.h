@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A file's format, by its name. */
+/* The format of a file, by its name. */
 #ifndef HSR_COMMON_FILES_SUFFIX_H
 #define HSR_COMMON_FILES_SUFFIX_H
 
@@ -7,13 +7,15 @@
 #include <string.h>
 #include <strings.h>
 
-/* Whether `path` ends in `suffix`, ".svg", whatever the case of its letters. */
+/* Whether the part of `path` from its last dot on is `suffix`, ".svg", in upper
+ * or lower case. */
 static inline bool hsr_ends_in(const char *path, const char *suffix) {
   const char *dot = strrchr(path, '.');
   return dot && !strcasecmp(dot, suffix);
 }
 
-/* Whether a file of this name can hold only a line drawing. */
+/* Whether a file of this name can hold a line drawing or polygons, but no
+ * picture of pixels. */
 static inline bool hsr_is_line_file(const char *path) {
   return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
          hsr_ends_in(path, ".vtp");

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static enum hsr_status fail(const char *path, struct hsr_error *err) {
   if (errno == ENOMEM)
@@ -25,17 +27,60 @@ static char *part_of(const char *path) {
   return part;
 }
 
+/* A device or a pipe, such as /dev/null: a file must not take its place. */
+static bool is_special(const char *path) {
+  struct stat is;
+  return !stat(path, &is) && !S_ISREG(is.st_mode) && !S_ISDIR(is.st_mode);
+}
+
+/* A new file elsewhere, whose name replaces the X's of `name`. */
+static FILE *open_elsewhere(char *name) {
+  int file = mkstemp(name);
+  FILE *stream = file < 0 ? NULL : fdopen(file, "wb");
+  if (file >= 0 && !stream)
+    close(file);
+  return stream;
+}
+
 enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
                                     const char *path, struct hsr_error *err) {
-  *file = (struct hsr_whole_file){.path = path, .part = part_of(path)};
+  bool special = is_special(path);
+  *file = (struct hsr_whole_file){.path = path,
+                                  .part = special ? strdup("/tmp/hsr-XXXXXX")
+                                                  : part_of(path),
+                                  .special = special};
   if (!file->part)
     return hsr_fail_nomem(err);
-  file->stream = fopen(file->part, "wb");
+  file->stream = special ? open_elsewhere(file->part) : fopen(file->part, "wb");
   if (file->stream)
     return HSR_OK;
   enum hsr_status status = fail(path, err);
   free(file->part);
   return status;
+}
+
+/* Writes what is in one file to another that is there. */
+static bool copy(const char *from, const char *to) {
+  FILE *in = fopen(from, "rb"), *out = in ? fopen(to, "wb") : NULL;
+  char bytes[4096];
+  bool good = out;
+  for (size_t n; good && (n = fread(bytes, 1, sizeof bytes, in)) > 0;)
+    good = fwrite(bytes, 1, n, out) == n;
+  good &= in && !ferror(in);
+  int why = errno;
+  if (out && fclose(out) && good) {
+    good = false;
+    why = errno;
+  }
+  if (in)
+    fclose(in);
+  errno = why;
+  return good;
+}
+
+static bool put_in_place(const struct hsr_whole_file *file) {
+  return file->special ? copy(file->part, file->path)
+                       : !rename(file->part, file->path);
 }
 
 enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
@@ -47,11 +92,11 @@ enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
     written = false;
     why = errno;
   }
-  if (!status && written && rename(file->part, file->path)) {
+  if (!status && written && !put_in_place(file)) {
     written = false;
     why = errno;
   }
-  if (status || !written)
+  if (status || !written || file->special)
     remove(file->part);
   free(file->part);
   errno = why;

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An output file that exists whole or not at all: it is written under another
- * name beside its own, and renamed in the end. */
+/* An output file that exists completely or not at all. It is written under a
+ * temporary name, "PATH.part", and renamed at the end. If PATH is a device or a
+ * pipe, the file is written elsewhere and copied to it at the end. */
 #ifndef HSR_COMMON_WHOLE_FILE_H
 #define HSR_COMMON_WHOLE_FILE_H
 
 #include "common/base/status.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #ifdef __cplusplus
@@ -13,24 +15,27 @@ extern "C" {
 #endif
 
 struct hsr_whole_file {
-  const char *path; /* borrowed */
-  char *part;       /* the other name */
-  FILE *stream;     /* to be written to */
+  const char *path; /* borrowed until the file is closed */
+  char *part;       /* the temporary name; owned */
+  FILE *stream;     /* for the caller to write to */
+  bool special;     /* `path` is a device or a pipe */
 };
 
-/* Opens the file under its other name. HSR_E_NOMEM; HSR_E_INPUT if it cannot be
- * written, with *err naming it. */
+/* Opens the file under its temporary name. HSR_E_INPUT if it cannot be written,
+ * with *err naming it; HSR_E_NOMEM. After a failure the file must not be
+ * closed. */
 enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
                                     const char *path, struct hsr_error *err);
 
-/* Closes the file. `status` is the outcome of the writing: if it is HSR_OK and
- * all bytes have reached the file, renames it; else removes it. Returns
- * `status`, or HSR_E_INPUT if closing or renaming failed. */
+/* Closes the file. `status` says whether the caller's writing was successful.
+ * If it is HSR_OK and all bytes have been written, the file is renamed. Else it
+ * is removed. Returns `status` if it is an error; HSR_E_INPUT, or HSR_E_NOMEM,
+ * if the file could not be written or renamed. */
 enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
                                      enum hsr_status status,
                                      struct hsr_error *err);
 
-/* Removes what a process that was killed left of the file. */
+/* Removes the temporary file that a killed process may have left. */
 void hsr_whole_file_forget(const char *path);
 
 #ifdef __cplusplus

@@ -44,7 +44,7 @@ static enum hsr_status make_bounds(struct hsr_grid *g,
 
 /* --- Keeping -------------------------------------------------------------- */
 
-/* The slices around the one at hand, and room for what is kept. */
+/* The slices around the current one, and room for what is kept. */
 struct keeper {
   struct hsr_grid *grid;
   const struct hsr_grid_samples *samples;

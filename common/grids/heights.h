@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Terrain as cells: a map of heights.
+/* Terrain as a grid: a map of heights.
  *
- * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 5.2,
- *             where a column has samples enough to leave no hole beside a lower
- *             one.
- * Rule        the column at (x, z) has cells from its neighbours' least level,
- *             and one more, up to its own level; its own in any case. The
- *             neighbours are the four beside it.
- * Place       x along the map's rows, z from row to row, y upwards; one unit
- *             apart. */
+ * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 5.2: a
+ *             column has enough samples to leave no hole beside a lower column.
+ * Rule        the column at (x, z) has a cell at its own level. It also has
+ *             cells below that, down to one level above its lowest neighbour.
+ *             The neighbours are the four columns beside it.
+ * Place       x runs along the map's rows, z from row to row, y upwards.
+ *             Samples are one unit apart. */
 #ifndef HSR_COMMON_GRIDS_HEIGHTS_H
 #define HSR_COMMON_GRIDS_HEIGHTS_H
 
@@ -22,10 +21,12 @@ struct hsr_heights {
   uint32_t n[2];         /* columns a row, rows */
   uint32_t levels;       /* every level is below this */
   const uint32_t *level; /* n[0] n[1], by rows; borrowed */
-  const float *rgb;      /* 3 a column, linear, 0..1; NULL: by level */
+  const float *rgb;      /* 3 a column, linear, 0..1, borrowed; NULL: colours
+                            depend on the level */
 };
 
-/* As hsr_grid_init. */
+/* Makes the grid of a map of heights. Ownership and errors are as of
+ * hsr_grid_init. */
 enum hsr_status hsr_heights_grid(struct hsr_grid *grid,
                                  const struct hsr_heights *heights,
                                  struct hsr_error *err);

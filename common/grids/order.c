@@ -210,7 +210,8 @@ static enum hsr_status visit_interleaved(const struct visitor *v,
 
 /* --- octree-order --------------------------------------------------------- */
 
-/* A node holds the cells from `lo` of a cube of `size` cells, a power of two. */
+/* A node is a cube of cells. Its lowest cell is `lo`, and it has `size` cells,
+ * a power of two, along each axis. */
 static void visit_node(const struct visitor *v, const uint32_t lo[3],
                        uint32_t size) {
   if (lo[0] >= v->seen->n[0] || lo[1] >= v->seen->n[1] ||

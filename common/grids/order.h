@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The orders in which the cells of a grid are visited, so that none is visited
- * before one that it hides. They compare no depths: an order is an enumeration
- * of indices.
+/* The orders in which the cells of a grid are visited. From back to front, a
+ * cell that hides another is visited after it; from front to back, before it.
+ * No depths are compared: an order is an enumeration of indices.
  *
  * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
  *             thesis, Ohio State University, 1998, chapter 2
- * Notation    the grid has n[a] cells along axis a, from 0; the eye lies in
- *             cell q[a] of that axis. The low side is 0..q[a], the high side
- *             the rest; either may be empty.
+ * Notation    the grid has n[a] cells along axis a, from 0. The eye lies in
+ *             cell q[a] of that axis. The low side is the cells 0..q[a], and
+ *             the high side is the rest. Either may be empty.
  * Invariant   each cell is in exactly one run.
- * Proof       (perspective, pbtf) A ray from the eye never comes nearer to the
- *             eye again along an axis, and on each side it only goes away from
- *             cell q. So if cell A hides cell B, A is no farther from q than B
- *             along each axis. Both are on one side of each axis, or A is in
- *             cell q itself, which is on the low side. Within an octant three
+ * Proof       (perspective, pbtf, front to back) Along an axis, a ray from the
+ *             eye never turns back: on each side it only moves away from cell
+ *             q. So if cell A hides cell B, A is no farther from q than B along
+ *             each axis. Along each axis, both are on one side, or A is in cell
+ *             q itself, which is on the low side. Within an octant, three
  *             nested loops from near to far visit A first, in any nesting. If
- *             the octants differ, A's is lower along each axis where they do,
- *             and low sides come first.
- * Departures  The theorems of the thesis are of points. There q is the last
+ *             the octants of A and B differ, A is on the low side of each axis
+ *             where they differ, and low sides are visited first.
+ * Departures  the theorems of the thesis are about points. There q is the last
  *             sample that is not above the eye, and octants may come in any
- *             order. Theorem 3 takes the nearest sample for it, which is wrong
- *             unless the side that holds it comes first. Cells have extent, and
- *             cell q can hide cell q + 1: so low sides come first. */
+ *             order. Theorem 3 takes the nearest sample as q. That is wrong
+ *             unless the side with that sample comes first. Cells have extent,
+ *             and cell q can hide cell q + 1. So low sides come first. */
 #ifndef HSR_COMMON_GRIDS_ORDER_H
 #define HSR_COMMON_GRIDS_ORDER_H
 
@@ -35,55 +35,62 @@ extern "C" {
 #endif
 
 enum hsr_grid_order {
-  HSR_BTF,     /* three loops, each towards the view plane (Frieder, Gordon and
-                  Reynolds 1985). Right in parallel projection */
-  HSR_WBTF,    /* the axis closest to the view direction is the outermost loop,
-                  the farthest from it the innermost (Westover 1990). As btf */
-  HSR_VBUFFER, /* slices as of wbtf; within a slice, cells by their distance from
-                  the view plane (Upson and Keeler 1988). As btf */
-  HSR_PBTF,    /* each axis is divided at the eye, and the octants are visited
-                  one after the other (Swan 1998). Right in both projections */
+  /* These three are right in parallel projection only. */
+  HSR_BTF,     /* three nested loops, each towards the view plane (Frieder,
+                  Gordon and Reynolds 1985) */
+  HSR_WBTF,    /* as btf, with the axis closest to the view direction as the
+                  outermost loop, and the axis farthest from it as the innermost
+                  (Westover 1990) */
+  HSR_VBUFFER, /* slices as in wbtf. Within a slice, cells are in order of their
+                  distance from the view plane (Upson and Keeler 1988) */
+  /* These three are right in both projections. */
+  HSR_PBTF,   /* each axis is divided at the eye, and the octants are visited
+                 one after the other (Swan 1998) */
   HSR_IPPBTF, /* each axis is divided at the eye, and each loop takes cells from
-                  both sides, by their distance from the eye's (after Botha and
-                  Post 2003). Right in both */
-  HSR_OCTREE, /* an octree, the children of a node as pbtf would visit 2 x 2 x 2
-                  cells (Aref and Samet 1991). Right in both */
+                 both sides, in order of their distance from the eye's cell
+                 (after Botha and Post 2003) */
+  HSR_OCTREE, /* an octree. The children of a node are visited as pbtf visits a
+                 grid of 2 x 2 x 2 cells (Aref and Samet 1991) */
   HSR_GRID_ORDERS
 };
 extern const char *const hsr_grid_order_name[HSR_GRID_ORDERS];
 
-/* A grid as it is seen. */
+/* A grid and an eye. */
 struct hsr_grid_seen {
   uint32_t n[3];    /* cells, or samples; at least 1, at most 2^30 */
   int32_t q[3];     /* hsr_grid_split of each axis; -1 to n - 1 */
-  double toward[3]; /* where the eye looks, in the grid's axes; only btf, wbtf
-                       and vbuffer use it, which know no eye */
+  double toward[3]; /* the view direction in the grid's axes, of any length.
+                       Only btf, wbtf and vbuffer use it; they do not use q */
   bool high_first;  /* visit high sides before low ones: for points only */
 };
 
-/* Where an axis is divided: the last of n ascending positions that is not above
- * the eye. Positions are the lower bounds of cells, or the places of samples.
- * -1: all are above it. The eye of a parallel view is infinite, or NaN if the
- * view runs across the axis (common/view/view.h). Any answer is right then; it
+/* Returns the index at which an axis is divided, q: the last of n ascending
+ * positions that is not above the eye's coordinate; -1 if all are above it. The
+ * positions are the lower bounds of cells, or the places of samples. In a
+ * parallel view the eye's coordinate is infinite, or NaN if the view runs
+ * across the axis (common/view/view.h). For NaN any index is right; the result
  * is -1. */
 int32_t hsr_grid_split(const double *position, uint32_t n, double eye);
 
 /* Cells that are visited one after the other along an axis. */
 struct hsr_grid_run {
-  uint32_t at[3]; /* the first */
-  int axis;       /* along which the others follow */
-  int step;       /* +1 or -1 */
-  uint32_t n;     /* at least 1 */
+  uint32_t at[3]; /* the indices of the first */
+  int axis;       /* the axis along which the others follow */
+  int step;       /* +1 or -1, from one to the next */
+  uint32_t n;     /* cells, at least 1 */
 };
+
+/* Called for each run, which is borrowed for the call. */
 typedef void hsr_visit_run(void *data, const struct hsr_grid_run *run);
 
-/* The six nestings of three loops, outermost first. */
+/* The axes of three nested loops, outermost first, for each of six nestings. */
 extern const int hsr_grid_nesting[6][3];
 
-/* Visits all cells. `nesting` is that of btf, pbtf and ippbtf, 0 to 5; the
- * others choose their own. `front`: from front to back, or else from back to
- * front, which is the same in reverse. HSR_E_NOMEM, for what vbuffer and ippbtf
- * hold: a slice, or three axes. */
+/* Visits all cells: calls visit(data, run) for each run. `front` says from
+ * front to back; else it is from back to front, which is the same in reverse.
+ * `nesting`, 0 to 5, is that of btf, pbtf and ippbtf. The other orders choose
+ * their own.
+ * HSR_E_NOMEM: vbuffer needs memory for a slice, and ippbtf for three axes. */
 enum hsr_status hsr_grid_visit(enum hsr_grid_order order, int nesting,
                                bool front, const struct hsr_grid_seen *seen,
                                hsr_visit_run *visit, void *data,

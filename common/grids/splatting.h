@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is asked for in a composited picture: the options of
- * docs/composited-picture.md. */
+/* The options of a composited picture. docs/composited-picture.md defines
+ * them. */
 #ifndef HSR_COMMON_GRIDS_SPLATTING_H
 #define HSR_COMMON_GRIDS_SPLATTING_H
 
@@ -14,23 +14,26 @@ enum hsr_splat_blur { HSR_SHARP, HSR_BLUR_BY_AREA, HSR_BLUR_EXACTLY };
 struct hsr_splatting {
   enum hsr_model model;
   enum hsr_splat_kernel kernel;
-  double width; /* 1..100 */
+  double width; /* a factor of the kernel's size, 1..100 */
   bool antialias;
-  uint32_t attenuate; /* q: 65536 is 1 */
+  uint32_t attenuate; /* a factor of opacities, in units of 1/65536 */
   bool normalise;
-  uint64_t exposure; /* 65536 is 1 */
-  int buckets;
+  uint64_t exposure; /* of the model xray, in units of 1/65536 */
+  int buckets;       /* of the model volume, along the view */
   enum hsr_splat_blur blur;
-  double threshold; /* 0..1000 */
+  double threshold; /* a splat that moves by at most this, in cells, is not
+                       blurred; 0..1000 */
 };
 
-/* xray: sum exposure / 65536, rounded down; of large ones at least 65535. */
+/* Returns sum * exposure / 65536, rounded down, for the model xray. If the
+ * product overflows, the result is 65535, which is the largest answer. */
 static inline uint64_t hsr_splat_exposed(uint64_t sum, uint64_t exposure) {
   bool is_most = exposure && sum > UINT64_MAX / exposure;
   return is_most ? UINT16_MAX : sum * exposure >> 16;
 }
 
-/* The answer of a channel E; the weight is that of its pixel. */
+/* Returns the answer of one channel of a pixel from its sum E and the pixel's
+ * sum of weights. */
 static inline uint16_t hsr_splat_channel(const struct hsr_splatting *splatting,
                                          uint64_t E, uint64_t weight) {
   if (splatting->normalise)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which edges of a drawing show a shape: creases, borders and contours. The
- * others are seams of a smooth surface that is cut into faces. */
+/* Removing seams from a drawing. Seams are edges between the faces that
+ * approximate a smooth surface. The other edges show a shape: creases, borders
+ * and contours. */
 #ifndef HSR_COMMON_CREASE_H
 #define HSR_COMMON_CREASE_H
 
@@ -12,17 +13,18 @@
 extern "C" {
 #endif
 
-/* Removes the seams from a drawing, which is in the order of the definition. A
- * seam is an edge of exactly two existing faces that are seen from the same
- * side, and whose planes differ by at most `degrees`, 0 to 180. Contours (the
- * faces are seen from different sides, or one does not exist), borders, edges
- * of more than two faces and implied edges stay. HSR_E_NOMEM. */
+/* Removes the seams from a drawing, which is in the order of the definition
+ * (hsr_drawing_sort). A seam is an edge of exactly two faces. Both exist in the
+ * view and are seen from the same side, and their planes differ by at most
+ * `degrees`, 0 to 180. So contours stay, where the faces are seen from
+ * different sides or one does not exist. Borders, edges of more than two faces
+ * and implied edges stay too. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
                                    const struct hsr_world *world,
                                    const struct hsr_view *view, double degrees,
                                    struct hsr_error *err);
 
-/* How many edges of a drawing are such seams, of how many. HSR_E_NOMEM. */
+/* Counts the edges of a drawing, and the seams among them. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_count_seams(const struct hsr_drawing *drawing,
                                         const struct hsr_world *world,
                                         const struct hsr_view *view,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A line drawing: the edges of a picture, divided into intervals of one
- * quantitative invisibility each. docs/correct-drawing.md has the definition.
-  */
+ * quantitative invisibility each. docs/correct-drawing.md has the
+ * definition. */
 #ifndef HSR_COMMON_DRAWING_H
 #define HSR_COMMON_DRAWING_H
 
@@ -15,9 +15,9 @@
 extern "C" {
 #endif
 
-/* Names an edge. An edge of faces: a < b are its vertices, part is 0. An
- * implied edge: a < b are the faces that penetrate, part is its number among
- * theirs. */
+/* The name of an edge. For an edge of faces, a < b are its vertices, and part
+ * is 0. For an implied edge, a < b are the faces that penetrate, and part is
+ * its number, from 0, among the implied edges of these two. */
 struct hsr_edge_name {
   bool implied;
   uint32_t a, b, part;
@@ -28,15 +28,14 @@ struct hsr_segment {
   struct hsr_edge_name edge;
   uint32_t invisibility; /* how many faces hide it */
   double t0, t1;         /* in [0, 1], along the edge */
-  double from[3], to[3]; /* its ends in world space, rounded: for output */
+  double from[3], to[3]; /* its ends, world units, rounded: for output */
 };
 
-/* Intervals, in the order of the definition. All zero is an empty drawing. It
- * owns its memory, which is kept from frame to frame; hsr_drawing_free frees
- * it. */
+/* Intervals, in the order of the definition. A drawing is empty if it is all
+ * zero. It owns its array, which hsr_drawing_free frees. */
 struct hsr_drawing {
   struct hsr_segment *segment;
-  size_t n, room;
+  size_t n, room; /* intervals, and how many there is room for */
 };
 
 /* How the hidden parts of edges are shown. */
@@ -51,32 +50,38 @@ enum hsr_hidden {
 static inline void hsr_drawing_clear(struct hsr_drawing *drawing) {
   drawing->n = 0;
 }
+
+/* Frees the array. The drawing is empty afterwards. */
 void hsr_drawing_free(struct hsr_drawing *drawing);
 
-/* Appends an interval. If it begins where the last one ends, on the same edge
- * and with the same invisibility, lengthens that one instead. HSR_E_NOMEM. */
+/* Appends a copy of an interval. If it continues the last one, on the same edge
+ * and with the same invisibility, the last one is lengthened instead.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_add(struct hsr_drawing *drawing,
                                 const struct hsr_segment *segment);
 
-/* The order of edges in a drawing: < 0, 0 or > 0 as a comes before b, is b, or
- * comes after it. */
+/* Compares two edges by their order in a drawing. Returns < 0 if a comes before
+ * b, 0 if they are equal, > 0 if a comes after b. */
 int hsr_edge_name_compare(const struct hsr_edge_name *a,
                           const struct hsr_edge_name *b);
 
-/* Sorts the edges. The intervals of one edge must follow one another, and keep
- * their order. HSR_E_NOMEM. */
+/* Sorts the edges into the order of the definition. The intervals of one edge
+ * must be together. They keep their order. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing);
 
-/* Compares two drawings of one scene and view. The intervals of each edge must
- * agree in number, order and invisibility, and their ends to a relative
- * HSR_DRAWING_TOLERANCE. With `visible_only`, the intervals of `wanted` are
- * first merged into visible and hidden ones. */
+/* The result of hsr_drawing_compare. */
 #define HSR_DRAWING_TOLERANCE 1e-12
 struct hsr_drawing_difference {
-  uint64_t edges;             /* in either drawing */
-  uint64_t differing;         /* of them, those whose intervals do not agree */
-  struct hsr_edge_name first; /* the first of those */
+  uint64_t edges;             /* edges in either drawing */
+  uint64_t differing;         /* those of them whose intervals do not agree */
+  struct hsr_edge_name first; /* the first edge that differs, if any does */
 };
+
+/* Compares two drawings of one scene and view, both sorted. The intervals of
+ * each edge must agree in number, order and invisibility, and their ends to a
+ * relative error of HSR_DRAWING_TOLERANCE. If `visible_only`, invisibilities
+ * above 0 count as equal: the intervals of `wanted` are first merged into
+ * visible and hidden ones. */
 void hsr_drawing_compare(const struct hsr_drawing *got,
                          const struct hsr_drawing *wanted, bool visible_only,
                          struct hsr_drawing_difference *difference);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of common/lines/edges.h that are no vertices, for the core's own
-// C++ files.
+// The exact points of common/lines/edges.h that are not vertices, for the
+// core's own C++ files.
 #ifndef HSR_COMMON_EXACT_POINTS_H
 #define HSR_COMMON_EXACT_POINTS_H
 
@@ -10,15 +10,16 @@
 #include <vector>
 
 struct hsr_exact_points {
-  // points[k] is point n_vertices + k.
+  // points[k] is point n_vertices + k of hsr_edges.
   std::vector<hsr::Exact_point> points;
 
-  // Intervals that hold their coordinates, and denominators.
+  // Intervals that hold the numerators and the denominators of the points.
   struct Rough {
     hsr::Interval at[3], denominator;
   };
   std::vector<Rough> rough;
 
+  // Appends a point. May throw std::bad_alloc.
   void add(const hsr::Exact_point &point) {
     points.push_back(point);
     rough.push_back(
@@ -27,7 +28,7 @@ struct hsr_exact_points {
          hsr::interval_of(point.denominator)});
   }
 
-  // A coordinate, with a relative error of at most 2^-50.
+  // Returns a coordinate of a point, with a relative error of at most 2^-50.
   static double rounded(const hsr::Exact_point &point, int axis);
 };
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/crease.h \
   %D%/drawing.h \
   %D%/edges.h \
   %D%/polygons.h \
   %D%/volumes.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/crease.c \
   %D%/drawing.c \
   %D%/edges_cgal.cc \

@@ -107,8 +107,9 @@ double hsr_polygon_area(const struct hsr_polygons *p,
   return sum;
 }
 
-/* A normal of a face. That of the world is 0 where the face is so small that its
- * area is below the least double: then the face is enlarged to the size of 1. */
+/* A normal of a face, of any length. The world's normal is 0 if the area of the
+ * face is below the least double. In that case the face is enlarged to size 1
+ * first. */
 static void find_normal(const struct hsr_mesh *mesh, uint32_t face,
                         double normal[3]) {
   const uint32_t *v = mesh->vertex + mesh->start[face];
@@ -211,7 +212,10 @@ static uint32_t beginning(struct hsr_named_lines *lines,
   return hsr_crossing(lines, before, *line);
 }
 
-static enum hsr_status say_faulty(uint32_t face, struct hsr_error *err) {
+static enum hsr_status say_faulty(const struct hsr_named_lines *lines,
+                                  uint32_t face, struct hsr_error *err) {
+  if (hsr_named_lines_failed(lines))
+    return hsr_fail_nomem(err);
   return hsr_fail(err, HSR_E_INTERNAL,
                   "the polygons of face %u name lines that do not cross", face);
 }
@@ -262,7 +266,7 @@ static enum hsr_status add_all(struct ends *ends, struct hsr_named_lines *lines,
     for (size_t c = 0; c < p->region[r].n; c++)
       if (!add_cycle(ends, lines, p, p->region[r].face,
                      &p->cycle[p->region[r].first + c], sign))
-        return say_faulty(p->region[r].face, err);
+        return say_faulty(lines, p->region[r].face, err);
   return HSR_OK;
 }
 
@@ -410,7 +414,7 @@ static enum hsr_status draw_region(struct raster *raster,
       uint32_t to =
           beginning(raster->lines, p, cycle, (k + 1) % cycle->n, &next);
       if (from == HSR_NO_POINT || to == HSR_NO_POINT)
-        return say_faulty(region->face, err);
+        return say_faulty(raster->lines, region->face, err);
       cross_rows(raster, line, from, to);
     }
   }

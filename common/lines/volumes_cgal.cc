@@ -47,7 +47,7 @@ size_t most_parts(size_t n_faces) {
 }
 
 struct Volume {
-  std::vector<hsr_half_space> planes;
+  std::vector<hsr_cut> planes;
   std::vector<hsr_rim> rims; // of planes of the volume
   std::vector<hsr_sight_line> lines;
   hsr_space space = {{INFINITY, INFINITY, INFINITY},
@@ -364,7 +364,7 @@ private:
   bool make_convex(const Body &body, int out, Volume &volume) const {
     std::map<uint32_t, uint32_t> number; // of a plane class in the volume
     for (uint32_t f : body.faces) {
-      const hsr_half_space half = {f, -out};
+      const hsr_cut half = {f, -out};
       const auto found = number.insert(
           {world_->mesh.plane[f], uint32_t(volume.planes.size())});
       if (!found.second) {
@@ -375,7 +375,7 @@ private:
       }
       volume.planes.push_back(half);
     }
-    for (const hsr_half_space &half : volume.planes) {
+    for (const hsr_cut &half : volume.planes) {
       bool inside = false;
       for (uint32_t v : body.corners) {
         const int side = side_of_plane(world_, half.face, v) * half.side;
@@ -426,7 +426,7 @@ private:
   // --- Division of others ---
 
   using Pieces = std::vector<Convex>;
-  using Path = std::vector<hsr_half_space>; // by plane classes
+  using Path = std::vector<hsr_cut>; // by plane classes
 
   // Which sides of a plane pieces have, and have the outside of the solid.
   struct About {
@@ -534,7 +534,7 @@ private:
     if (parts.size() >= most)
       return false;
     Path planes;
-    for (const hsr_half_space &half : all)
+    for (const hsr_cut &half : all)
       if (std::none_of(planes.begin(), planes.end(), [&](const auto &other) {
             return other.face == half.face;
           }))
@@ -548,7 +548,7 @@ private:
   public:
     Part(const Finder &finder, const Path &planes)
         : finder_(finder), planes_(planes) {
-      for (const hsr_half_space &half : planes) {
+      for (const hsr_cut &half : planes) {
         const uint32_t f = finder.shapes_.face_of(half.face);
         exact_.emplace_back(finder.world_, f);
         CGAL::Protect_FPU_rounding<true> upwards;
@@ -726,7 +726,7 @@ template <class T> struct Lists {
 };
 
 struct Stored_volumes {
-  Lists<hsr_half_space> planes;
+  Lists<hsr_cut> planes;
   Lists<hsr_rim> rims;
   std::vector<hsr_sight_line> lines;
 

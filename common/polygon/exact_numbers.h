@@ -3,13 +3,14 @@
  * write a predicate as a polynomial.
  *
  * Method      Each predicate is a polynomial, written once as a template over
- *             the number type. It is evaluated in intervals, whose rounding
- *             CGAL directs. If the interval does not tell the sign, it is
- *             evaluated in exact numbers, which hold sums and products of
- *             doubles exactly (common/base/exact.h).
- * Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
- *             multiplied through by m n > 0, means by the number of vertices.
-  */
+ *             the number type. It is evaluated in intervals first. If the
+ *             interval does not tell the sign, it is evaluated in exact
+ *             numbers, which hold sums and products of doubles exactly
+ *             (common/base/exact.h).
+ * Division    The polynomials do not divide. Those of the screen, with x = (2
+ *             sx
+ *             - m)/m and y = (n - 2 sy)/n, are multiplied by m n > 0. Those
+ *             with a mean are multiplied by the number of vertices. */
 #ifndef HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 #define HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 
@@ -20,7 +21,9 @@
 
 namespace hsr {
 
-/* The sign of polynomial(T()). The argument only tells the number type. */
+/* Returns the sign of polynomial(T()): -1, 0 or +1. The argument only tells the
+ * number type. If memory runs out, *out_of_memory is set and the result is
+ * meaningless. */
 template <class Polynomial>
 int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
   try {
@@ -37,6 +40,7 @@ int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
   }
 }
 
+/* Vectors of three numbers of type T, with their usual operations. */
 template <class T> struct Vector { T x, y, z; };
 
 template <class T> Vector<T> vector(const double v[3]) {
@@ -62,13 +66,14 @@ T det(const Vector<T> &a, const Vector<T> &b, const Vector<T> &c) {
   return dot(cross(a, b), c);
 }
 
+/* Corner k of a face, 0 <= k < face.n. */
 template <class T> Vector<T> corner(const hsr_loop &face, uint32_t k) {
   size_t v = face.stride * face.vertex[k];
   return {T(face.x[v]), T(face.y[v]), T(face.z[v])};
 }
 
-/* Newell's normal, summed about the first vertex: that gives the same vector.
- */
+/* Newell's normal (Sutherland et al. 1974, eq. 6), not normalised. The sum is
+ * formed with the first corner as origin, which gives the same vector. */
 template <class T> Vector<T> newell_normal(const hsr_loop &face) {
   Vector<T> first = corner<T>(face, 0);
   Vector<T> normal = {T(0), T(0), T(0)};
@@ -81,12 +86,14 @@ template <class T> Vector<T> newell_normal(const hsr_loop &face) {
   return normal;
 }
 
-/* The plane N . (k P - S) = 0: normal is N, offset is N . S. */
+/* The plane of the points P with N . (k P - S) = 0, where S is the sum of k
+ * points of the plane. */
 template <class T> struct Plane {
-  Vector<T> normal;
-  T k, offset;
+  Vector<T> normal; // N
+  T k, offset;      // offset is N . S
 };
 
+/* The plane with Newell's normal through the mean of the corners. */
 template <class T> Plane<T> newell_plane(const hsr_loop &face) {
   Vector<T> normal = newell_normal<T>(face);
   if (face.n == 3) /* any corner will do */

@@ -86,7 +86,8 @@ T height_of(const Plane<T> &plane, const hsr_loop &loop, uint32_t k) {
 
 enum answer { NO, YES, UNCERTAIN };
 
-/* The plane is found once, and not for each corner: faces may have a million. */
+/* Whether a polygon is flat, in intervals. The plane is computed once, since a
+ * face may have a million corners. */
 answer is_flat_roughly(const hsr_loop &loop, const hsr_loop &of_plane) {
   CGAL::Protect_FPU_rounding<true> upwards;
   const Plane<Interval> plane = newell_plane<Interval>(of_plane);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* The plane of a polygon modulo a prime.
  *
- * Residues    a double is a whole number times a power of two, and the prime p =
- *             2^61 - 1 is odd. So each double has a residue modulo p, and sums
- *             and products of doubles have the sums and products of residues.
- *             Evaluated in residues, newell_plane gives those of the plane's
- *             equation, whose coefficients are k N and N . S.
+ * Residues    a double is a whole number times a power of two, and the prime p
+ *             = 2^61 - 1 is odd. So each double has a residue modulo p, and
+ *             sums and products of doubles have the sums and products of
+ *             residues. Evaluated in residues, newell_plane gives those of the
+ *             plane's equation, whose coefficients are k N and N . S.
  * Equal       the equations of equal planes differ by a factor u / v, u and v
- *             being whole numbers without a common divisor. Let neither equation
- *             be 0 modulo p. Then p divides neither u nor v: v times the one
- *             equation is u times the other, so if p divided u, it would divide
- *             v, too. Hence the residues of the equations differ by a factor,
- *             and quotients of coefficients are equal.
- * Different   planes may have equal quotients by chance. That is as rare as one
- *             pair in 2^61, so whoever needs to be sure asks exactly. */
+ *             being whole numbers without a common divisor. Let neither
+ *             equation be 0 modulo p. Then p divides neither u nor v: v times
+ *             the one equation is u times the other, so if p divided u, it
+ *             would divide v, too. Hence the residues of the equations differ
+ *             by a factor, and quotients of coefficients are equal.
+ * Different   planes may have equal quotients by chance. That happens to about
+ *             one pair in 2^61. So equal residues must be confirmed by
+ *             hsr_exact_same_plane. */
 #include "common/polygon/exact_numbers.h"
 #include "common/polygon/polygon.h"
 

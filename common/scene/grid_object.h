@@ -10,9 +10,10 @@
 extern "C" {
 #endif
 
-/* Fills an empty object with the grid's faces, under their numbers. Cells share
- * the vertices of the corners that they share. The backs of faces do not exist:
- * they are inside of cells. HSR_E_NOMEM. */
+/* Fills an empty object with the sides of the grid's cells that are faces: face
+ * f of the object is face f of the grid (hsr_grid_face). A corner that several
+ * cells share is one vertex. The object becomes one-sided, since the back of a
+ * face is inside a cell. HSR_E_NOMEM; the object is then partly filled. */
 enum hsr_status hsr_grid_make_object(const struct hsr_grid *grid,
                                      struct hsr_object *object);
 

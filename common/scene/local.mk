@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/clusters.h \
   %D%/grid_object.h \
   %D%/motion.h \
@@ -7,7 +7,7 @@ nobase_pkginclude_HEADERS += \
   %D%/pieces.h \
   %D%/scene.h \
   %D%/world.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/extract.c \
   %D%/grid_object.c \
   %D%/motion.c \

@@ -90,7 +90,7 @@ static void widen(const double *at_lo, const double *at_hi, double *lo,
   }
 }
 
-/* The last key that is not after a time; all keys are in order. */
+/* The last of n keys that is not after a time; the first key if all are. */
 static uint32_t key_before(const struct hsr_key *key, uint32_t n,
                            double frame) {
   uint32_t first = 0;
@@ -106,7 +106,7 @@ static uint32_t key_before(const struct hsr_key *key, uint32_t n,
   return first;
 }
 
-/* Widens to where it is at a time after key k, and not after the next. */
+/* Widens lo .. hi by the box at a time from key k on, up to the next key. */
 static void widen_between(const struct hsr_key *k, double frame, double *lo,
                           double *hi) {
   double at_lo[3], at_hi[3];
@@ -204,11 +204,11 @@ bool hsr_scene_is_same(const struct hsr_scene *a, const struct hsr_scene *b) {
   return same;
 }
 
-/* What a frame is held to, of one instance. */
+/* What one instance must satisfy in a frame. */
 struct promise {
   struct hsr_motion motion;
-  double most;         /* so much may a coordinate have changed */
-  double lo[3], hi[3]; /* of its way */
+  double most;         /* the most that a coordinate may have changed */
+  double lo[3], hi[3]; /* the box of its way */
 };
 
 static const char *broken_by(const struct promise *p, const double was[3],
@@ -224,7 +224,8 @@ static const char *broken_by(const struct promise *p, const double was[3],
   return NULL;
 }
 
-/* What promise an instance breaks; NULL: none. */
+/* Returns how an instance breaks its promise, for a message; NULL: it does
+ * not. */
 static const char *check_instance(const struct hsr_scene *scene,
                                   const struct hsr_scene *then, uint32_t i) {
   const struct hsr_object *object = &scene->objects[scene->instances[i].object];

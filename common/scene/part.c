@@ -15,9 +15,9 @@ void hsr_scene_part_set(struct hsr_scene_part *part, uint32_t all) {
 struct cut {
   struct hsr_scene *from, *to;
   uint32_t *number;       /* a vertex of the object that is divided: its new
-                               number; NONE: it has none yet */
+                             number; NONE: it has none yet */
   uint32_t object, moved; /* the object of `from` that is moved to `to`, and
-                               its number there; NONE */
+                             its number there; NONE */
 };
 static const uint32_t NONE = UINT32_MAX;
 
@@ -126,7 +126,8 @@ static enum hsr_status keep_all(struct cut *cut,
   return status;
 }
 
-/* What is left of `from` goes with `to`. */
+/* Gives `from` the contents of `to`, and `to` what is left of `from`, to be
+ * deleted. */
 static void swap_contents(struct hsr_scene *from, struct hsr_scene *to) {
   struct hsr_scene kept = *from;
   from->subject = HSR_FACES;

@@ -20,12 +20,13 @@ enum { RANGE = 8192 };
 struct sorted_face;
 struct open_class;
 
-/* Of a range of the sorted faces. A section begins where no plane before it may
- * be equal to one in it; it is swept by itself. */
+/* The sections of a range of the sorted faces. No plane before a section may be
+ * equal to a plane in it, so each section is swept by itself. */
 struct section {
-  double highest; /* upper end of a key in the range; then, before it */
+  double highest; /* the greatest upper end of a key in the range; later, in all
+                     ranges before it */
   uint32_t begin; /* of the first section that begins in it, or NONE */
-  uint32_t end;   /* of that section: it may go on in further ranges */
+  uint32_t end;   /* of that section, which may continue in the next ranges */
   uint32_t n_planes;
   uint32_t first_plane;
 };
@@ -39,7 +40,7 @@ struct classes {
   struct sorted_face *from, *to;
   int shift;
   uint32_t (*start)[256];  /* a range: how many have a digit; then, where they
-                             go */
+                              go */
   struct section *section; /* a range */
   struct open_class *open;
   atomic_bool out_of_memory;
@@ -185,9 +186,9 @@ struct open_class {
   bool is_in_crowd;
 };
 
-/* Planes that differ by rounding alone have keys that overlap. Where there are many,
- * a plane is not compared with each class. Its class is looked up by its residue, in
- * a table that is at most half full. */
+/* Planes that differ by little more than rounding have keys that overlap. If
+ * there are many of them, a plane is not compared with each class. Its class is
+ * found by its residue, in a table that is at most half full, the crowd. */
 enum { FEW = 16, LEAST_SLOTS = 64 };
 struct resident {
   uint64_t residue;
@@ -198,8 +199,8 @@ struct crowd {
   uint32_t n, n_slots; /* a power of two, or 0 */
 };
 
-/* Of a section. Classes that are behind for good are left out of `open` now and
- * then. */
+/* The sweep of a section. From time to time, classes whose keys end before all
+ * later ones are removed from `open`. */
 struct sweep {
   struct hsr_world *world;
   const double *lo, *hi;

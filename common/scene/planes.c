@@ -190,7 +190,7 @@ static enum hsr_status check_vertices(const struct hsr_mesh *mesh,
   return HSR_OK;
 }
 
-/* Whether an instance takes the area of face f, whose plane is found, to zero. */
+/* Whether face f, whose plane is found, has no area in its instance. */
 static bool has_no_area(const struct hsr_world *world, uint32_t f,
                         bool *out_of_memory) {
   return hsr_largest_normal(&world->mesh, f) <= world->mesh.n_error[f] &&

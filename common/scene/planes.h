@@ -12,37 +12,43 @@
 extern "C" {
 #endif
 
-/* Newell's plane, summed vertex by vertex, with the first vertex as origin. All
- * zero before the first vertex. `previous` is relative to that origin, and so
- * are the terms of `sum`. `size` adds the absolute values of the terms of
- * `normal`; `reach` adds |first| and those of the terms of `sum`. */
+/* The sums of Newell's plane (Sutherland et al. 1974, eq. 6), with the first
+ * vertex as origin. d is a vertex minus the first one. World units. All zero
+ * before the first vertex. */
 struct hsr_newell {
-  uint32_t n; /* vertices so far */
-  double first[3], previous[3];
-  double normal[3], size[3];
-  double sum[3], reach[3];
+  uint32_t n;                   /* vertices so far */
+  double first[3], previous[3]; /* the first vertex; d of the last one */
+  double normal[3], size[3];    /* the sum of the terms of the normal, and the
+                                   sum of their absolute values */
+  double sum[3], reach[3];      /* the sum of d; |first| plus the sum of |d| */
 };
+
+/* Adds the next vertex of the polygon. */
 void hsr_newell_add(struct hsr_newell *plane, const double v[3]);
 
-/* A point of the plane: the mean of the vertices; for a triangle, the first. */
+/* Writes a point of the plane: the mean of the vertices or, of a triangle, the
+ * first vertex. */
 void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]);
 
-/* Whether the normal of a face is certainly not zero, by doubles. */
+/* Whether arithmetic in doubles proves that the normal of a face is not zero.
+ * False says nothing. */
 bool hsr_has_normal_for_certain(const struct hsr_loop *face);
 
-/* The largest component of a face's normal, made positive. */
+/* Returns the greatest absolute value of a component of the normal of face f,
+ * as stored in the mesh. */
 static inline double hsr_largest_normal(const struct hsr_mesh *mesh,
                                         uint32_t f) {
   return hsr_max(fabs(mesh->nx[f]),
                  hsr_max(fabs(mesh->ny[f]), fabs(mesh->nz[f])));
 }
 
-/* Finds which faces, whose planes are found, lie on equal ones. HSR_E_NOMEM. */
+/* Sets the plane class of every face, and n_planes. The planes must be found
+ * already. HSR_E_NOMEM. */
 enum hsr_status hsr_world_classify_planes(struct hsr_world *world);
 
-/* Finds the planes of all faces, which are laid out, and their plane classes.
- * Checks that every instance left its faces valid. HSR_E_NOMEM; HSR_E_INPUT as
- * hsr_world_init. */
+/* Finds the planes and plane classes of all faces, which must be laid out, and
+ * checks that the faces of every instance are valid. HSR_E_NOMEM; HSR_E_INPUT
+ * as hsr_world_init. */
 enum hsr_status hsr_world_find_planes(struct hsr_world *world,
                                       struct hsr_error *err);
 

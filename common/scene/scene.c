@@ -143,11 +143,6 @@ enum hsr_status hsr_object_reserve(struct hsr_object *object,
   return HSR_OK;
 }
 
-void hsr_object_uncolour(struct hsr_object *object) {
-  free(object->rgb);
-  object->rgb = NULL;
-}
-
 enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
                                   double z, uint32_t *number) {
   if (!isfinite(x) || !isfinite(y) || !isfinite(z) ||
@@ -347,7 +342,7 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                   across == 0, across == 1, across == 2);
 }
 
-/* |d|, also where squares underflow. */
+/* |d|. Squares may underflow. */
 static double length_of(const double d[3]) {
   double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   return length >= 0x1p-500 ? length : hypot(hypot(d[0], d[1]), d[2]);
@@ -398,7 +393,8 @@ void hsr_scene_extent_reach(struct hsr_scene_extent *extent,
   reach_point(extent, p);
 }
 
-/* Inlined once for each of the two, whose extent stays in registers then. */
+/* Calls add_point or reach_point for all vertices. It is inlined for each of
+ * them, so that the extent stays in registers. */
 static inline __attribute__((always_inline)) void
 add_instance(struct hsr_scene_extent *extent, const struct hsr_scene *scene,
              const struct hsr_instance *instance,
@@ -568,10 +564,11 @@ enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
 
 /* --- Tiny scenes ---------------------------------------------------------- */
 
-/* What is as large as this, or has a part that is, is not enlarged. */
+/* A scene with a coordinate of at least this size is not enlarged. */
 static const double LARGE = 0x1p-100;
 
-/* The largest of n sizes, or one that is LARGE. */
+/* The largest absolute value of n numbers, or the first that is at least
+ * LARGE. */
 static double largest(const double *v, size_t n) {
   double most = 0;
   for (size_t k = 0; k < n && most < LARGE; k++)
@@ -583,8 +580,8 @@ static double largest_vertex(const struct hsr_object *object) {
   return largest(object->xyz, 3 * (size_t)object->n_vertices);
 }
 
-/* A bound of all coordinates in the world, and of what a matrix adds and
- * multiplies to make them; or a part of it that is LARGE. */
+/* A bound of all coordinates in the world, and of the terms of which they are
+ * the sums. If it is LARGE, it may be too small. */
 static double extent(const struct hsr_scene *scene) {
   double most = 0;
   for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {

@@ -50,6 +50,8 @@ enum hsr_status hsr_depth_complexity(const struct hsr_world *world,
   memset(depth, 0, (size_t)view->m * (size_t)view->n * sizeof *depth);
   for (uint32_t r = 0; !status && r < w.screen.n_relevant; r++)
     add_face(&w, w.screen.relevant[r], columns, depth);
+  if (w.tally.out_of_memory)
+    status = HSR_E_NOMEM;
   hsr_arena_free(&w.arena);
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
@@ -100,6 +102,8 @@ enum hsr_status hsr_overlaps_measure(const struct hsr_world *world,
     /* A face across the line of sight has one depth, which it shares. */
     end[2 * n + r] = nextafter(end[2 * n + r], INFINITY);
   }
+  if (w.tally.out_of_memory)
+    status = HSR_E_NOMEM;
   if (!status)
     *overlaps = (struct hsr_overlaps){
         part_of_pairs(begin, end, n), part_of_pairs(begin + n, end + n, n),

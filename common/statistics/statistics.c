@@ -426,7 +426,7 @@ static bool visible(const struct survey *s, const struct edge *e, double t) {
 }
 
 /* L_v    the length of the images of the edges among E_s where they are
- *        visible: each is walked in steps of half a pixel or less, whose
+ *        visible: each is gone through in steps of half a pixel or less, whose
  *        middles are looked at. Implied edges, where faces penetrate, are not
  *        among them. An estimate: at the end of what hides an edge it is off by
  *        up to half a pixel, either way. */

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Table I of Sutherland et al. 1974, measured, and Table II's rules of thumb.
+/* The statistics of Table I of Sutherland et al. 1974, measured, and the rules
+ * of thumb of Table II.
  *
- * The core measures them from a world and a view, independently of any
- * algorithm. The exact meaning of each is in statistics.c, beside the code that
- * measures it. */
+ * The statistics are measured from a world and a view. No algorithm takes part.
+ * The exact meaning of each is in statistics.c, beside the code that measures
+ * it.
+ */
 #ifndef HSR_COMMON_STATISTICS_H
 #define HSR_COMMON_STATISTICS_H
 
@@ -37,32 +39,33 @@ extern "C" {
   X(S_v, "S_v", "visible segments on a scan line, mean")                       \
   X(L_v, "L_v", "length of visible edges, resolution units")
 
-/* NAN: not measured. */
+/* The statistics by their symbols. NAN: not measured. */
 struct hsr_table1 {
 #define X(field, symbol, meaning) double field;
   HSR_TABLE1(X)
 #undef X
 };
 
-/* Measures the whole picture of the view, whatever its window. `ids` is the
- * correct picture, with sample (i, j) at ids[j * m + i]. It may be NULL: then
- * S_v, L_v and X_v, which are about what is visible, are NAN. H_f is NAN if
- * there is no relevant face. *table is defined on HSR_OK only. HSR_E_NOMEM;
- * HSR_E_USAGE if an entry of ids is neither a face nor HSR_BACKGROUND. */
+/* Measures the whole picture of the view, whatever its window. The world is
+ * laid out. `ids` is the correct picture, with sample (i, j) at ids[j * m + i].
+ * If it is NULL, the statistics of visible things, S_v, L_v and X_v, are NAN.
+ * H_f is NAN if there is no relevant face. *table is defined on HSR_OK only.
+ * HSR_E_NOMEM; HSR_E_USAGE if an entry of ids is neither a face nor
+ * HSR_BACKGROUND. */
 enum hsr_status hsr_statistics_measure(const struct hsr_world *world,
                                        const struct hsr_view *view,
                                        const uint32_t *ids,
                                        struct hsr_table1 *table,
                                        struct hsr_error *err);
 
-/* Table II: the statistics that the rules of thumb predict from n, m, F_r, F_c
- * and D_c of `given`. C_r and X_f have no rule and are NAN. *rules may be
- * *given. */
+/* Computes the statistics that the rules of thumb of Table II predict from n,
+ * m, F_r, F_c and D_c of `given`. C_r and X_f have no rule and are NAN. `rules`
+ * may be equal to `given`. */
 void hsr_statistics_rules(const struct hsr_table1 *given,
                           struct hsr_table1 *rules);
 
-/* X_f: the number of pairs among the n faces that penetrate. The faces are all
- * different. *n_pairs is written on HSR_OK only. HSR_E_NOMEM. */
+/* Counts X_f, the pairs that penetrate among the faces faces[0 .. n-1], which
+ * are all different. *n_pairs is written on HSR_OK only. HSR_E_NOMEM. */
 enum hsr_status hsr_count_penetrations(const struct hsr_world *world,
                                        const uint32_t *faces, size_t n,
                                        uint64_t *n_pairs,

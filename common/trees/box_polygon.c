@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Eight boxes against a polygon, each box in a lane. The proofs of the bounds are
- * in box.c. */
+/* Eight boxes against a polygon, each box in a lane. The proofs of the bounds
+ * are in box.c. */
 #include "common/trees/box.h"
 #include "common/base/numbers.h"
 #include "common/base/vector.h"

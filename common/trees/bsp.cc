@@ -12,12 +12,12 @@
 //             more than 16, so there are at most 16 times as many in all. A
 //             cube that holds a vertex of many faces is not divided either: one
 //             octant would have them all, and others some.
-// Threads     cubes are divided until there are some leaves. Their groups of more
-//             than FEW pieces are divided one after the other; several threads
-//             look at the pieces of a large one. What is left is subtrees, in
-//             the order in which one thread would come to them. Each is made by
-//             one thread in memory of its own, with exact numbers of its own.
-//             Then all are put one after the other.
+// Threads     cubes are divided until there are some leaves. Their groups of
+//             more than FEW pieces are divided one after the other; several
+//             threads look at the pieces of a large one. What is left is
+//             subtrees, in the order in which a single thread would reach them.
+//             Each is made by one thread in memory of its own, with exact
+//             numbers of its own. Then they are joined in that order.
 // Loose       faces are found while the trees are made. The trees are then made
 //             again without them.
 #include "common/base/share.h"
@@ -39,7 +39,8 @@ const double MOST_GROWTH = 16;
 // A larger group is divided before the threads take subtrees.
 const size_t FEW = 512;
 
-// They begin when leaves with more pieces wait. Not later, for the sake of memory.
+// The subtrees are begun when leaves with more pieces in all are waiting. A
+// larger number would take more memory.
 const size_t BATCH = 16384;
 
 const hsr_box EMPTY = {{INFINITY, INFINITY, INFINITY},

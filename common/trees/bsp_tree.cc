@@ -21,8 +21,8 @@ using namespace hsr;
 const size_t TRIED_PLANES = 12, WEIGHED_PIECES = 128;
 const size_t PRICE_OF_CUT = 8;
 
-// A group of more pieces is looked at by several threads, so many pieces each. To
-// start a thread takes as long as to look at some thousand pieces.
+// Several threads look at a group of more pieces, each at so many pieces.
+// Starting a thread takes as long as looking at some thousand pieces.
 const uint32_t RANGE = 16384;
 
 // The side of a plane on which a piece was kept when the plane cut it.
@@ -49,8 +49,8 @@ static size_t step_of(size_t n, size_t wanted) {
   return std::max<size_t>(1, n / wanted);
 }
 
-// The price of dividing a group by a plane, judged by some of its pieces; or, if
-// that is more, `enough` at least.
+// The cost of dividing a group by a plane, estimated by some of its pieces. If
+// it is above `enough`, the result is some number of at least `enough`.
 size_t Tree_maker::price_of(const Group &group, uint32_t plane, size_t enough) {
   const size_t step = step_of(group.size(), WEIGHED_PIECES);
   size_t n[4] = {0}, price = 0;

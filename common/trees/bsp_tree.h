@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The BSP tree of a group of pieces, or one node of it: what the threads of
-// common/trees/bsp.cc make beside one another.
+// Making the BSP tree of a group of pieces, or one node of it. Each thread of
+// common/trees/bsp.cc makes trees of its own.
 //
-// Same        what is made of a group depends on the group, and on how often its
-//             faces were cut above it. So a tree that is made of subtrees, by any
-//             number of threads, is always the same.
-// Loose       a piece of a face that has been cut too often on its way from the
-//             root, or in the same subtree, is left out. bsp.cc adds up what the
-//             subtrees cut.
+// Same        a tree depends only on its group of pieces, and on how often
+//             their faces were cut above it. So the tree is the same for any
+//             number of threads.
+// Loose       a piece is left out if its face has been cut too often on the way
+//             from the root or in the same subtree. bsp.cc adds up the cuts of
+//             all subtrees.
 #ifndef HSR_COMMON_BSP_TREE_H
 #define HSR_COMMON_BSP_TREE_H
 
@@ -22,28 +22,29 @@
 
 namespace hsr {
 
-// The most parts of a face that is not flat. Its parts keep all its corners, so
-// more planes would cut each of them.
+// The most cuts of a face that is not flat. The limit is needed since each part
+// keeps all corners of the face, so that most later planes cut it again.
 const uint32_t MOST_PARTS = 32;
 
+// Thrown if there are too many pieces, or too much work.
 struct Too_many {};
 
-// What may be spent on all trees: pieces; questions about sides of planes.
-// Whether that is too much is known by the sum alone, which does not depend on
-// who spends it when.
+// The work of all trees: the numbers of pieces made, and of questions asked
+// about sides of planes. Only the sums are limited. So whether the limit is
+// passed does not depend on the order in which threads work.
 class Bsp_budget {
 public:
   explicit Bsp_budget(const hsr_bsp_rule &rule)
       : most_pieces_(rule.most_pieces ? rule.most_pieces
                                       : HSR_BSP_MOST_PIECES) {}
-  // Throws Too_many once too much is spent.
+  // Adds to the sums. Throws Too_many if one is above its limit.
   void spend(uint64_t n_questions, uint64_t n_pieces) {
     const uint64_t questions = questions_ += n_questions;
     const uint64_t pieces = pieces_ += n_pieces;
     if (questions > MOST_QUESTIONS || pieces > most_pieces_)
       throw Too_many();
   }
-  // Gives back what was made of pieces, to begin again.
+  // Sets the number of pieces to 0, to begin again.
   void forget_pieces() { pieces_ = 0; }
 
 private:
@@ -52,8 +53,8 @@ private:
   std::atomic<uint64_t> questions_{0}, pieces_{0};
 };
 
-// How often each face that is not flat was cut. Subtrees count on their own,
-// from what was counted above them.
+// How often each face that is not flat was cut. Each subtree counts for itself,
+// beginning with the counts above it.
 class Part_counts {
 public:
   explicit Part_counts(const std::vector<uint32_t> &above) : above_(above) {}
@@ -69,13 +70,14 @@ private:
   std::unordered_map<uint32_t, uint32_t> own_;
 };
 
-struct Placed { // a corner that is handed over
+// The place of a corner, whose point has no number yet.
+struct Placed {
   Point at;
   double error;
-  uint32_t corner;
+  uint32_t corner; // index into Bsp_part.corners
 };
 
-// Nodes and what lies in their planes. All numbers begin here.
+// Some nodes and their pieces. All indices are into the vectors of this part.
 struct Bsp_part {
   std::vector<hsr_bsp_node> nodes; // the root is the first
   std::vector<hsr_bsp_piece> pieces;
@@ -84,8 +86,8 @@ struct Bsp_part {
   uint32_t depth = 0; // nodes on the longest path
 };
 
-// Calls part(k, thread) for each k below n, as hsr_share does. What it throws is
-// thrown once no thread is at work.
+// Calls part(k, thread) for each k below n, as hsr_share does. If a call throws
+// Too_many or std::bad_alloc, so does this function, after all threads ended.
 template <class Part> void share(int threads, uint32_t n, const Part &part) {
   for (uint32_t k = 0; k < n && threads == 1; k++)
     part(k, 0);
@@ -114,26 +116,27 @@ template <class Part> void share(int threads, uint32_t n, const Part &part) {
     throw std::bad_alloc();
 }
 
-// The number of things in a vector. std::bad_alloc if 32 bits do not hold it.
+// Returns n. Throws std::bad_alloc if 32 bits do not hold it.
 uint32_t size_of(size_t n);
 
-using Group = std::vector<uint32_t>; // numbers of pieces, by ascending faces
+using Group = std::vector<uint32_t>; // indices of pieces, by ascending faces
 
-// Several may work at once, on pieces of their own. What they share of `shapes`
-// is guarded there.
+// Makes trees. Several makers may work at once, each on pieces of its own.
+// `shapes` guards what they share.
 class Tree_maker {
 public:
-  // All are borrowed; pieces that are cut off are added to `pieces`. So many
-  // threads tell where the pieces of a large group lie.
+  // All arguments are borrowed. Pieces that are cut off are added to `pieces`.
+  // `threads` threads find the sides on which the pieces of a large group lie.
   Tree_maker(const Convex_pieces &shapes, Bsp_budget &budget, int threads,
              std::vector<Convex> &pieces)
       : shapes_(shapes), budget_(budget), threads_(threads), pieces_(pieces) {}
 
-  // The tree of all pieces, of which there is one at least.
+  // Makes the tree of all pieces. There must be one at least.
   void make(Part_counts &counts, Bsp_part &part);
 
-  // Adds a node of the group's pieces that lie in the plane it chooses, and
-  // divides the rest. Neither side of the node is set.
+  // Chooses a plane for a group and adds a node with the pieces that lie in it.
+  // Divides the others into the groups `front` and `behind`. The caller sets
+  // the sides of the node.
   void split(const Group &group, Part_counts &counts, Bsp_part &part,
              Group &front, Group &behind);
 
@@ -143,11 +146,11 @@ private:
   const int threads_;
   std::vector<Convex> &pieces_;
 
-  // The pieces of a group with which planes are tried.
+  // The pieces of a group by which the cost of a plane is estimated.
   Convex_pieces::Columns tried_;
   size_t price_of(const Group &group, uint32_t plane, size_t enough);
   uint32_t choose_plane(const Group &group, uint64_t &questions);
-  std::vector<unsigned char> where_; // a piece of a group
+  std::vector<unsigned char> where_; // by piece of a group: its sides
   void find_sides(const Group &group, uint32_t plane);
   void cut(uint32_t piece, uint32_t plane, Part_counts &counts, Group &front,
            Group &behind);

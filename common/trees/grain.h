@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Coordinates as multiples of a power of two, and instances that round nothing.
+/* Instances whose vertices are computed without rounding.
  *
- * Let the coordinates of an object be multiples of g, every row of an
- * instance's matrix a signed unit vector, its translation a multiple of g too,
- * and all of these less than 2^52 g. Then every sum is exact, and a plane stays
- * a plane. */
+ * Grain       the grain of some numbers is the largest power of two, 2^k, of
+ *             which all of them are multiples.
+ * Exact       let the coordinates of an object and the translation of an
+ *             instance be multiples of g = 2^k, and let their sums be below
+ *             2^52 g. Let every row of the instance's matrix be a signed unit
+ *             vector. Then hsr_instance_vertex rounds nothing. So vertices on a
+ *             plane stay on a plane. */
 #ifndef HSR_COMMON_GRAIN_H
 #define HSR_COMMON_GRAIN_H
 
@@ -14,15 +17,17 @@
 extern "C" {
 #endif
 
-enum { HSR_GRAIN_ANY = 1024 }; /* the grain of zeros alone */
+enum { HSR_GRAIN_ANY = 1024 }; /* k of numbers that are all 0 */
 
-/* The largest k such that all n numbers are multiples of 2^k. */
+/* Returns the largest k such that x[0 .. n-1] are all multiples of 2^k. */
 int hsr_grain(const double *x, size_t n);
 
-/* The largest size of a coordinate of the object. */
+/* Returns the largest absolute value of a coordinate of the object. */
 double hsr_reach(const struct hsr_object *object);
 
-/* Whether the instance rounds nothing. Its object has this grain and reach. */
+/* Whether the vertices of the instance are computed without rounding. `grain`
+ * is hsr_grain of the object's coordinates and `reach` is hsr_reach of the
+ * object. */
 bool hsr_instance_is_exact(const struct hsr_instance *instance, int grain,
                            double reach);
 

@@ -129,7 +129,7 @@ uint64_t hsr_octree_count(const struct hsr_octree_list *own,
   return n;
 }
 
-/* What is a cube's own already is in no octant. */
+/* A primitive that is a cube's own before the call is in no octant. */
 bool hsr_octree_give_back(const struct hsr_octree_builder *b, uint32_t stamp,
                           uint32_t n, double copies,
                           struct hsr_octree_list *own,
@@ -220,8 +220,9 @@ static bool list_primitives(const struct hsr_octree_builder *b,
   return good;
 }
 
-/* Rounding may leave a part of the primitives out of the root's cube. Then makes
- * another cube, around their middle and twice as large as they need. */
+/* Because of rounding, a part of the primitives may be outside of the root's
+ * cube. In that case the root becomes a cube around the centre of all, twice as
+ * large as necessary. */
 void hsr_octree_enclose(struct hsr_octree_node *root,
                         const struct hsr_box *bounds, uint32_t n) {
   struct hsr_box cube = hsr_cube_box(root), all = cube;
@@ -296,7 +297,7 @@ static struct hsr_octree octree_of(const struct hsr_octree_builder *b) {
                              (uint32_t)b->item.n};
 }
 
-/* --- Bit by bit ----------------------------------------------------------- */
+/* --- A lazy octree -------------------------------------------------------- */
 
 static struct hsr_octree_builder
 builder_of(const struct hsr_lazy_octree *lazy) {
@@ -317,8 +318,8 @@ static void take_back(struct hsr_lazy_octree *lazy,
   lazy->octree = octree_of(b);
 }
 
-/* A cube that is not divided, of a list that may be divided into `copies` times
- * as many. */
+/* Appends a cube that is not divided, with the primitives of a list. Its
+ * subtree may hold `copies` times as many. */
 static bool hand_down(struct hsr_lazy_octree *lazy,
                       struct hsr_octree_builder *b,
                       const struct hsr_octree_node *cube,

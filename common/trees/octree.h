@@ -3,12 +3,13 @@
  *
  * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
  *             thesis, UC Santa Cruz, 1995, 3.3.1 and 3.5.
- * Placement   a primitive that fits into an octant goes there. One that crosses
- *             a median plane stays with the cube, the smallest that encloses
- *             it; but a small one goes into every octant that it meets.
+ * Placement   a primitive that fits into an octant goes there. A primitive that
+ *             crosses a median plane stays with the cube, which is the smallest
+ *             that encloses it. But a small primitive that crosses a median
+ *             plane goes into every octant that it meets.
  * Invariant   the cubes that a primitive is placed in cover it.
- * Ties        a primitive on a median plane fits into either side; it goes to
- *             the lower one. */
+ * Ties        a primitive that lies in a median plane goes to the lower
+ *             side. */
 #ifndef HSR_COMMON_OCTREE_H
 #define HSR_COMMON_OCTREE_H
 
@@ -22,33 +23,37 @@ extern "C" {
 
 #define HSR_NO_NODE UINT32_MAX
 
-/* A box by its middle. */
+/* A box, by its centre and half of its sides. World units, as all lengths
+ * here. */
 struct hsr_octree_box {
   double centre[3], half[3];
 };
 
 struct hsr_octree_node {
   double centre[3], half;      /* the cube */
-  struct hsr_octree_box tight; /* within the cube; holds all that is in it and
-                                  its octants; the cube, if that is nothing */
-  uint32_t child[8]; /* bit k of the octant's number: above centre[k] */
-  uint32_t first, n; /* its primitives: item[first] and so on */
+  struct hsr_octree_box tight; /* a box that holds the parts of its primitives,
+                                  and of its octants', that are in the cube; the
+                                  cube itself if there are none */
+  uint32_t child[8]; /* nodes, or HSR_NO_NODE. Bit k of the octant's number is
+                        set above centre[k] */
+  uint32_t first, n; /* its primitives are item[first], ..., item[first+n-1] */
 };
 
 struct hsr_octree {
-  struct hsr_octree_node *node; /* the first is the root; parents before
-                                   children, and each before all that is in the
-                                   next octant, unless it is divided bit by
-                                   bit */
+  struct hsr_octree_node *node; /* the first is the root. hsr_octree_init puts
+                                   them in depth-first order, by ascending
+                                   octant. hsr_octree_divide appends the octants
+                                   of a cube */
   uint32_t *item;               /* numbers of primitives, node by node */
   uint32_t n_nodes, n_items;
 };
 
-/* What is put into cubes: primitives 0 .. n-1, through functions that get
- * `context`. Each is connected, and `bounds` is the smallest box that holds it.
- * `area` is compared with the area of a face of a cube. `meets` tells which of
- * eight boxes it meets, bit o for box o, and may say yes in doubt; NULL: those
- * that its bounds meet. */
+/* What is put into cubes: primitives 0 .. n-1, described by functions that get
+ * `context`. A primitive is connected, and `bounds` returns the smallest box
+ * that holds it. `area` returns a number that is compared with the area of a
+ * face of a cube. `meets` returns which of eight boxes the primitive meets, bit
+ * o for box o; in doubt it may set a bit. If `meets` is NULL, they are the
+ * boxes that meet its bounds. */
 struct hsr_primitives {
   uint32_t n;
   const void *context;
@@ -60,14 +65,16 @@ struct hsr_primitives {
 
 struct hsr_octree_rule {
   double small;   /* a primitive is small if its area is less than this times
-                     the area of a cube's face; 0: none is */
-  uint32_t most;  /* a cube of no more primitives is not divided */
-  uint32_t least; /* an octant of fewer gives them back to its parent */
+                     the area of a cube's face; 0: none is small */
+  uint32_t most;  /* a cube of at most so many primitives is not divided */
+  uint32_t least; /* an octant of fewer primitives is given up, and its parent
+                     gets them */
 };
 
-/* The cube with lower corner lo and edges of length `side` must hold all
- * primitives. The arrays are in the arena. So many threads make it, all of
- * which call the primitives' functions; it is the same for any number.
+/* Makes an octree. Its root is the cube with lower corner lo and edges of
+ * length `side`, which must hold all primitives, apart from rounding. The
+ * arrays are in the arena. `threads` threads make it, and all of them call the
+ * primitives' functions. The result is the same for any number of threads.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const struct hsr_primitives *primitives,
@@ -75,49 +82,58 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const double lo[3], double side, int threads,
                                 struct hsr_arena *arena);
 
-/* --- An octree that is divided bit by bit ---------------------------------- */
+/* --- A lazy octree -------------------------------------------------------- */
 
-/* What is kept of a node of it. */
+/* More about a node of a lazy octree. */
 struct hsr_lazy_node {
-  uint32_t first, n; /* what was handed down to it: item[first] and so on */
-  double copies;     /* it may make so many times as many of them, in all */
-  int depth;
-  bool divided;
+  uint32_t first, n; /* its primitives from its parent: item[first], ... */
+  double copies;     /* its subtree may hold each of them so many times, on the
+                        average */
+  int depth;         /* 0 of the root */
+  bool divided;      /* hsr_octree_divide was called for it */
 };
 
-/* Lazy evaluation, thesis 3.4: all primitives are in a root without octants,
- * and a cube is divided when that is asked for. If all are, it has the cubes of
- * hsr_octree_init, and their primitives, in another order. What a cube holds is
- * octree.node[k].first and .n: all that was handed down to it, or what is its
- * own once it is divided. Tight boxes may be somewhat larger. */
+/* Lazy evaluation, section 3.4 of the thesis. At first all primitives are in a
+ * root without octants. hsr_octree_divide divides a cube. When all cubes are
+ * divided, the octree has the cubes of hsr_octree_init with the same
+ * primitives, in another order. node[k].first and .n are the primitives that
+ * node k got from its parent or, once it is divided, those that stay with it.
+ * Tight boxes may be somewhat larger. */
 struct hsr_lazy_octree {
-  struct hsr_octree octree; /* so far; its arrays move when a cube is divided */
+  struct hsr_octree octree; /* as it is now; its arrays may move when a cube is
+                               divided */
   struct hsr_primitives primitives;
   struct hsr_octree_rule rule;
-  struct hsr_box *bounds; /* a primitive */
-  double *area;
-  uint32_t *mark;
-  struct hsr_growing node, item, state;
-  struct hsr_arena *arena;
+  struct hsr_box *bounds; /* by primitive */
+  double *area;           /* by primitive */
+  uint32_t *mark;         /* by primitive: for hsr_octree_give_back */
+  struct hsr_growing node, item, state; /* state: struct hsr_lazy_node */
+  struct hsr_arena *arena;              /* borrowed */
 };
 
+/* Returns what is kept of node k. The pointer is valid until the next call of
+ * hsr_octree_divide. */
 static inline const struct hsr_lazy_node *
 hsr_lazy_node(const struct hsr_lazy_octree *octree, uint32_t k) {
   return (const struct hsr_lazy_node *)octree->state.items + k;
 }
 
-/* As hsr_octree_init, but the root is not divided. The primitives' context is
- * borrowed. HSR_E_NOMEM. */
+/* Sets up a lazy octree: as hsr_octree_init, but the root is not divided.
+ * *primitives and *rule are copied. The primitives' context and the arena are
+ * borrowed and must outlive the octree. HSR_E_NOMEM. */
 enum hsr_status hsr_octree_begin(struct hsr_lazy_octree *octree,
                                  const struct hsr_primitives *primitives,
                                  const struct hsr_octree_rule *rule,
                                  const double lo[3], double side,
                                  struct hsr_arena *arena);
 
-/* Divides a cube that is not divided yet. It gets no octants if it holds few
- * primitives, or if dividing does not help. HSR_E_NOMEM. */
+/* Divides cube k, which must not be divided yet. It gets no octants if it holds
+ * few primitives, or if that would not separate them. HSR_E_NOMEM. */
 enum hsr_status hsr_octree_divide(struct hsr_lazy_octree *octree, uint32_t k);
 
+/* --- Cubes ---------------------------------------------------------------- */
+
+/* Returns the cube of a node, by its lowest and highest corner, rounded. */
 static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
   struct hsr_box box;
   for (int k = 0; k < 3; k++) {
@@ -127,7 +143,7 @@ static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
   return box;
 }
 
-/* Has the node no octants? */
+/* Whether the node has no octants. */
 static inline bool hsr_octree_is_leaf(const struct hsr_octree_node *node) {
   for (int o = 0; o < 8; o++)
     if (node->child[o] != HSR_NO_NODE)
@@ -135,6 +151,7 @@ static inline bool hsr_octree_is_leaf(const struct hsr_octree_node *node) {
   return true;
 }
 
+/* Returns the cube of a node, by its centre and half of its sides. */
 static inline struct hsr_octree_box
 hsr_octree_cube(const struct hsr_octree_node *node) {
   struct hsr_octree_box cube = {
@@ -143,19 +160,20 @@ hsr_octree_cube(const struct hsr_octree_node *node) {
   return cube;
 }
 
-/* One octant of a cube, as a node with no octants and no primitives. */
+/* Returns octant `octant` of a cube, as a node with no octants and no
+ * primitives. */
 struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
                                          int octant);
 
-/* The octant that holds the box, which is within the cube; -1: the box crosses
- * a median plane. */
+/* Returns the number of the octant that holds the box, which is within the
+ * cube. -1: the box crosses a median plane. */
 int hsr_octant_that_holds(const struct hsr_octree_node *cube,
                           const struct hsr_box *box);
 
-/* The order of octants from front to back, for an eye in octant `nearest`:
- * octant nearest ^ hsr_octant_order[0], then [1], and so on. First comes the
- * nearest one, then those that share a face with it, then those that share a
- * face with the farthest, then the farthest. */
+/* The order of octants from front to back. For an eye in octant `nearest`, the
+ * k-th octant is nearest ^ hsr_octant_order[k]. The nearest octant comes first,
+ * then those that share a face with it, then those that share a face with the
+ * farthest, then the farthest. */
 extern const unsigned char hsr_octant_order[8];
 
 #ifdef __cplusplus

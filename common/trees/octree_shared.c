@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Octrees made by several threads.
  *
- * Method      cubes of many primitives are divided first, a level at a time. The
- *             lists of a level are cut into ranges, and these are parted at once.
- *             What is left is subtrees, each of which one thread makes in memory
- *             of its own. Then it is known where in the octree each of them
- *             begins, and they are copied there.
+ * Method      cubes of many primitives are divided first, a level at a time.
+ *             The lists of a level are cut into ranges, which threads divide at
+ *             the same time. The rest are subtrees, each of which one thread
+ *             makes in memory of its own. After that, the place of each subtree
+ *             in the octree is known, and they are copied there.
  * Same        how a cube is divided depends on its list alone, and what the
  *             ranges of a list give is joined in their order. So the octree is
  *             that of hsr_octree_build, node by node, however many threads make
@@ -133,7 +133,8 @@ static void free_pieces(struct maker *m) {
   m->piece.n = 0;
 }
 
-/* Joins what pieces from .. to - 1 gave to an octant; octant -1: to the cube. */
+/* Joins the lists that pieces from .. to - 1 made for an octant; octant -1: for
+ * the cube itself. */
 static bool join(const struct maker *m, uint32_t from, uint32_t to, int octant,
                  struct hsr_octree_list *list) {
   uint32_t n = 0;

@@ -38,7 +38,7 @@ static bool find_incidence(const struct hsr_object *object,
   found->face = malloc(((size_t)n_corners + 1) * sizeof *found->face);
   if (!found->start || !found->face)
     return false;
-  uint32_t *end = found->start + 1; /* when all are in, the next one's start */
+  uint32_t *end = found->start + 1; /* end[v] becomes the start of v + 1 */
   for (uint32_t c = 0; c < n_corners; c++)
     end[object->vertex[c] + 1]++;
   for (uint32_t v = 0; v < object->n_vertices; v++)
@@ -52,7 +52,7 @@ static bool find_incidence(const struct hsr_object *object,
 /* --- Corners -------------------------------------------------------------- */
 
 /* The unit normal of a face in the world, and a point of its plane. False if
- * its length is no number. */
+ * the normal has no length, or one that is not finite. */
 static bool find_normal(const struct hsr_world *world, struct hsr_place place,
                         double normal[3], double anchor[3]) {
   hsr_place_plane(world, place, normal, anchor);
@@ -119,9 +119,7 @@ static bool find_face(struct gouraud *g, uint32_t id) {
                         face->corner[c]);
     face->light[c] = light_corner(g, place, vertex[c]);
   }
-  memcpy(face->rgb,
-         object->rgb ? object->rgb + 3 * (size_t)place.face : object->colour,
-         sizeof face->rgb);
+  memcpy(face->rgb, hsr_face_rgb(object, place.face), sizeof face->rgb);
   return true;
 }
 

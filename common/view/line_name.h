@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lines of the picture plane, named by what of the scene they are the image of.
- * docs/visible-polygons.md defines them, and a function for each. */
+/* Names of lines of the picture plane: of what in the scene a line is the
+ * image. docs/visible-polygons.md defines each kind of line and its function,
+ * which is 0 on the line. */
 #ifndef HSR_COMMON_LINE_NAME_H
 #define HSR_COMMON_LINE_NAME_H
 
@@ -10,13 +11,16 @@
 extern "C" {
 #endif
 
+/* The kinds of lines, and what the numbers a and b of each mean. */
 enum hsr_line_kind {
-  HSR_LINE_EDGE,    /* a: face; b: index in it of the edge's first corner */
-  HSR_LINE_MEETING, /* a < b: faces */
-  HSR_LINE_NEAR,    /* a: face; b: 0 */
-  HSR_LINE_HORIZON, /* a: face; b: 0 */
-  HSR_LINE_BORDER,  /* a: enum hsr_border; b: 0 */
-  HSR_LINE_ROW      /* a: face; b: index in it of a corner */
+  HSR_LINE_EDGE,    /* the line of an edge. a: face; b: index in the face of the
+                       edge's first corner */
+  HSR_LINE_MEETING, /* where the planes of two faces meet. a < b: the faces */
+  HSR_LINE_NEAR,    /* where a face's plane has depth near. a: face; b: 0 */
+  HSR_LINE_HORIZON, /* the horizon of a face's plane. a: face; b: 0 */
+  HSR_LINE_BORDER,  /* a side of the picture. a: enum hsr_border; b: 0 */
+  HSR_LINE_ROW      /* the horizontal line through a corner's image. a: face; b:
+                       index in the face of the corner */
 };
 
 enum hsr_border { HSR_LEFT, HSR_TOP, HSR_RIGHT, HSR_BOTTOM, HSR_N_BORDERS };

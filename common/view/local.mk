@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/clip.h \
   %D%/gouraud.h \
   %D%/line_name.h \
   %D%/picture.h \
   %D%/view.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/clip.c \
   %D%/gouraud.c \
   %D%/matrices_cgal.cc \

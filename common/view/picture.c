@@ -71,11 +71,9 @@ static void face_colour(const struct hsr_world *world, uint32_t f,
   }
   const struct hsr_object *object =
       &world->roster.scene->objects[world->mesh.object[f]];
-  const float *colour = object->colour;
-  if (object->rgb)
-    colour = object->rgb +
-             3 * (size_t)(scene_id(world, f) -
-                          world->roster.first[world->mesh.instance[f]]);
+  const float *colour =
+      hsr_face_rgb(object, scene_id(world, f) -
+                               world->roster.first[world->mesh.instance[f]]);
   for (int k = 0; k < 3; k++)
     rgb[k] = colour[k];
 }
@@ -138,10 +136,10 @@ void hsr_picture_shade(const struct hsr_world *world,
   }
 }
 
-/* --- Pictures of an outline ----------------------------------------------- */
+/* --- Pictures of a roster ------------------------------------------------- */
 
 /* The faces that are seen in a picture, laid out in a world of their own, and
- * the picture in the numbers of that world. */
+ * the picture in the face numbers of that world. */
 struct seen {
   struct hsr_world world;
   uint32_t *id;  /* the scene's ids of the faces, ascending */
@@ -153,7 +151,7 @@ static int compare_ids(const void *a, const void *b) {
   return (f > g) - (f < g);
 }
 
-/* Neighbours often show one face. */
+/* Whether sample k shows the same as the one before, which is often so. */
 static bool is_as_before(const uint32_t *ids, size_t k) {
   return k && ids[k] == ids[k - 1];
 }

@@ -30,7 +30,8 @@ static double half_tangent(double fov_degrees) {
   return fov_degrees == 90 ? 1 : tan(fov_degrees * (pi / 360));
 }
 
-/* Where an axis is looked at from, if the view runs along it so. */
+/* The eye's coordinate in parallel projection. `forward` is the same coordinate
+ * of F. */
 static double place_at_infinity(double forward) {
   return forward > 0 ? -INFINITY : forward < 0 ? INFINITY : NAN;
 }
@@ -47,7 +48,7 @@ static void place_light(struct hsr_view *view, const double right[3],
   view->light[3] = given[3];
 }
 
-/* The view of a tile that is in range. */
+/* hsr_view_init_tile of a tile that is in range. */
 static enum hsr_status init(struct hsr_view *view,
                             const struct hsr_camera *camera, int m, int n,
                             const struct hsr_window *tile,

@@ -16,6 +16,7 @@
  * usage: figures WHAT SCENE VIEW FILE ...      VIEW from 1; reports/greene/make */
 #include "algorithms/engines/cubes/cubes.h"
 #include "bench/modules/variant.h"
+#include "common/answers/filter.h"
 #include "common/files/image.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"

@@ -326,8 +326,7 @@ async function begin() {
       h("h1", { tabindex: -1 }, `${scene}, step by step`),
       h("p", { class: "kicker" }, `View ${view.number}, ${view.width} × ${
         view.height} samples, ${shown[0].header.faces.length} faces. `,
-      shown[0].kind === "ids" ? "Click a sample to read its story."
-        : shown[0].kind === "segments" ? "Click an edge to read its story." : "")),
+      shown[0].kind.hint)),
     chooser()), survey && lessonText(survey, shown[0], (k) => {
       stop();
       lead(0);

@@ -135,15 +135,16 @@ static enum hsr_status count_some(const struct hsr_job *job,
 }
 
 #define LAYERS(id, name_, render_, flags_)                                     \
-  const struct hsr_algorithm hsr_algorithm_##id = {.name = name_,              \
-                                                   .title = name_,             \
-                                                   .authors = "hsr",           \
-                                                   .source = "tests",          \
-                                                   .taxonomy = HSR_YARDSTICK,  \
-                                                   .subjects = 1 << HSR_FACES, \
-                                                   .kind = &hsr_answer_layers, \
-                                                   .flags = flags_,            \
-                                                   .render = render_};
+  const struct hsr_algorithm hsr_algorithm_##id = {                            \
+      .name = name_,                                                           \
+      .title = name_,                                                          \
+      .authors = "hsr",                                                        \
+      .source = "tests",                                                       \
+      .taxonomy = HSR_YARDSTICK,                                               \
+      .subjects = 1 << HSR_FACES,                                              \
+      .makes = {{&hsr_answer_layers}},                                         \
+      .flags = flags_,                                                         \
+      .render = render_};
 LAYERS(layer_oracle, "layer-oracle", count_all, HSR_JUDGE)
 LAYERS(layer_count, "layer-count", count_all, 0)
 LAYERS(layer_half, "layer-half", count_some, 0)

@@ -92,10 +92,7 @@ cells_of(const hsr_world &world, const hsr_view &view, int i, int j) {
 class asked {
 public:
   explicit asked(const hsr_world &world) {
-    hsr_error err;
-    if (hsr_setup_init(&setup_, hsr_algorithm_find("oracle")->plain, nullptr,
-                       &world, &err))
-      stop(err.text);
+    must_setup(&setup_, hsr_algorithm_find("oracle")->plain, nullptr, &world);
   }
   ~asked() {
     hsr_setup_free(&setup_);
@@ -120,7 +117,7 @@ public:
     hsr_answer answer = hsr_answer_of_ids(ids.data(), view.m, view.n);
     job.answer = &answer;
     if (hsr_setup_render(&setup_, &job, &err))
-      stop(err.text);
+      bail("%s", err.text);
     return ids[size_t(j) * size_t(view.m) + size_t(i)];
   }
 
@@ -246,10 +243,8 @@ void check_lattice(uint64_t *seed, tally *t) {
   std::snprintf(name, sizeof name, "lattice:%d:%d",
                 int(draw_integer(seed, 3, 40)),
                 int(draw_integer(seed, 1, 1000000000)));
-  hsr_error err;
   hsr_scene *scene;
-  if (hsr_scene_open(name, nullptr, &scene, &err))
-    stop(err.text);
+  scene = must_open(name);
   hsr_camera camera = scene->views[draw_integer(seed, 0, scene->n_views - 1)];
   draw_parallel(seed, &camera, 8);
   check_scene(seed, scene, camera, name, t);

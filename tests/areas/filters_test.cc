@@ -6,6 +6,7 @@
  * B-splines of all pixels add up to 1, so a face's shares add up to its area. */
 #include "tests/areas/shares.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/area.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,8 @@
 #include "tests/areas/shares.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/area.h"
 
 #include <cmath>
 #include <cstring>
@@ -159,10 +161,8 @@ void check_slope() {
 bool is_quartered(const hsr_world &world, const hsr_camera &camera, int m,
                   int n) {
   hsr_view coarse, fine;
-  hsr_error err;
-  if (hsr_view_init(&coarse, &camera, m, n, &err) ||
-      hsr_view_init(&fine, &camera, 2 * m, 2 * n, &err))
-    stop(err.text);
+  must_view(&coarse, &camera, m, n);
+  must_view(&fine, &camera, 2 * m, 2 * n);
   const std::vector<shares> one = shares_of(world, coarse),
                             four = shares_of(world, fine);
   bool good = true;
@@ -228,10 +228,10 @@ bool has_tightest(const hsr_world &world, const hsr_view &view, int filter) {
   job.tally = &tally;
   job.scratch = &scratch;
   job.answer = &answer;
-  if (hsr_setup_init(&setup, oracle, &choice, &world, &err) ||
-      hsr_answer_make(&answer, &choice.form, &view, false, &err) ||
+  must_setup(&setup, oracle, &choice, &world);
+  if (hsr_answer_make(&answer, &choice.form, &view, false, &err) ||
       hsr_setup_render(&setup, &job, &err))
-    stop(err.text);
+    bail("%s", err.text);
   const std::vector<shares> all =
       shares_of(world, view, hsr_area_filter(filter));
   const hsr_area_bounds *bounds = hsr_answer_areas_of(&answer);
@@ -256,11 +256,9 @@ void check_scene(const char *name, int most_degree) {
   hsr_scene *scene;
   hsr_world world;
   hsr_view view;
-  hsr_error err;
-  if (hsr_scene_open(name, nullptr, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], 11, 9, &err))
-    stop(err.text);
+  scene = must_open(name);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], 11, 9);
   ok(&tests, is_quartered(world, scene->views[0], 11, 9),
      "%s: quarters of pixels add up to the same areas, and to 1", name);
   for (int filter = 0; filter <= most_degree; filter++) {

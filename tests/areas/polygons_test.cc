@@ -14,6 +14,7 @@
 #include "tests/conformance/hard_scene.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/polygons.h"
 
 #include <memory>
 
@@ -59,7 +60,7 @@ private:
   areas::shape &of_face(uint32_t f) {
     std::unique_ptr<areas::shape> &known = shapes_[f];
     if (!known && !(known = areas::make_shape(on_, f)))
-      stop("a line of a face that covers nothing");
+      bail("a line of a face that covers nothing");
     return *known;
   }
   areas::whole_affine border(enum hsr_border b) const {
@@ -79,7 +80,7 @@ private:
 spot crossing(const areas::whole_affine &f, const areas::whole_affine &g) {
   const mpz_class w = f.a * g.b - f.b * g.a;
   if (w == 0)
-    stop("lines of a cycle do not cross");
+    bail("lines of a cycle do not cross");
   spot s = {mpq_class(mpz_class(f.b * g.c - f.c * g.b), w),
             mpq_class(mpz_class(f.c * g.a - f.a * g.c), w)};
   s.x.canonicalize();
@@ -182,7 +183,7 @@ void check_answer(const char *name, const hsr_world &world,
   std::vector<uint32_t> got(ids.size());
   hsr_error err;
   if (hsr_polygons_ids(&polygons, &view, got.data(), &err))
-    stop(err.text);
+    bail("%s", err.text);
   v->answers++;
   v->wrong_areas += areas_of(polygons, world, view) != wanted;
   v->wrong_ids += got != ids;
@@ -224,9 +225,7 @@ void tell_both(struct tap *tap, const char *what, const verdicts &oracle,
 
 hsr_scene *opened(const char *name) {
   hsr_scene *scene;
-  hsr_error err;
-  if (hsr_scene_open(name, nullptr, &scene, &err))
-    stop(err.text);
+  scene = must_open(name);
   return scene;
 }
 

@@ -84,12 +84,10 @@ void check_scene(struct tap *tap, uint64_t seed, const char *name) {
   hsr_scene *scene;
   hsr_world world;
   hsr_view view, fine;
-  hsr_error err;
-  if (hsr_scene_open(name, nullptr, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], m, n, &err) ||
-      hsr_view_init(&fine, &scene->views[0], m * SIDE, n * SIDE, &err))
-    stop(err.text);
+  scene = must_open(name);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], m, n);
+  must_view(&fine, &scene->views[0], m * SIDE, n * SIDE);
   const std::vector<shares> pixels = shares_of(world, view),
                             squares = shares_of(world, fine);
   const faces found = draw_samples(seed, world, view, squares);

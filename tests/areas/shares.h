@@ -9,6 +9,8 @@
 
 #include "bench/judge/areas/areas.h"
 #include "scenes/scenes.h"
+#include "common/answers/kinds/area.h"
+#include "tests/tap.h"
 
 #include <gmpxx.h>
 
@@ -17,11 +19,6 @@
 #include <cstdlib>
 #include <map>
 #include <vector>
-
-[[noreturn]] inline void stop(const char *text) {
-  std::printf("Bail out! %s\n", text);
-  std::exit(99);
-}
 
 using shares = std::map<uint32_t, mpq_class>; /* by face */
 
@@ -41,7 +38,7 @@ shares_of(const hsr_world &world, const hsr_view &view,
   std::vector<shares> all;
   hsr_error err;
   if (visit_areas(&world, &view, filter, keep_shares, &all, &err))
-    stop(err.text);
+    bail("%s", err.text);
   return all;
 }
 
@@ -68,7 +65,7 @@ public:
     camera_.near = near;
     camera_.parallel = parallel ? 2 : 0;
     if (hsr_scene_view(scene_, &camera_))
-      stop("no view");
+      bail("no view");
   }
   ~drawn() {
     if (opened_)
@@ -87,12 +84,12 @@ public:
     for (const auto &p : at) {
       number.push_back(0);
       if (hsr_object_vertex(object, p[0], p[1], p[2], &number.back()))
-        stop("no vertex");
+        bail("no vertex");
     }
     const float rgb[3] = {.25f + .125f * float(scene_->n_objects % 5), .7f,
                           .3f};
     if (hsr_object_face(object, number.data(), number.size(), rgb))
-      stop("no face");
+      bail("no face");
     return *this;
   }
 
@@ -111,7 +108,7 @@ public:
     hsr_error err;
     if (!opened_ && (hsr_scene_finish(scene_, &err) ||
                      hsr_world_init(&world_, scene_, &err)))
-      stop(err.text);
+      bail("%s", err.text);
     opened_ = true;
     return world_;
   }
@@ -119,7 +116,7 @@ public:
     hsr_view v;
     hsr_error err;
     if (hsr_view_init(&v, &camera_, times * n_, times * n_, &err))
-      stop(err.text);
+      bail("%s", err.text);
     return v;
   }
 

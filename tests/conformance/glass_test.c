@@ -11,16 +11,13 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { LARGEST = 64, PARTS = 20 };
-
-static void fail(const char *name, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", name, err->text);
-  exit(99);
-}
 
 /* By one build of an algorithm. */
 static long check_build(const struct hsr_algorithm *a, enum hsr_mix rule,
@@ -42,36 +39,23 @@ static long check_build(const struct hsr_algorithm *a, enum hsr_mix rule,
 }
 
 static void choose_view(uint64_t *seed, const struct hsr_scene *scene,
-                        const char *name, struct hsr_view *view) {
-  struct hsr_error err;
+                        struct hsr_view *view) {
   struct hsr_camera camera =
       scene->views[draw_integer(seed, 0, scene->n_views - 1)];
   int m = (int)draw_integer(seed, 16, LARGEST);
   int n = (int)draw_integer(seed, 16, LARGEST);
   draw_parallel(seed, &camera, n);
-  if (hsr_view_init(view, &camera, m, n, &err))
-    fail(name, &err);
-  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
-    view->offset_x = (double)draw_integer(seed, -7, 7) / 16;
-    view->offset_y = (double)draw_integer(seed, -7, 7) / 16;
-  }
-  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
-    view->window.x0 = (int)draw_integer(seed, 0, m - 1);
-    view->window.x1 = (int)draw_integer(seed, view->window.x0 + 1, m);
-    view->window.y0 = (int)draw_integer(seed, 0, n - 1);
-    view->window.y1 = (int)draw_integer(seed, view->window.y0 + 1, n);
-  }
+  must_view(view, &camera, m, n);
+  draw_part(seed, view);
 }
 
 /* How many samples of a picture of the scene differ, by all who draw it. */
 static long check_scene(struct hsr_scene *scene, const char *name,
                         uint64_t *seed, long *samples) {
-  struct hsr_error err;
   struct hsr_world world;
   struct hsr_view view;
-  if (hsr_world_init(&world, scene, &err))
-    fail(name, &err);
-  choose_view(seed, scene, name, &view);
+  must_world(&world, scene);
+  choose_view(seed, scene, &view);
   enum hsr_mix rule = (enum hsr_mix)draw_integer(seed, 0, 1);
   const struct hsr_algorithm *judge =
       hsr_algorithm_find("transparent-oracle")->plain;
@@ -93,12 +77,9 @@ static long check_scene(struct hsr_scene *scene, const char *name,
 
 static long check_lattice(uint64_t *seed, long *samples) {
   char name[64];
-  struct hsr_scene *scene;
-  struct hsr_error err;
   snprintf(name, sizeof name, "panes:%d:%d", (int)draw_integer(seed, 3, 40),
            (int)draw_integer(seed, 1, 1000000000));
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    fail(name, &err);
+  struct hsr_scene *scene = must_open(name);
   long differing = check_scene(scene, name, seed, samples);
   hsr_scene_delete(scene);
   return differing;
@@ -108,13 +89,10 @@ static long check_lattice(uint64_t *seed, long *samples) {
 static void check_failures(struct tap *tap, uint64_t *seed, long *samples) {
   enum { TIMES = 12 };
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
-    struct hsr_scene *scene;
-    struct hsr_error err;
     long differing = 0;
     if (!b->failure_case)
       continue;
-    if (hsr_scene_open(b->name, NULL, &scene, &err))
-      fail(b->name, &err);
+    struct hsr_scene *scene = must_open(b->name);
     for (int k = 0; k < TIMES; k++) {
       for (uint32_t o = 0; o < scene->n_objects; o++)
         scene->objects[o].opacity = (float)draw_integer(seed, 0, 4) / 4;
@@ -129,7 +107,6 @@ static void check_failures(struct tap *tap, uint64_t *seed, long *samples) {
 /* Triangles alone, of which the z-buffer tiles the opaque ones in floats. */
 static struct hsr_scene *draw_triangles(uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("triangles");
-  struct hsr_error err = {.text = "out of memory"};
   for (int o = 0; o < 3; o++) {
     struct hsr_object *object = hsr_scene_object(scene, "some");
     object->opacity = 1 - 0.25f * (float)o;
@@ -147,8 +124,7 @@ static struct hsr_scene *draw_triangles(uint64_t *seed) {
                       3, NULL);
     }
   }
-  if (hsr_scene_finish(scene, &err))
-    fail("triangles", &err);
+  must_finish(scene);
   return scene;
 }
 
@@ -189,11 +165,9 @@ static void check_extremes(struct tap *tap, const char *name) {
   static uint32_t ids[LARGEST * LARGEST];
   struct hsr_answer opaque, invisible, instanced;
   open_worlds(&worlds, name);
-  if (hsr_view_init(&view, &worlds.scene->views[0], LARGEST, LARGEST, NULL))
-    exit(99);
+  must_view(&view, &worlds.scene->views[0], LARGEST, LARGEST);
   set_opacity(worlds.scene, 1);
-  draw_ids(hsr_algorithm_find("oracle")->plain, &worlds.world, &view, ids,
-           NULL);
+  draw_plain("oracle", &worlds.world, &view, ids);
   const uint16_t *solid = judge(&worlds.world, &view, &opaque);
   const uint16_t *same = judge(&worlds.roster, &view, &instanced);
   set_opacity(worlds.scene, 0);
@@ -239,10 +213,11 @@ static void check_stack(struct tap *tap, bool nearest) {
     hsr_object_face(sheet, v, 3, rgb);
     sheet->opacity = s == OPAQUE ? 1 : (float)(s % 11) / 13;
   }
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, 16, 16, &err))
-    fail("stack", &err);
+  if (hsr_scene_view(scene, &camera))
+    bail("stack: %s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &camera, 16, 16);
   struct hsr_answer answer;
   const uint16_t *got = judge(&world, &view, &answer);
   uint16_t colour[3];

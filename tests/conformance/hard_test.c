@@ -14,6 +14,8 @@
 #include "tests/conformance/hard_scene.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/polygons.h"
+#include "common/answers/kinds/segments.h"
 
 #include <math.h>
 #include <signal.h>
@@ -25,11 +27,6 @@
 
 enum { MOST_SIDE = 32, MOST_SECONDS = 20 };
 
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 static void make_view(uint64_t *seed, const struct hsr_camera *camera,
                       struct hsr_view *view, struct hsr_error *err) {
   int most = draw_integer(seed, 0, 2) ? 12 : MOST_SIDE;
@@ -39,16 +36,7 @@ static void make_view(uint64_t *seed, const struct hsr_camera *camera,
     view->m = 0;
     return;
   }
-  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
-    view->offset_x = (double)draw_integer(seed, -7, 7) / 16;
-    view->offset_y = (double)draw_integer(seed, -7, 7) / 16;
-  }
-  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
-    view->window.x0 = (int)draw_integer(seed, 0, view->m - 1);
-    view->window.x1 = (int)draw_integer(seed, view->window.x0 + 1, view->m);
-    view->window.y0 = (int)draw_integer(seed, 0, view->n - 1);
-    view->window.y1 = (int)draw_integer(seed, view->window.y0 + 1, view->n);
-  }
+  draw_part(seed, view);
 }
 
 static void write_scene(FILE *file, const struct hsr_scene *scene) {
@@ -199,8 +187,9 @@ static bool draw(struct comparison *c, const struct hsr_algorithm *a,
   clock_t from = clock();
   enum hsr_status status = hsr_setup_init(&setup, a, choice, c->world, &err);
   if (!status)
-    status = a->kind == HSR_POLYGONS ? draw_polygons(&setup, &job, ids, &err)
-                                     : hsr_setup_render(&setup, &job, &err);
+    status = hsr_own_kind(a) == HSR_POLYGONS
+                 ? draw_polygons(&setup, &job, ids, &err)
+                 : hsr_setup_render(&setup, &job, &err);
   double seconds = (double)(clock() - from) / CLOCKS_PER_SEC;
   limit(0);
   if (seconds > c->slowest)
@@ -234,7 +223,8 @@ static void compare(struct comparison *c, const struct hsr_algorithm *a,
   if (lines) {
     struct hsr_drawing_difference difference;
     hsr_drawing_compare(&c->got_lines, &c->wanted_lines,
-                        a->flags & HSR_VISIBLE_ONLY, &difference);
+                        hsr_makes_how(a, HSR_SEGMENTS) & HSR_VISIBLE_ONLY,
+                        &difference);
     differing = (long)difference.differing;
   } else {
     differing = count_differences(c->view, c->got, c->wanted);
@@ -266,7 +256,7 @@ static bool check_scene(struct comparison *c, const char *file) {
   if (file) {
     FILE *out = fopen(file, "w");
     if (!out)
-      stop("cannot write the scene");
+      bail("cannot write the scene");
     write_scene(out, scene);
     fclose(out);
   }
@@ -288,8 +278,8 @@ static bool check_scene(struct comparison *c, const char *file) {
       if (!draw(c, judge, &standard, lines, c->wanted, &c->wanted_lines))
         continue;
       for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
-        if ((l->plain->kind == (lines ? HSR_SEGMENTS : HSR_IDS) ||
-             (!lines && l->plain->kind == HSR_POLYGONS)) &&
+        if ((hsr_own_kind(l->plain) == (lines ? HSR_SEGMENTS : HSR_IDS) ||
+             (!lines && hsr_own_kind(l->plain) == HSR_POLYGONS)) &&
             !(l->plain->flags & HSR_JUDGE))
           compare(c, draw_integer(&c->seed, 0, 1) ? l->plain : l->counting,
                   lines);
@@ -321,7 +311,7 @@ int main(int argc, char **argv) {
   enum { PARTS = 10 };
   struct tap tap = plan(PARTS + (argc == 1));
   if (n < 1 || c.share < 1)
-    stop("usage: hard_test [SCENES [SEED [SHARE [FILE]]]]");
+    bail("usage: hard_test [SCENES [SEED [SHARE [FILE]]]]");
   signal(SIGPROF, ring);
   for (long part = 0, k = 0; part < PARTS; part++) {
     long first = k;

@@ -100,10 +100,9 @@ static long check_scene(uint64_t *seed, long *samples) {
       scene = triangles;
     }
   }
-  if (!opened || hsr_world_init(&world, scene, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+  if (!opened)
+    bail("%s: %s", name, err.text);
+  must_world(&world, scene);
   const struct hsr_algorithm *oracle = hsr_algorithm_find("oracle")->plain;
   long differences = 0;
   uint32_t v = (uint32_t)draw_integer(seed, 0, scene->n_views - 1);
@@ -112,20 +111,8 @@ static long check_scene(uint64_t *seed, long *samples) {
   int m = (int)draw_integer(seed, 16, LARGEST);
   int n = (int)draw_integer(seed, 16, LARGEST);
   draw_parallel(seed, &camera, n);
-  if (hsr_view_init(&view, &camera, m, n, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
-  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
-    view.offset_x = (double)draw_integer(seed, -7, 7) / 16;
-    view.offset_y = (double)draw_integer(seed, -7, 7) / 16;
-  }
-  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
-    view.window.x0 = (int)draw_integer(seed, 0, view.m - 1);
-    view.window.x1 = (int)draw_integer(seed, view.window.x0 + 1, view.m);
-    view.window.y0 = (int)draw_integer(seed, 0, view.n - 1);
-    view.window.y1 = (int)draw_integer(seed, view.window.y0 + 1, view.n);
-  }
+  must_view(&view, &camera, m, n);
+  draw_part(seed, &view);
   draw_ids(oracle, &world, &view, wanted, NULL);
   struct comparison c = {&world, &view, name, wanted, got, 0};
   for_each_judged(compare, &c);

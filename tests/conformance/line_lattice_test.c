@@ -6,6 +6,7 @@
  *
  * usage: line_lattice_test [SCENES [SEED]]      standard: 500 scenes, seed 1 */
 #include "bench/modules/modules.h"
+#include "common/answers/kinds/segments.h"
 #include "scenes/scenes.h"
 #include "scenes/parts/shapes.h"
 #include "tests/draw.h"
@@ -14,11 +15,6 @@
 #include <stdlib.h>
 
 enum { REACH = 4 };
-
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
 
 /* --- Scenes --------------------------------------------------------------- */
 
@@ -105,9 +101,9 @@ static struct hsr_scene *solids(uint64_t *seed) {
   const double *v = view[draw_integer(seed, 0, N_VIEWS - 1)];
   double at[3] = {v[0] + v[3], v[1] + v[4], v[2] + v[5]};
   hsr_pen_view(&pen, v, at, draw_integer(seed, 0, 1) ? 90 : 60, v[6]);
-  struct hsr_error err = {.text = "out of memory"};
-  if (pen.status || hsr_scene_finish(scene, &err))
-    stop(err.text);
+  if (pen.status)
+    bail("out of memory");
+  must_finish(scene);
   return scene;
 }
 
@@ -119,10 +115,7 @@ static struct hsr_scene *draw_scene(uint64_t *seed, uint32_t *view) {
   char name[64];
   snprintf(name, sizeof name, "lattice:%d:%d", (int)draw_integer(seed, 3, 12),
            (int)draw_integer(seed, 1, 1000000000));
-  struct hsr_scene *scene;
-  struct hsr_error err;
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    stop(err.text);
+  struct hsr_scene *scene = must_open(name);
   *view = (uint32_t)draw_integer(seed, 0, scene->n_views - 1);
   return scene;
 }
@@ -141,7 +134,8 @@ static void compare(const struct hsr_algorithm *algorithm, void *context) {
   struct comparison *c = context;
   struct hsr_drawing_difference difference;
   draw_lines(algorithm, c->world, c->view, &c->got, NULL);
-  hsr_drawing_compare(&c->got, &c->wanted, algorithm->flags & HSR_VISIBLE_ONLY,
+  hsr_drawing_compare(&c->got, &c->wanted,
+                      hsr_makes_how(algorithm, HSR_SEGMENTS) & HSR_VISIBLE_ONLY,
                       &difference);
   c->edges += difference.edges;
   c->differing += difference.differing;
@@ -156,7 +150,6 @@ static void compare(const struct hsr_algorithm *algorithm, void *context) {
 }
 
 static void check_scene(struct comparison *c, uint64_t *seed) {
-  struct hsr_error err;
   struct hsr_world world;
   struct hsr_view view;
   uint32_t v;
@@ -164,9 +157,8 @@ static void check_scene(struct comparison *c, uint64_t *seed) {
   struct hsr_camera camera = scene->views[v];
   int m = (int)draw_integer(seed, 16, 64), n = (int)draw_integer(seed, 16, 64);
   draw_parallel(seed, &camera, n);
-  if (hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, m, n, &err))
-    stop(err.text);
+  must_world(&world, scene);
+  must_view(&view, &camera, m, n);
   c->world = &world;
   c->view = &view;
   draw_lines(hsr_algorithm_find("line-oracle")->plain, &world, &view,

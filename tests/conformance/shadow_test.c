@@ -11,17 +11,13 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/shadowed.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { LARGEST = 48, PARTS = 20 };
-
-static void fail(const char *name, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", name, err->text);
-  exit(99);
-}
 
 static const struct hsr_algorithm *judge(void) {
   return hsr_algorithm_find("shadow-oracle")->plain;
@@ -69,27 +65,16 @@ static void choose_light(uint64_t *seed, const struct hsr_world *world,
 }
 
 static void choose_view(uint64_t *seed, const struct hsr_world *world,
-                        const char *name, struct hsr_view *view) {
+                        struct hsr_view *view) {
   const struct hsr_scene *scene = world->roster.scene;
-  struct hsr_error err;
   struct hsr_camera camera =
       scene->views[draw_integer(seed, 0, scene->n_views - 1)];
   int m = (int)draw_integer(seed, 12, LARGEST);
   int n = (int)draw_integer(seed, 12, LARGEST);
   draw_parallel(seed, &camera, n);
   choose_light(seed, world, &camera);
-  if (hsr_view_init(view, &camera, m, n, &err))
-    fail(name, &err);
-  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
-    view->offset_x = (double)draw_integer(seed, -7, 7) / 16;
-    view->offset_y = (double)draw_integer(seed, -7, 7) / 16;
-  }
-  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
-    view->window.x0 = (int)draw_integer(seed, 0, m - 1);
-    view->window.x1 = (int)draw_integer(seed, view->window.x0 + 1, m);
-    view->window.y0 = (int)draw_integer(seed, 0, n - 1);
-    view->window.y1 = (int)draw_integer(seed, view->window.y0 + 1, n);
-  }
+  must_view(view, &camera, m, n);
+  draw_part(seed, view);
 }
 
 /* How many samples there were, and what the judge said of them. */
@@ -113,14 +98,12 @@ static void add_up(struct sums *sums, const struct hsr_view *view,
 /* How many samples of a picture of the scene differ, by all who draw it. */
 static long check_scene(struct hsr_scene *scene, const char *name,
                         uint64_t *seed, struct sums *sums) {
-  struct hsr_error err;
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_answer wanted;
   long differing = 0;
-  if (hsr_world_init(&world, scene, &err))
-    fail(name, &err);
-  choose_view(seed, &world, name, &view);
+  must_world(&world, scene);
+  choose_view(seed, &world, &view);
   draw_answer(judge(), &world, &view, &wanted, NULL);
   for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (hsr_makes_also(l->plain, HSR_SHADOWED)) {
@@ -136,14 +119,11 @@ static long check_scene(struct hsr_scene *scene, const char *name,
 /* One scene of eight is of triangles. */
 static long check_random(uint64_t *seed, struct sums *sums) {
   char name[64];
-  struct hsr_scene *scene;
-  struct hsr_error err;
   snprintf(name, sizeof name, "%s:%d:%d",
            draw_integer(seed, 0, 7) ? "lattice" : "soup",
            (int)draw_integer(seed, 3, 30),
            (int)draw_integer(seed, 1, 1000000000));
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    fail(name, &err);
+  struct hsr_scene *scene = must_open(name);
   long differing = check_scene(scene, name, seed, sums);
   hsr_scene_delete(scene);
   return differing;
@@ -151,14 +131,11 @@ static long check_random(uint64_t *seed, struct sums *sums) {
 
 static void check_failures(struct tap *tap, uint64_t *seed, long times) {
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
-    struct hsr_scene *scene;
-    struct hsr_error err;
     struct sums sums = {0};
     long differing = 0;
     if (!b->failure_case)
       continue;
-    if (hsr_scene_open(b->name, NULL, &scene, &err))
-      fail(b->name, &err);
+    struct hsr_scene *scene = must_open(b->name);
     for (int k = 0; k < times; k++)
       differing += check_scene(scene, b->name, seed, &sums);
     ok(tap, differing == 0, "%s: %ld differences, %ld lit, %ld dark", b->name,
@@ -198,8 +175,7 @@ static void check_light_at_eye(struct tap *tap, const char *name) {
   memcpy(camera.light, camera.eye, sizeof camera.eye);
   camera.light[3] = 1;
   camera.near = 0;
-  if (hsr_view_init(&view, &camera, LARGEST, LARGEST, NULL))
-    exit(99);
+  must_view(&view, &camera, LARGEST, LARGEST);
   draw_answer(judge(), &worlds.world, &view, &answer, NULL);
   add_up(&sums, &view, &answer);
   ok(tap, sums.lit && !sums.dark,
@@ -244,10 +220,11 @@ static void check_sheet(struct tap *tap, const double light[4], double low,
   add_square(hsr_scene_object(scene, "floor"), -9, 9, 0);
   add_square(hsr_scene_object(scene, "sheet"), -1, 1, 1);
   memcpy(camera.light, light, sizeof camera.light);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, LARGEST, LARGEST, &err))
-    fail("sheet", &err);
+  if (hsr_scene_view(scene, &camera))
+    bail("sheet: %s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &camera, LARGEST, LARGEST);
   draw_answer(judge(), &world, &view, &answer, NULL);
   const struct hsr_shadowed *body = hsr_answer_shadowed_of(&answer);
   long wrong = 0, dark = 0, other = 0;

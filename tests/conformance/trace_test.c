@@ -83,7 +83,13 @@ static void listen(void *context, const struct hsr_event *event) {
 static bool are_counts_equal(const struct heard *heard,
                              const struct hsr_tally *tally, const char *scene) {
   const struct hsr_algorithm *a = heard->algorithm;
-  bool equal = true;
+  uint64_t not_listed = 0;
+  for (int k = 0; k < HSR_PART_SIZE; k++)
+    not_listed += tally->count[HSR_MAX_COUNTERS + k];
+  if (not_listed)
+    printf("# %s, %s: %llu steps are of a part that .parts does not list\n",
+           a->name, scene, (unsigned long long)not_listed);
+  bool equal = !not_listed;
   for (int k = 0; k < HSR_MAX_COUNTERS; k++) {
     bool known = k < n_counters(a);
     bool computed = known && a->counters[k].computed;
@@ -132,8 +138,8 @@ static bool check_scene(const struct hsr_algorithm *a,
   struct hsr_view view;
   const struct hsr_form *form = &choice->form;
   struct heard heard = {.algorithm = a, .kind = form->type};
-  if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
-      hsr_answer_make(&heard.painted, form, &view, false, NULL))
+  must_view(&view, &worlds.scene->views[0], M, N);
+  if (hsr_answer_make(&heard.painted, form, &view, false, NULL))
     abort();
   struct hsr_trace trace = {.listen = listen, .context = &heard};
   struct hsr_tally tally = {.trace = &trace};
@@ -168,8 +174,8 @@ static bool has_outline(const struct hsr_algorithm *a) {
   bool good = a->outline != NULL;
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
     if (lines[k] != (k < n_counters(a))) {
-      printf("# %s: counter %d is in %d lines of the outline\n", a->name, k,
-             lines[k]);
+      printf("# %s: the counter \"%s\" is in %d lines of the outline\n",
+             a->name, k < n_counters(a) ? a->counters[k].name : "?", lines[k]);
       good = false;
     }
   return good;
@@ -177,7 +183,7 @@ static bool has_outline(const struct hsr_algorithm *a) {
 
 /* No trace holds a kind of answer that events cannot paint. */
 static bool is_player(const struct hsr_algorithm *a) {
-  return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE)) && a->kind->paint;
+  return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE)) && hsr_own_kind(a)->paint;
 }
 
 static void check_algorithm(struct tap *tap, const struct hsr_algorithm *a) {
@@ -208,7 +214,7 @@ static void check_also(struct tap *tap, const struct hsr_algorithm *a,
 
 static int count_also(const struct hsr_algorithm *a) {
   int n = 0;
-  while (a->also[n])
+  while (hsr_makes_besides(a, n))
     n++;
   return n;
 }
@@ -220,18 +226,16 @@ int main(int argc, char **argv) {
   for (const struct hsr_listed *a = all_listed(); a->plain; a++)
     if (is_player(a->plain) && is_asked(a->plain, argc - 1, argv + 1))
       n += 2 + count_also(a->plain);
-  if (n == 0) {
-    printf("Bail out! no module of such a name\n");
-    return 99;
-  }
+  if (n == 0)
+    bail("no module of such a name");
   struct tap tap = plan(n);
   for (const struct hsr_listed *l = all_listed(); l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
     if (!is_player(a) || !is_asked(a, argc - 1, argv + 1))
       continue;
     check_algorithm(&tap, a);
-    for (int k = 0; a->also[k]; k++)
-      check_also(&tap, a, a->also[k]);
+    for (int k = 0; hsr_makes_besides(a, k); k++)
+      check_also(&tap, a, hsr_makes_besides(a, k));
   }
   return finish(&tap);
 }

@@ -46,8 +46,7 @@ static void count_view(const struct hsr_algorithm *a,
   struct hsr_view view;
   struct hsr_answer answer;
   struct hsr_tally tally = {.trace = NULL};
-  if (hsr_view_init(&view, &worlds->scene->views[number], M, N, NULL))
-    abort();
+  must_view(&view, &worlds->scene->views[number], M, N);
   bool drawn = draw_chosen(a, choice, &worlds->world, &view, &answer, &tally);
   hsr_answer_free(&answer);
   fprintf(out, "%s\t%s\tview %u\t", a->name, scene, number + 1);
@@ -66,10 +65,11 @@ static void count_view(const struct hsr_algorithm *a,
 static void count_also(const struct hsr_algorithm *a,
                        const struct both_worlds *worlds, const char *scene,
                        FILE *out) {
-  for (int k = 0; a->also[k]; k++) {
+  for (int k = 0; hsr_makes_besides(a, k); k++) {
     char name[200];
-    struct hsr_choice choice = choose_also(a, a->also[k]);
-    const struct hsr_option *first = a->also[k]->options;
+    const struct hsr_answer_type *type = hsr_makes_besides(a, k);
+    struct hsr_choice choice = choose_also(a, type);
+    const struct hsr_option *first = type->options;
     snprintf(name, sizeof name, "%s:%s=%s", scene, first->name,
              first->words[choice.form.values.option[0]].name);
     count_view(a, &choice, worlds, name, 0, out);
@@ -264,10 +264,8 @@ int main(int argc, char **argv) {
   int n = 0;
   for (const struct hsr_listed *l = all_listed(); l->plain; l++)
     n += is_player(l->counting) && is_asked(l->counting, argc, argv);
-  if (n == 0) {
-    printf("Bail out! no module of such a name\n");
-    return 99;
-  }
+  if (n == 0)
+    bail("no module of such a name");
   struct tap tap = plan(n);
   for (const struct hsr_listed *l = all_listed(); l->plain; l++)
     if (is_player(l->counting) && is_asked(l->counting, argc, argv))

@@ -37,11 +37,9 @@ static int check_cell(const json_t *cell, const struct hsr_algorithm *a,
   struct hsr_view view;
   struct hsr_answer answer;
   struct hsr_tally tally = {.trace = NULL};
-  if (hsr_view_init(&view,
-                    &worlds->scene->views[results_number(cell, "view") - 1],
-                    (int)results_number(cell, "width"),
-                    (int)results_number(cell, "height"), NULL))
-    abort();
+  must_view(&view, &worlds->scene->views[results_number(cell, "view") - 1],
+            (int)results_number(cell, "width"),
+            (int)results_number(cell, "height"));
   bool drawn = draw_answer(a, &worlds->world, &view, &answer, &tally);
   hsr_answer_free(&answer);
   return drawn ? compare(json_object_get(cell, "counts"), a, &tally) : 1;
@@ -81,10 +79,8 @@ int main(int argc, char **argv) {
   struct tap tap = plan(N_SCENES);
   snprintf(path, sizeof path, "%s/reports/1974/counts.ndjson",
            source ? source : ".");
-  if (results_read(&results, path, &err)) {
-    printf("Bail out! %s\n", err.text);
-    return 99;
-  }
+  if (results_read(&results, path, &err))
+    bail("%s", err.text);
   for (int s = 0; s < N_SCENES; s++)
     check_scene(&tap, &results, scenes[s], argc - 1, argv + 1);
   results_free(&results);

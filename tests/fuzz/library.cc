@@ -10,8 +10,10 @@
 
 extern "C" const struct hsr_vtk_library hsr_vtk;
 
-const void *hsr_library_table(const char *, const char *, struct hsr_error *) {
-  return &hsr_vtk;
+enum hsr_status hsr_library_table(const char *, const char *,
+                                  const void **table, struct hsr_error *) {
+  *table = &hsr_vtk;
+  return HSR_OK;
 }
 
 enum hsr_status hsr_image_read(const char *, bool, uint32_t[2], float **value,

@@ -7,6 +7,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { kindNamed } from "../../reports/lesson/kinds/all.js";
 import { addressOf, begin, blemishes } from "../browser.mjs";
 
 const [modules, executablePath, stories, ...files] = process.argv.slice(2);
@@ -79,7 +80,7 @@ function watched([name, stories]) {
       const ids = new Int32Array(m * height).fill(-2);
       for (let e = 0; e < Math.min(k, trace.kept); e++) {
         counts[trace.counter[e]] += 1;
-        if (run.kind !== "ids" || run.event(e).kind.localeCompare("accept"))
+        if (run.kind.name !== "ids" || run.event(e).kind.localeCompare("accept"))
           continue;
         for (let j = Math.max(0, trace.y[e]);
           j < Math.min(height, trace.y[e] + trace.height[e]); j++)
@@ -91,7 +92,7 @@ function watched([name, stories]) {
         expect(`counts at ${k}`, shownCounts(), numbers(counts));
         expect(`sum at ${k}`, shownSum(), sumOf(counts).toLocaleString("en"));
       }
-      if (run.kind === "ids")
+      if (run.kind.name === "ids")
         expect(`ids at ${k}`, Array.from(run.painting.at(k)), Array.from(ids));
     }
 
@@ -213,7 +214,7 @@ function watched([name, stories]) {
       return trace.y[e];
     };
     // The stories of some samples.
-    for (let t = 0; t < stories && run.kind === "ids"; t++) {
+    for (let t = 0; t < stories && run.kind.name === "ids"; t++) {
       const at = { i: random(m), j: random(height) };
       const { events, face } = globalThis.lesson.story(name, at);
       const accepted = events.filter((e) => run.event(e).kind === "accept");
@@ -237,8 +238,8 @@ function watched([name, stories]) {
           expect(`story of ${at.i}, ${at.j}`, "turned off elsewhere", e);
     }
     go(n);
-    return { bad, steps: n, kind: run.kind,
-      ids: run.kind === "ids" ? Array.from(run.painting.at(n)) : null,
+    return { bad, steps: n, kind: run.kind.name,
+      ids: run.kind.name === "ids" ? Array.from(run.painting.at(n)) : null,
       counts: trace.counts, parts: trace.answer };
   });
 }
@@ -436,7 +437,7 @@ async function asAReader(file, names) {
         canvas.height);
       const ids = painting.at(n);
       let wrong = 0;
-      for (let s = 0; s < width * height && kind === "ids"; s++) {
+      for (let s = 0; s < width * height && kind.name === "ids"; s++) {
         const place = (c, many, size) => Math.floor((c + 0.5) * size / many);
         const at = 4 * (place(Math.floor(s / width), height, canvas.height) *
           canvas.width + place(s % width, width, canvas.width));
@@ -608,6 +609,11 @@ async function lessons(file) {
   await close();
 }
 
+await test("kinds of answers have names; others are refused in words", () => {
+  for (const name of ["ids", "segments", "voxels"])
+    assert.equal(kindNamed(name).name, name);
+  assert.throws(() => kindNamed("none"), /knows no answers of the kind “none”/);
+});
 for (const file of files) {
   if (file.endsWith("lessons.html")) {
     await lessons(file);

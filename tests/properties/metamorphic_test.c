@@ -88,12 +88,11 @@ static void toy_draw(const struct hsr_algorithm *algorithm,
   }
   struct hsr_world world;
   struct hsr_view view;
-  if (hsr_scene_view(scene, &toy->camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &toy->camera, M, N, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_scene_view(scene, &toy->camera))
+    bail("%s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &toy->camera, M, N);
   draw_ids(algorithm, &world, &view, ids, NULL);
   for (int f = 0; planes && f < toy->n_faces; f++)
     planes[f] = world.mesh.plane[f];

@@ -6,6 +6,9 @@
  * tiles are joined to one file, which is the same each time. */
 #include "bench/modules/modules.h"
 #include "algorithms/setup.h"
+#include "common/answers/kinds/composited.h"
+#include "common/answers/kinds/shadowed.h"
+#include "common/answers/kinds/transparent.h"
 #include "common/exact/footprint.h"
 #include "common/files/image.h"
 #include "scenes/scenes.h"
@@ -180,7 +183,7 @@ static long compare_parts(const struct hsr_algorithm *a,
 static bool makes(const struct hsr_algorithm *a,
                   const struct hsr_answer_type *kind) {
   return !(a->flags & HSR_JUDGE) &&
-         (a->kind == kind || hsr_makes_also(a, kind));
+         (hsr_own_kind(a) == kind || hsr_makes_also(a, kind));
 }
 
 /* The standard choice, but that splats are as far apart as pixels, of which each
@@ -188,7 +191,7 @@ static bool makes(const struct hsr_algorithm *a,
 static struct hsr_choice choose(const struct hsr_algorithm *a,
                                 const struct hsr_answer_type *kind) {
   struct hsr_choice choice =
-      a->kind == kind ? hsr_choice_standard(a) : choose_also(a, kind);
+      hsr_own_kind(a) == kind ? hsr_choice_standard(a) : choose_also(a, kind);
   for (int k = 0; kind->options[k].name; k++)
     if (!strcmp(kind->options[k].name, "antialias"))
       choice.form.values.option[k] = true;

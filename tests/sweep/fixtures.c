@@ -3,6 +3,7 @@
  * possible way, for which hsr bench must never show a time; and good ones to
  * compare them with. */
 #include "bench/modules/modules.h"
+#include "common/answers/kinds/filtered.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -226,7 +227,7 @@ static enum hsr_status off_by_one(const struct hsr_job *job,
                                                     .taxonomy = HSR_YARDSTICK, \
                                                     .subjects = 1              \
                                                                 << HSR_FACES,  \
-                                                    .kind = HSR_IDS,           \
+                                                    .makes[0] = {HSR_IDS},     \
                                                     __VA_ARGS__};
 FIXTURE(broken, "broken", .render = broken)
 FIXTURE(banded, "banded", .render = banded)
@@ -245,8 +246,10 @@ FIXTURE(last, "last", .prepare = prepare, .render = count_frames,
         .release = crash_at_last)
 FIXTURE(last_staller, "last-staller", .prepare = prepare,
         .render = count_frames, .release = stall_at_last)
-FIXTURE(own_filter, "own-filter", .render = own_filter, .flags = HSR_FILTERS)
-FIXTURE(off_by_one, "off-by-one", .render = off_by_one, .flags = HSR_FILTERS)
+FIXTURE(own_filter, "own-filter", .render = own_filter,
+        .makes[1] = {HSR_FILTERED, HSR_WORDS_OF_64})
+FIXTURE(off_by_one, "off-by-one", .render = off_by_one,
+        .makes[1] = {HSR_FILTERED, HSR_WORDS_OF_64})
 FIXTURE(sleeper, "sleeper", .render = sleeper)
 FIXTURE(walker, "walker", .render = walker)
 FIXTURE(still, "still", .render = zbuffer, .flags = HSR_FRAME_STATE)

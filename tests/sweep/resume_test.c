@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -126,6 +127,41 @@ static void test_interrupt(struct tap *tap) {
   ok(tap, is_whole("i.ndjson") && cells_in("i.ndjson") < CELLS,
      "and leaves whole lines");
   ok(tap, is_group_gone(id), "and no process");
+}
+
+/* While an algorithm sleeps, others are judged already. */
+static void test_interrupt_of_judging(struct tap *tap) {
+#define SLOW "house --size 24x18 -a zbuffer-fast,watkins,staller -t 30 "
+  pid_t id = bench_begin(SLOW "-o j.ndjson");
+  struct stat part = {.st_size = 0};
+  for (int k = 0; k < 1000 && part.st_size < 3000; k++) {
+    wait_ms(10);
+    if (stat("j.ndjson.part", &part))
+      part.st_size = 0;
+  }
+  wait_ms(300);
+  kill(-id, SIGINT);
+  int status = bench_end(id);
+  ok(tap, status == 128 + SIGINT && says("2 cells") && is_group_gone(id),
+     "Ctrl-C while an algorithm is judged");
+  struct results r = read_results("j.ndjson");
+  const json_t *cell = results_cell(&r, "house 1 24x18 watkins 1");
+  ok(tap,
+     json_array_size(r.cells) == 2 && cell &&
+         !strcmp(results_text(cell, "status"), "ok") &&
+         json_array_size(json_object_get(cell, "starts")) == 0,
+     "the cells that are judged are in the file, without times");
+  results_free(&r);
+}
+
+static void test_failure(struct tap *tap) {
+  int status = bench("none.off -o n.ndjson");
+  ok(tap,
+     status == 3 && access("n.ndjson", F_OK) && access("n.ndjson.part", F_OK),
+     "a run that fails at once leaves no file");
+  status = bench("house none.off --size 20x14 -a null --counts -o o.ndjson");
+  ok(tap, status == 3 && cells_in("o.ndjson") == 1,
+     "one that fails later leaves what it has recorded");
 }
 
 /* While the oracle draws, nobody reads a pipe that could show the end. */
@@ -267,7 +303,9 @@ static void test_limit(struct tap *tap) {
   must(!setrlimit(RLIMIT_NOFILE, &few));
   int status = bench(MANY "-o few.ndjson");
   must(!setrlimit(RLIMIT_NOFILE, &limit));
-  ok(tap, status == 4 && says("open files") && !cells_in("few.ndjson"),
+  ok(tap,
+     status == 4 && says("open files") && access("few.ndjson", F_OK) &&
+         !access("few.ndjson.part", F_OK),
      "too many processes are nobody's crash");
   status = bench(MANY "--repetitions 1 --resume -o few.ndjson");
   ok(tap, !status && cells_in("few.ndjson") == 7, "and can be made up for");
@@ -302,13 +340,15 @@ static void test_scene_files(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(1 + 6 + 3 + 1 + 12 + 5 + 4 + 1 + 2 + 2 + 7);
+  struct tap tap = plan(1 + 6 + 3 + 1 + 2 + 2 + 12 + 5 + 4 + 1 + 2 + 2 + 7);
   enter_folder();
   int status = bench(SWEEP "-o whole.ndjson");
   ok(&tap, status == 1 && cells_in("whole.ndjson") == CELLS,
      "an undisturbed run");
   test_kill(&tap);
   test_interrupt(&tap);
+  test_interrupt_of_judging(&tap);
+  test_failure(&tap);
   test_kill_while_judged(&tap);
   test_shards(&tap);
   test_existing(&tap);

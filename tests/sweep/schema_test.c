@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The records of hsr bench obey docs/bench.schema.json. The schema is strict: a
+/* The records of hsr bench obey docs/schemas/bench.schema.json. The schema is strict: a
  * record that is spoilt anywhere does not obey it. */
 #include "tests/schema.h"
 #include "tests/sweep/sweeping.h"

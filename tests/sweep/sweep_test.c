@@ -313,8 +313,36 @@ static void test_baseline(struct tap *tap) {
      "a baseline that is not there is missed before all is timed");
 }
 
+/* --- Honesty -------------------------------------------------------------- */
+
+static void test_few_starts(struct tap *tap) {
+#define PAIR "house --size 64x48 -a null,zbuffer-fast,watkins --repetitions 3 "
+  bench(PAIR "--starts 2");
+  ok(tap,
+     printed("too few starts") && !printed("~") && printed("from three starts"),
+     "two starts: the table says that they are too few");
+  bench(PAIR "--starts 3 --reference watkins");
+  ok(tap, !printed("too few starts"), "three are enough");
+  bench("house --size 64x48 -a zbuffer-fast --budget 100 --repetitions 3 "
+        "-o g.ndjson");
+  struct results r = read_results("g.ndjson");
+  size_t starts =
+      json_array_size(json_object_get(json_array_get(r.cells, 0), "starts"));
+  ok(tap, starts >= 5, "a budget that allows it: five starts (%zu)", starts);
+  results_free(&r);
+}
+
+static void test_budget(struct tap *tap) {
+  bench("house --size 20x14 -a staller -t 3 --counts --budget 1");
+  ok(tap, printed("budget: 1 s were asked for"),
+     "a budget that is exceeded is said to be");
+  bench("house --size 20x14 -a null --counts --budget 50");
+  ok(tap, !printed("budget:"), "one that is kept is not");
+}
+
 int main(void) {
-  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 3 + 4 + 8);
+  struct tap tap =
+      plan(3 + 2 + 2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 3 + 4 + 8);
   enter_folder();
   test_verdicts(&tap);
   test_memory(&tap);
@@ -325,5 +353,7 @@ int main(void) {
   test_sleeper(&tap);
   test_orders(&tap);
   test_baseline(&tap);
+  test_few_starts(&tap);
+  test_budget(&tap);
   return finish(&tap);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/sweep/sweeping.h"
+#include "tests/tap.h"
 
 #include "bench/results/figures.h"
 
@@ -17,10 +18,8 @@ static char folder[] = "/tmp/hsr-sweep-XXXXXX";
 static char fixtures[4096]; /* the path of hsr-fixtures */
 
 void must(bool done) {
-  if (!done) {
-    printf("Bail out! The test cannot be set up: %s\n", strerror(errno));
-    exit(99);
-  }
+  if (!done)
+    bail("The test cannot be set up: %s", strerror(errno));
 }
 
 /* --- The folder ----------------------------------------------------------- */
@@ -191,10 +190,8 @@ bool is_silent(void) {
 struct results read_results(const char *path) {
   struct results results = {.headers = NULL};
   struct hsr_error err;
-  if (results_read(&results, path, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (results_read(&results, path, &err))
+    bail("%s", err.text);
   return results;
 }
 

@@ -171,9 +171,6 @@ void *operator new(size_t size) {
     throw std::bad_alloc();
   return p;
 }
-void *operator new[](size_t size) {
-  return operator new(size);
-}
 void *operator new(size_t size, const std::nothrow_t &) noexcept {
   return fails() ? nullptr : __real_malloc(size ? size : 1);
 }

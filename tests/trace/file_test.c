@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files of hsr trace obey docs/trace.schema.json. They can be read from the
+/* The files of hsr trace obey docs/schemas/trace.schema.json. They can be read from the
  * start and from every keyframe on. They hold what was asked for. A file is
  * complete, or not there.
  */

@@ -4,6 +4,7 @@
  * are not what they did. */
 #define HSR_COUNTING 1
 #include "bench/modules/modules.h"
+#include "common/answers/kinds/segments.h"
 
 #include <string.h>
 
@@ -177,11 +178,11 @@ static enum hsr_status endless(const struct hsr_job *job,
                                                     .taxonomy = HSR_YARDSTICK, \
                                                     __VA_ARGS__};
 #define PLOTTER(id, function)                                                  \
-  FIXTURE(id, .subjects = 1 << HSR_FACES, .kind = HSR_SEGMENTS,                \
+  FIXTURE(id, .subjects = 1 << HSR_FACES, .makes = {{HSR_SEGMENTS}},           \
           .counters = plotter_counters, .outline = plotter_outline,            \
           .render = function)
 #define PAINTER(id, function)                                                  \
-  FIXTURE(id, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,                     \
+  FIXTURE(id, .subjects = 1 << HSR_FACES, .makes = {{HSR_IDS}},                \
           .counters = painter_counters, .outline = painter_outline,            \
           .render = function)
 PLOTTER(plotter, plot)
@@ -192,7 +193,7 @@ PAINTER(bulk, bulk)
 PAINTER(unknown, unknown)
 PAINTER(failing, failing)
 PAINTER(endless, endless)
-FIXTURE(mute, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,
+FIXTURE(mute, .subjects = 1 << HSR_FACES, .makes = {{HSR_IDS}},
         .counters = painter_counters, .render = paint)
 
 #define BOTH(id)                                                               \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transparent faces by a z-buffer, in layers from back to front.
+/* Depth peeling: transparent faces by a z-buffer, in layers from back to front.
  *
  * Source      A. Mammen, "Transparency and antialiasing algorithms implemented
  *             with the virtual pixel maps technique", IEEE Computer Graphics
@@ -7,17 +7,19 @@
  *             C. Everitt, "Interactive order-independent transparency", NVIDIA,
  *             2001, takes the layers from front to back.
  * Method      The opaque faces are tiled first. Then there is a pass for each
- *             layer: all transparent faces are tiled, and at each sample the
- *             farthest is kept of those that are nearer than what is combined
- *             there already. After the pass it is combined with that.
- * Invariant   between passes: at each sample all faces are combined that are
- *             not nearer than behind[]; no other is
+ *             layer. In a pass all transparent faces are tiled. At each sample,
+ *             of those that are nearer than what has been combined there, the
+ *             farthest is kept. After the pass it is combined with what is
+ *             there.
+ * Invariant   between passes: at each sample, exactly those faces have been
+ *             combined that are not nearer than the last one combined there
  * Ties        those of hsr_nearer
  * Departures  Depths are compared by hsr_nearer, not by values in a memory:
  *             two layers of equal recorded depths would be lost. The layers are
  *             taken from back to front since colours are combined in integers.
- * Cost        H_f^2 F comparisons or up to two for each transparent face F and
- *             each layer, and one pass more to see that there is no other */
+ * Cost        for each of the F transparent faces and each layer, one or two
+ *             comparisons at each of its H_f^2 samples; and one more pass to
+ *             see that no layer is left */
 #ifndef HSR_ALGORITHMS_PEEL_H
 #define HSR_ALGORITHMS_PEEL_H
 
@@ -27,12 +29,12 @@
 extern "C" {
 #endif
 
-/* Draws the transparent faces. Those that are opaque have been tiled, in one
- * part: tiler->ids says what is visible of them. Memory is taken from the job's
- * scratch. HSR_E_NOMEM. */
+/* Draws the transparent faces over the opaque ones, which have been tiled, the
+ * window being one part: tiler->ids has the visible ones. Memory is taken from
+ * the job's scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_peel(struct hsr_glass *glass, struct hsr_tiler *tiler);
 
-/* What it counts, besides what tiler.h does. */
+/* The part, besides hsr_tiler_part, and its counters. */
 extern const struct hsr_part hsr_peel_part;
 enum {
   HSR_PEEL_BEHIND = HSR_FIRST_OF(HSR_PART_PEEL),

@@ -27,6 +27,8 @@
 #include "algorithms/brute_force/zbuffer_fast/light_view.h"
 #include "algorithms/brute_force/zbuffer_fast/peel.h"
 #include "algorithms/brute_force/zbuffer_fast/stream.h"
+#include "common/answers/kinds/shadowed.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 
@@ -480,8 +482,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer_fast) = {
     .sort_order = "Z(XY)",
     .subjects = 1 << HSR_FACES,
     .flags = HSR_INSTANCED | HSR_LAID_OUT_UNLESS_LARGE,
-    .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT, HSR_SHADOWED},
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}, {HSR_SHADOWED}},
     .parts = uses,
     .counters = counters,
     .steps = steps,

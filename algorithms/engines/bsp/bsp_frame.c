@@ -46,6 +46,10 @@ enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
   return status;
 }
 
+void hsr_bsp_show(const void *prepared, struct hsr_shown *shown) {
+  shown->bsp = &((const struct prepared *)prepared)->bsp;
+}
+
 static void add_box(struct hsr_box *all, const struct hsr_box *box) {
   for (int k = 0; k < 3; k++) {
     all->lo[k] = hsr_min(all->lo[k], box->lo[k]);
@@ -100,13 +104,6 @@ enum hsr_status hsr_bsp_prepare_bounded(const struct hsr_world *world,
 
 /* --- A frame -------------------------------------------------------------- */
 
-static void clear(const struct hsr_job *job) {
-  const struct hsr_window *w = &job->view->window;
-  for (int j = w->y0; job->answer->ids && j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
-}
-
 /* Divides the relevant faces into placed and loose ones. */
 static void find_loose(struct hsr_bsp_frame *frame) {
   const struct hsr_screen *screen = &frame->screen;
@@ -145,7 +142,7 @@ enum hsr_status hsr_bsp_frame_begin(struct hsr_bsp_frame *frame,
       !frame->outline || !frame->cut)
     return HSR_E_NOMEM;
   find_loose(frame);
-  clear(job);
+  hsr_job_clear(job);
   return HSR_OK;
 }
 
@@ -317,7 +314,7 @@ static const struct hsr_counter counters[] = {
     {"pieces",
      "pieces of faces in the order of the tree, with a "
      "sample in their box",
-     HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+     HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW, .key = "piece"},
     {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {"thickness checks",
      "comparisons in depth with faces that are not flat and have no place "

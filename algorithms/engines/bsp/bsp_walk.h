@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Going through an octree of BSP trees, front to back or back to front.
+/* The walk: the traversal of an octree of BSP trees for one eye, from front to
+ * back or from back to front.
  *
  * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
  *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
@@ -11,13 +12,14 @@
  *             side. Back to front is the reverse, except for pieces in one
  *             plane: they come by descending faces, so that the lowest is
  *             painted last.
- * Side        of the eye: exact. Where the eye is in a plane, what is in it is
- *             not seen, and neither side hides the other.
- * Left out    pieces that are in the eye's plane, and back faces of one-sided
+ * Side        The side of a plane on which the eye is, is decided exactly. If
+ *             the eye is in the plane, what is in it is not seen, and neither
+ *             side hides the other.
+ * Left out    pieces whose plane holds the eye, and back faces of one-sided
  *             objects
- * Moved       the trees may be those of an object of which the world has an
- *             instance, moved by `shift`: the sum of any vertex and `shift` is
- *             exact */
+ * Moved       The trees may be those of an object, of which an instance is
+ *             moved by `shift`. The sum of any vertex and `shift` is then
+ *             exact. */
 #ifndef HSR_ALGORITHMS_BSP_WALK_H
 #define HSR_ALGORITHMS_BSP_WALK_H
 
@@ -28,41 +30,44 @@
 extern "C" {
 #endif
 
-/* A node that waits to be entered, or whose pieces wait to be told. */
+/* A node on the stack of a traversal: it waits to be entered, or if gone_into,
+ * to give its pieces. */
 struct hsr_bsp_waiting {
   uint32_t node;
-  int eye_side; /* of its plane, if it was entered */
+  int eye_side; /* if gone_into: the eye's side of its plane, +1, -1 or 0 */
   bool gone_into;
 };
 
-/* All borrowed. */
+/* What a traversal needs, set by the caller. All is borrowed for the call. */
 struct hsr_bsp_walk {
   const struct hsr_bsp *bsp;
   const struct hsr_view *view;
-  const double *shift;
-  bool backwards; /* back to front */
+  const double *shift; /* three numbers: Moved, above */
+  bool backwards;      /* from back to front */
   struct hsr_tally *tally;
-  struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting */
+  struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting of them */
 
   void *context;
-  /* Whether to enter a cube, which is not empty; NULL: always. */
+  /* Asked whether to enter a cube, which is not empty. NULL: yes. */
   bool (*enter)(void *context, const struct hsr_bsp_cube *cube);
-  /* Whether to enter the subtree of a node; NULL: always. */
+  /* Asked whether to enter the subtree of a node. NULL: yes. */
   bool (*enter_node)(void *context, uint32_t node);
-  /* A piece; facing: +1 if the eye is in front of its face, -1 behind. */
+  /* Gets each piece in its turn. facing: +1 if the eye is in front of its face,
+   * -1 if it is behind. */
   void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
 };
 
-/* Two for each level of a tree, a node that was entered and the child that
- * comes after it; and the node that is entered next. */
+/* The most nodes on the stack for trees of this depth: two for each level, a
+ * node that was entered and its child that comes after it; and the node that is
+ * entered next. */
 static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
   return 2 * (size_t)most_depth + 1;
 }
 
-/* Walks from a cube on. */
+/* Traverses what is in a cube. */
 void hsr_bsp_walk_cube(const struct hsr_bsp_walk *walk, uint32_t cube);
 
-/* Walks from the root on. */
+/* Traverses all, from the root cube. */
 void hsr_bsp_walk_tree(const struct hsr_bsp_walk *walk);
 
 #ifdef __cplusplus

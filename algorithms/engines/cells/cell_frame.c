@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The walk over the grid: rows of cells, and which of them are drawn. */
+/* The cells of the grid in order, row by row, and which of them are drawn. */
 #include "algorithms/engines/cells/cells.h"
 #include "common/base/bits.h"
 

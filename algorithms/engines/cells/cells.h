@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cells of a grid, drawn in an order that compares no depths: one frame.
+/* The cells of a grid, drawn in an order that is found without comparing
+ * depths: one frame.
  *
  * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
  *             thesis, Ohio State University, 1998, chapter 2. The orders are in
@@ -10,21 +11,21 @@
  *             compared. So the modules stand beside Schumacker's and the BSP
  *             trees.
  * Notation    voxel -> cell; its splat -> the sides of a cell that face the eye
- * Input       the grid itself. No list of faces is made.
+ * Input       the grid itself; no list of faces is made
  * Invariant   from back to front: a sample shows the nearest of the cells drawn
  *             so far that cover it. From front to back: a sample that is not
  *             vacant shows its face of the picture.
- * Ties        the sides of a cell that face the eye do not hide one another.
+ * Ties        The sides of a cell that face the eye do not hide one another.
  *             Two sides in one plane have no sample in common.
- * Near        a side is drawn where it lies beyond the near plane. What lies
- *             before it covers nothing, so the orders need not know of it.
+ * Near        A side is drawn where it lies beyond the near plane. What lies
+ *             nearer covers nothing, so the orders need not know of it.
  * Departures  A cell is drawn by its sides, not as one splat. From front to
  *             back, up to 16 cells of a row are passed over at once if the
  *             rectangle around them has no vacant sample.
  * Cost        cells with a side towards the eye, and samples of their sides
  *
- * Files: cell_frame.c walks the grid and culls; cell_box.c projects boxes;
- * cell_side.c draws a side. */
+ * Files: cell_frame.c visits the cells in order and culls; cell_box.c projects
+ * boxes; cell_side.c draws a side. */
 #ifndef HSR_ALGORITHMS_CELLS_H
 #define HSR_ALGORITHMS_CELLS_H
 
@@ -34,7 +35,8 @@
 
 /* --- What the modules have in common -------------------------------------- */
 
-/* What they count. The lines stand below that of the order itself. */
+/* The part, and its counters; cell_frame.c has their meanings. The lines of its
+ * outline stand below the module's line of the order. */
 extern const struct hsr_part hsr_cells_part;
 enum {
   HSR_CELLS_RUNS = HSR_FIRST_OF(HSR_PART_CELLS),
@@ -46,10 +48,12 @@ enum {
   HSR_CELLS_WRITES
 };
 
-/* The options; those without a nesting have `front` alone. */
+/* The modules' options. A module whose order has no nesting has `front` alone:
+ * hsr_cells_front[]. */
 enum { HSR_CELLS_FRONT, HSR_CELLS_NESTING };
 extern const struct hsr_option hsr_cells_front[], hsr_cells_nested[];
 
+/* `render` of a module that draws in this order. HSR_E_NOMEM. */
 enum hsr_status hsr_cells_render(enum hsr_grid_order order,
                                  const struct hsr_job *job,
                                  struct hsr_error *err);
@@ -60,11 +64,13 @@ enum { HSR_CELLS_GROUP = 16 }; /* cells that are passed over at once, at most */
 
 /* A kept cell that is about to be drawn. */
 struct hsr_cell {
-  uint32_t number, x; /* x: its place along the axis of the run */
-  uint8_t sides;      /* those that exist and face the eye */
+  uint32_t number; /* in the grid */
+  uint32_t x;      /* its index along the axis of the row that it is in */
+  uint8_t sides;   /* a bit for each side that exists and faces the eye */
 };
 
-/* One side, laid out alone for the services of common/exact/screen.h. */
+/* One side, laid out as the only face of a world, for the services of
+ * common/exact/screen.h. */
 struct hsr_lone_side {
   struct hsr_world world;
   struct hsr_screen screen;
@@ -78,29 +84,35 @@ struct hsr_cells {
   const struct hsr_grid *grid;
   struct hsr_tally *tally;
   struct hsr_window window;
-  bool front;
+  bool front; /* from front to back; else from back to front */
 
-  /* Bound k of axis a adds term[a][c][k] to homogeneous screen coordinate c of
-   * a corner, c = 3: to its depth, and is far[a][k] from E along the axis. */
+  /* Bound k of axis a is the plane between cells k - 1 and k. It adds
+   * term[a][c][k] to homogeneous screen coordinate c of a corner, or for c = 3
+   * to its depth. It is far[a][k] from E along the axis. */
   double *term[3][4], *far[3];
-  uint8_t
-      *facing[3]; /* sides of axis a that face the eye, a cell of the axis */
+  /* By axis, and by cell along it: which of the two sides across the axis
+   * face the eye. */
+  uint8_t *facing[3];
   double kappa, error[4], slack; /* cell_box.c: error[] is of a corner 1 away */
   uint8_t corner[6][4]; /* of each side, clockwise as seen from outside */
 
-  uint64_t *vacant; /* bit i - window.x0 of a row: the sample shows nothing */
-  size_t words;     /* a row */
+  /* Rows of bits: bit i - window.x0 is set while sample i of the row shows
+   * nothing. */
+  uint64_t *vacant;
+  size_t words; /* in a row of vacant[] */
   uint64_t n_vacant;
   int *lo, *hi; /* columns of a side, by row */
 
-  uint32_t *cursor; /* of each row of the grid, the cell last found there */
-  struct hsr_cell group[HSR_CELLS_GROUP]; /* of the run */
-  int n_group;
-  uint32_t at[3]; /* the group's indices, but for those along the axis */
-  int axis;
+  uint32_t *cursor; /* by row of the grid: the cell last found there */
 
-  /* Cell face_cell of row face_row has the first face `face`, if it is known.
-   */
+  /* The cells of a row that are tested together, and then drawn. */
+  struct hsr_cell group[HSR_CELLS_GROUP];
+  int n_group;
+  uint32_t at[3]; /* indices of the row; that along the axis is not used */
+  int axis;       /* along which the row runs */
+
+  /* If face_known: the first face of cell face_cell, of row face_row, has the
+   * number `face`. The next search for a face begins there. */
   size_t face_row;
   uint32_t face_cell, face;
   bool face_known;
@@ -113,15 +125,16 @@ static inline int hsr_cells_whole(double v) {
   return (int)(v + 0x1p16) - (1 << 16);
 }
 
-/* Makes all of *cells ready that the functions below need, and the window's ids
- * the background; what only the orders need is left out: front, and from vacant
- * to face_known. HSR_E_NOMEM. */
+/* Makes *cells ready for the functions below, and clears the window's ids to
+ * the background. Members that only the orders need are left alone: front, and
+ * those from vacant to face_known. Memory from job->scratch; the job is
+ * borrowed. HSR_E_NOMEM. */
 enum hsr_status hsr_cells_begin(struct hsr_cells *cells,
                                 const struct hsr_job *job);
 
 /* --- Boxes ---------------------------------------------------------------- */
 
-/* What a box looks like. Corner k has the high bound of axis a if bit a of k is
+/* The image of a box. Corner k has the high bound of axis a if bit a of k is
  * set. */
 struct hsr_cell_box {
   bool is_safe; /* every corner is safely before the eye, and beyond near */
@@ -129,7 +142,7 @@ struct hsr_cell_box {
   struct hsr_bounds bounds; /* no other sample of the window shows the box */
 };
 
-/* Fills the terms of all bounds. The arrays are there. */
+/* Fills term[] and far[] for all bounds. The arrays have been allocated. */
 void hsr_cells_project(struct hsr_cells *cells);
 
 /* The box of the cells from lo to hi, both included. False if it certainly
@@ -164,7 +177,7 @@ static inline bool hsr_cells_any_vacant(const struct hsr_cells *cells,
 
 /* --- Sides ---------------------------------------------------------------- */
 
-/* Makes the lone side. HSR_E_NOMEM. */
+/* Makes cells->lone ready for hsr_cells_lay_out. HSR_E_NOMEM. */
 enum hsr_status hsr_cells_begin_sides(struct hsr_cells *cells);
 
 /* Lays out a side of the cell at these indices as the lone one, face 0 of

@@ -357,7 +357,7 @@ HSR_VECTOR static void to_world(size_t n, const double *restrict m,
   }
 }
 
-/* The cell at hand, in the world and on the screen. */
+/* The cell that is laid out, in the world and on the screen. */
 static void lay_out(void *context) {
   struct hsr_cube_frame *frame = context;
   const struct hsr_cubes_object *object = frame->object;
@@ -468,7 +468,7 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
 
 static const struct hsr_counter counters[] = {
     {"inequalities", "of appendix A, to tell where nodes lie", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_WINDOW, "leaves it open|outside"},
+     HSR_OF_CELL, HSR_OF_WINDOW, "leaves it open|outside", .key = "inequality"},
     {NULL}};
 
 const struct hsr_part hsr_inequalities_part = {

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lists of cubes by instances: the temporal coherence list of Greene, Kass and
- * Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, 3.3. Its size is
- * that of the cubes listed, of which there are few, and not of all. */
+/* Lists of cubes, grouped by instances.
+ *
+ * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
+ *             Visibility", SIGGRAPH 1993, 3.3: the temporal coherence list.
+ * Cost        memory for the cubes that are listed, which are few, not for
+ *             all */
 #ifndef HSR_ALGORITHMS_CUBE_LIST_H
 #define HSR_ALGORITHMS_CUBE_LIST_H
 
@@ -17,7 +20,7 @@ struct hsr_listed_instance {
   uint32_t instance, first, n;
 };
 
-/* Empty if all zero, and freed with hsr_arena_free(&list->arena). */
+/* An empty list is all zero. Freed with hsr_arena_free(&list->arena). */
 struct hsr_cube_list {
   struct hsr_growing group; /* struct hsr_listed_instance; no instance twice */
   struct hsr_growing cube;  /* uint32_t */
@@ -26,7 +29,7 @@ struct hsr_cube_list {
 
 void hsr_cube_list_clear(struct hsr_cube_list *list);
 
-/* Adds a cube; those of one instance follow one another. False for lack of
+/* Adds a cube. Cubes of one instance are added one after another. False: out of
  * memory. */
 bool hsr_cube_list_add(struct hsr_cube_list *list, uint32_t instance,
                        uint32_t cube);
@@ -42,16 +45,17 @@ hsr_cube_list_cubes(const struct hsr_cube_list *list,
   return (const uint32_t *)list->cube.items + group->first;
 }
 
-/* Which cubes a list holds, to be asked quickly. */
+/* Marks for the cubes of a list, to tell quickly whether it holds a cube. */
 struct hsr_cube_marks {
-  const struct hsr_cube_list *list;
-  uint32_t *group; /* an instance: 1 + its group; 0: it has none */
-  uint32_t *start; /* a group: its bits begin here, and end where the next's
-                      begin */
-  uint32_t *bits;
+  const struct hsr_cube_list *list; /* borrowed */
+  uint32_t *group; /* by instance: 1 + its group; 0: it has none */
+  /* By group: bits[start[g]] to bits[start[g + 1] - 1] are its. */
+  uint32_t *start;
+  uint32_t *bits; /* of a group: a bit for each of the object's cubes */
 };
 
-/* The arrays are the arena's. HSR_E_NOMEM. */
+/* Makes the marks of a list, whose cubes are those of *cubes. The arrays are
+ * the arena's. HSR_E_NOMEM. */
 enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
                                     const struct hsr_cube_list *list,
                                     const struct hsr_cubes *cubes,
@@ -64,6 +68,7 @@ hsr_cube_marks_group(const struct hsr_cube_marks *marks, uint32_t instance) {
   return g ? hsr_cube_list_group(marks->list, g - 1) : NULL;
 }
 
+/* Does the list hold a cube of an instance? */
 static inline bool hsr_cube_is_marked(const struct hsr_cube_marks *marks,
                                       uint32_t instance, uint32_t cube) {
   uint32_t g = marks->group[instance];

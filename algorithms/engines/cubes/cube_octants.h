@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The images of a cube's octants, all at once: each has a lane of the vector
- * unit. They are the images of hsr_cube_project, bit for bit. */
+/* The images of the eight octants of a cube, computed together: each octant has
+ * a lane of the vector unit. They equal those of hsr_cube_project, bit for
+ * bit. */
 #ifndef HSR_ALGORITHMS_CUBE_OCTANTS_H
 #define HSR_ALGORITHMS_CUBE_OCTANTS_H
 
@@ -12,9 +13,9 @@ extern "C" {
 
 enum { HSR_WHOLE_CUBE = 6, HSR_CUBE_PARTS }; /* six sides, and the whole */
 
-/* Of octant o: part k covers samples [x0[k][o], x1[k][o]) of rows [y0[k][o],
- * y1[k][o]) of the window at most, none if that is empty, and no q on it is
- * more than q[k][o]. */
+/* Of octant o, part k (a side, or the whole) covers at most the samples
+ * [x0[k][o], x1[k][o]) of the rows [y0[k][o], y1[k][o]) of the window; none if
+ * that is empty. No q on the part is more than q[k][o]. */
 struct hsr_octants {
   int x0[HSR_CUBE_PARTS][8], y0[HSR_CUBE_PARTS][8], x1[HSR_CUBE_PARTS][8],
       y1[HSR_CUBE_PARTS][8];
@@ -23,15 +24,16 @@ struct hsr_octants {
   int front[8];     /* as in hsr_cube_image */
 };
 
-/* In perspective. Octants that the node lacks get an image of no use. `tight`:
- * the boxes within the cubes, instead of the cubes. */
+/* Fills *octants for the octants of a node. In perspective only. What is filled
+ * in for an octant that the node does not have is of no use. `tight`: of the
+ * boxes of the octants' contents instead of their cubes. */
 void hsr_octants_project(const struct hsr_cube_frame *frame,
                          const struct hsr_placing *placing,
                          const struct hsr_octree *octree,
                          const struct hsr_octree_node *node, bool tight,
                          struct hsr_octants *octants);
 
-/* Part k of octant o: false if it covers no sample. */
+/* The samples that part k of octant o may cover. False if there are none. */
 static inline bool hsr_octant_bounds(const struct hsr_octants *octants, int k,
                                      int o, struct hsr_bounds *bounds) {
   *bounds = (struct hsr_bounds){octants->x0[k][o], octants->y0[k][o],

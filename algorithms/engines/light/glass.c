@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/engines/light/glass.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <string.h>
 

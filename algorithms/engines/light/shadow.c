@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/engines/light/shadow.h"
+#include "common/answers/kinds/shadowed.h"
 
 enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
                                  const struct hsr_job *job,

@@ -3,11 +3,12 @@
  *
  * Source      A. Appel, "Some techniques for shading machine renderings of
  *             solids", AFIPS SJCC 1968; docs/shadow-picture.md.
- * Method      An algorithm finds what is visible, and shows it; so far it is
- *             dark. Then it asks whether the face is turned to the light, and
- *             tests the faces that may block the light from a sample, one after
- *             another, until one does. Which faces these are is what algorithms
- *             differ in. A sample that none blocks is shown lit. */
+ * Method      An algorithm finds what is visible, and writes it: all samples
+ *             are dark so far. Then it asks whether the visible face is turned
+ *             to the light. If so, it tests the faces that may block the light
+ *             from a sample, one after another, until one does. Algorithms
+ *             differ in which faces they test. If none blocks, the sample is
+ *             lit. */
 #ifndef HSR_ALGORITHMS_SHADOW_H
 #define HSR_ALGORITHMS_SHADOW_H
 
@@ -20,40 +21,43 @@ extern "C" {
 
 struct hsr_shadow {
   const struct hsr_job *job;
-  bool *lit; /* of the answer */
+  bool *lit; /* of the answer: by sample of the picture */
   struct hsr_lighting lighting;
   uint32_t *blocker; /* the faces that may block, by ascending number */
   uint32_t n_blockers;
 };
 
-/* For a job of HSR_SHADOWED: no sample is lit so far. Memory is taken from
- * job->scratch. The planes of `screen` are filled in; it is borrowed.
- * HSR_E_NOMEM. */
+/* Begins a frame of a job that asks for HSR_SHADOWED: makes all samples dark.
+ * The job and `screen`, whose planes have been filled in, are borrowed as long
+ * as *shadow; memory is taken from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_shadow_begin(struct hsr_shadow *shadow,
                                  const struct hsr_job *job,
                                  const struct hsr_screen *screen);
 
-/* Whether face f, which is visible in the window, is turned to the light. */
+/* Is face f turned to the light? It is visible in the window, which is that of
+ * the step. */
 bool hsr_shadow_faces(struct hsr_shadow *shadow, uint32_t f,
                       struct hsr_window window);
 
-/* The index of the first of n faces that blocks the light from the point, or n.
- */
+/* Tests n faces, one after another, for blocking the light from the point,
+ * which is seen at sample (i, j). Returns the index of the first that blocks
+ * it, or n. */
 uint32_t hsr_shadow_test(struct hsr_shadow *shadow,
                          const struct hsr_lit_point *point, int i, int j,
                          const uint32_t *face, uint32_t n);
 
-/* Whether any of the faces that may block does. Of these `balls` are. */
+/* Does any of the blockers block the light from the point, which is seen at
+ * sample (i, j)? `balls` are bounding spheres of the blockers. */
 bool hsr_shadow_blocked(struct hsr_shadow *shadow,
                         const struct hsr_light_balls *balls,
                         const struct hsr_lit_point *point, int i, int j);
 
-/* Shows that the samples [x0, x1) of row j, where f is visible, are lit. */
+/* Writes that the samples [x0, x1) of row j, where f is visible, are lit. */
 void hsr_shadow_lit(struct hsr_shadow *shadow, uint32_t f, int x0, int x1,
                     int j);
 
-/* What these count; and the groups of lines: of a visible face, and of a sample of
- * it. */
+/* The part and its counters; shadow.c has their meanings. Groups of lines of
+ * its outline: what is done for a visible face, and for a sample of it. */
 extern const struct hsr_part hsr_shadow_part;
 enum {
   HSR_LIGHT_FACINGS = HSR_FIRST_OF(HSR_PART_SHADOW),

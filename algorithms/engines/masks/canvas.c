@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/engines/masks/canvas.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/base/bits.h"
 
 static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* Samples of the face in hand are written: of the 8 x 8 samples from (x, y) on,
- * those of a mask; and those of a square that are in the window. A step is one
- * sample. */
+/* Count the samples of the face that is being tiled, which are written: of the
+ * 8 x 8 samples from (x, y) on those of a mask; or those of a square that are
+ * in the window. A step is one sample. */
 static void count_samples(const struct hsr_canvas *c, int x, int y,
                           uint64_t mask) {
   for (uint64_t rest = HSR_COUNTING ? mask : 0; rest; rest &= rest - 1) {

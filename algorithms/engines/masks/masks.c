@@ -553,8 +553,7 @@ static const struct hsr_mask_twin *choose_twin(void) {
   return &portable;
 }
 
-/* --- Counts of visible samples
- * --------------------------------------------- */
+/* --- Counts of visible samples -------------------------------------------- */
 
 static uint32_t *left_of(const struct hsr_masks *p,
                          const struct hsr_mask_cell *cell) {
@@ -563,8 +562,8 @@ static uint32_t *left_of(const struct hsr_masks *p,
   return counted ? &counts->left[cell->level][cell->number] : NULL;
 }
 
-/* The subcells of `a` but those of which it is known that nothing of the cube
- * at hand is left to be seen. */
+/* The subcells of `a`, without those that are known to have no visible sample
+ * of the current cube left. */
 static uint64_t not_exhausted(const struct hsr_masks *p,
                               const struct hsr_mask_cell *cell, uint64_t a) {
   if (!p->counts || !p->counts->cube)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What masks.c does with the samples of a finest cell, for machines with AVX2 and
- * fused products, but without AVX-512: four samples at a time. It rounds less
- * than its portable twin; within masks.c only. */
+/* What masks.c does with the samples of a cell of the finest level, for
+ * machines with AVX2 and fused products, but without AVX-512: four samples at a
+ * time. It does what its portable twin in masks.c does, but rounds less.
+ * Included in masks.c only. */
 #ifndef HSR_ALGORITHMS_TILING_MASKS_AVX2_H
 #define HSR_ALGORITHMS_TILING_MASKS_AVX2_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What masks.c does with the lines of a cell, for machines with AVX-512: eight
  * samples, or eight lines, at a time. Each function does what its twin without
- * the suffix does, but rounds less; within masks.c only. */
+ * the suffix, in masks.c, does, but rounds less. Included in masks.c only. */
 #ifndef HSR_ALGORITHMS_TILING_MASKS_AVX512_H
 #define HSR_ALGORITHMS_TILING_MASKS_AVX512_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Corners on the screen, the samples they span, and the lines between them: what
- * pieces and boxes share; within masks/ only. The bounds of errors are proved in
- * polygon.c. */
+/* The outlines of pieces and of boxes: their corners on the screen, the lines
+ * between these, and the samples that they span. Within masks/ only. The bounds
+ * of errors are proved in polygon.c. */
 #ifndef HSR_ALGORITHMS_TILING_OUTLINE_H
 #define HSR_ALGORITHMS_TILING_OUTLINE_H
 
@@ -21,16 +21,17 @@ extern "C" {
 
 struct hsr_outline_point {
   double x, y, w;
-  double ex, ey, ew; /* what it may be off by */
-  double t, et;      /* its depth, and what that may be off by */
+  double ex, ey, ew; /* bounds of their errors */
+  double t, et;      /* its depth, and the bound of its error */
 };
 
-/* Whether a product of points of such errors may overflow: polygon.c, Range. */
+/* May a product of points with such errors overflow? See polygon.c, Range. */
 static inline bool hsr_outline_is_wild(const double error[3]) {
   return !(error[0] <= 0x1p400 && error[1] <= 0x1p400 && error[2] <= 0x1p400);
 }
 
-/* The error of row . (V - E), if no coordinate of V - E is larger than far[]. */
+/* The bound of the error of row . (V - E), if coordinate k of V - E is at most
+ * far[k] in size. */
 static inline double hsr_outline_error(const double row[3],
                                        const double far[3]) {
   double sum = 0;
@@ -43,24 +44,25 @@ static inline double hsr_outline_error(const double row[3],
 
 enum { HSR_RING = 8 };
 
-/* Up to 8 corners in order around an outline, by coordinates, and what they may
- * be off by. After the last comes the corner to which the last line goes. */
+/* Up to 8 corners in order around an outline, and the bounds of their errors.
+ * After the last one the first is repeated, or whichever the last line goes
+ * to. */
 struct hsr_ring {
   double x[HSR_RING + 1], y[HSR_RING + 1], w[HSR_RING + 1];
   double ex[HSR_RING + 1], ey[HSR_RING + 1], ew[HSR_RING + 1];
 };
 
-/* The lines from each of the first n corners to the next, inside being where
- * `side` times the determinant is positive. All places beyond these corners hold
- * numbers. */
+/* Fills line[] with the lines from each of the first n corners to the next.
+ * Inside is where `side` times the determinant is positive. Unused places of
+ * the ring must hold numbers, of whatever value. */
 void hsr_outline_lines(double reach, double side, const struct hsr_ring *ring,
                        uint32_t n, struct hsr_mask_line *line);
 
 /* --- The box of samples --------------------------------------------------- */
 
-/* A rectangle that holds points of the screen; and the borders of the window
- * that all of them are beyond, by their homogeneous coordinates, wherever they
- * are. */
+/* A rectangle that holds some points on the screen; and in `beyond` a bit for
+ * each border of the window that all of them are beyond, by their homogeneous
+ * coordinates, before the eye or behind it. */
 struct hsr_hull {
   double x0, y0, x1, y1;
   bool ahead; /* all points are surely before the eye */
@@ -72,12 +74,13 @@ static inline struct hsr_hull hsr_hull_none(void) {
   return hull;
 }
 
+/* Adds a point to a hull. */
 void hsr_hull_add(struct hsr_hull *hull, const struct hsr_outline_point *a,
                   const struct hsr_window *window);
 
-/* The samples of the window within the hull: false if there are none. A bound is
- * the first whole number from there on, within the window; no branch depends on
- * one. */
+/* Finds the samples of the window within the hull; false if there are none.
+ * `anywhere`: a sample may be anywhere in its square. A bound is rounded up to
+ * a whole number within the window, without a branch. */
 static inline __attribute__((always_inline)) bool
 hsr_hull_box(const struct hsr_hull *hull, const struct hsr_window *w,
              bool anywhere, struct hsr_bounds *box) {

@@ -445,7 +445,7 @@ static bool line_at_near(struct hsr_pieces_view *p,
   return found == 2;
 }
 
-/* The box of the piece at hand, of a leaf that is before the eye. */
+/* The box of the current piece, of a leaf that is before the eye. */
 static bool find_box(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
   struct hsr_hull hull = hsr_hull_none();
@@ -471,8 +471,8 @@ static bool take_window(struct hsr_pieces_view *p) {
   return w->x0 < w->x1 && w->y0 < w->y1;
 }
 
-/* Whether the eye is no farther from the plane of the face at hand than its
- * corners are. */
+/* Is the eye no farther from the plane of the current piece's face than the
+ * face's corners are? */
 static bool is_grazed(const struct hsr_pieces_view *p) {
   /* All that hsr_grazes reads. Pieces that are moved are flat. */
   const struct hsr_screen screen = {.world = p->bsp->world, .view = p->view};
@@ -511,7 +511,8 @@ bool hsr_pieces_take(struct hsr_pieces_view *p,
   return p->ahead && p->past_near ? find_box(p) : find_box_around(p);
 }
 
-/* Has the piece at hand end at near, if near may cut it. */
+/* If the near plane may cut the current piece: adds the line at which the piece
+ * ends there; or if that is not known, has its samples asked about. */
 static void cut_at_near(struct hsr_pieces_view *p) {
   uint32_t n = p->piece->n_corners;
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
@@ -526,7 +527,7 @@ static void cut_at_near(struct hsr_pieces_view *p) {
     p->polygon.covers = past_near;
 }
 
-/* The lines of the piece at hand from its corner `first` on, as many as a ring
+/* The lines of the current piece from its corner `first` on, as many as a ring
  * has. */
 static void find_lines(const struct hsr_pieces_view *p, uint32_t first) {
   uint32_t n = p->piece->n_corners, left = n - first;

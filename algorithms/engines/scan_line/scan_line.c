@@ -412,9 +412,9 @@ static const struct hsr_counter counters[] = {
     {"X merge", "comparisons to merge entering edges into the list",
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
     {"X sort", "comparisons of an edge with the one before it", HSR_COMPARE,
-     HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
+     HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left", .key = "x-sort"},
     {"X interchanges", "interchanges of two neighbours in the list", HSR_SORT,
-     HSR_OF_EDGE, HSR_OF_EDGE},
+     HSR_OF_EDGE, HSR_OF_EDGE, .key = "interchange"},
     {NULL}};
 
 static double predict_y_sort(const struct hsr_table1 *t) {

@@ -4,18 +4,20 @@
  *
  * Source      Sutherland et al. 1974, "Scan-line Algorithms": the first two of
  *             their four basic steps, as Bouknight and Watkins take them.
- * Notation    scan line -> row j; Y bucket -> in_bucket[bucket[j] .. bucket[j +
- *             1]), j from the window's first row; X sort list -> list[];
- *             X intercept -> column, that of the first sample to the right
- * Invariant   after hsr_scan_advance(scan, j), list[] holds the edges that
- *             cross row j, in ascending columns. The edges of each face pair
- *             up, first with second: they are the ends of its segments
- * Ties        edges of one column are in any order: no sample is between them
- * Departures  the crossing of an edge is found from its line anew on every row,
- *             not by adding increments, whose roundings add up; X is kept as a
- *             column, since the picture is one of samples; a face that is
- *             divided, or cut by the near plane, gives its columns row by row
- *             (hsr_piece_spans), where the paper clips it
+ * Notation    scan line -> row j. Y bucket of a row -> in_bucket[bucket[k]] to
+ *             in_bucket[bucket[k + 1] - 1], k being the row counted from the
+ *             window's first. X sort list -> list[]. X intercept -> column,
+ *             that of the first sample to the right of the edge or on it.
+ * Invariant   After hsr_scan_advance(scan, j), list[] holds the edges that
+ *             cross row j, in ascending columns. The edges of one piece pair
+ *             up, first with second, third with fourth: they are the ends of
+ *             its segments.
+ * Ties        Edges of one column are in any order: no sample is between them.
+ * Departures  - The column of an edge is found from its line anew on every row,
+ *             not by adding increments, since their roundings would add up.
+ *             - X is kept as a column, since the picture is one of samples.
+ *             - A face that is divided, or cut by the near plane, gives its
+ *             columns row by row (hsr_piece_spans). The paper clips it.
  * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
  *             S_l)) */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
@@ -31,20 +33,22 @@
 extern "C" {
 #endif
 
-/* An edge that crosses the rows from `row`, that of its bucket, to end_row. An
- * edge of a cut face, or of a piece of a face, stands for an end of one of its
- * segments, a different one on each row if need be. */
+/* An edge in the Y buckets and the X sort list. It crosses the rows [row,
+ * end_row); `row` is that of its bucket. If the face is cut, or the edge is of
+ * a piece of a face, it is no edge of the scene: it stands for the k-th end of
+ * the piece's segments on each row, whatever side makes that. */
 struct hsr_scan_edge {
   struct hsr_edge line;
   uint32_t face;
-  uint32_t piece; /* edges of one number pair up; without pieces: the face */
-  uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
+  uint32_t piece; /* edges of one number pair up; without pieces the face */
+  uint32_t cut;   /* the index of its hsr_scan_cut; HSR_NOT_CUT: an edge of the
+                     scene, in `line` */
   int row, end_row;
   int column; /* on the current row */
 };
 
-/* What predicting knows of an edge: on the rows before `until` it is to the left
- * of `neighbour`. */
+/* What has been predicted of an edge: on the rows before `until` it is to the
+ * left of edge `neighbour`. */
 struct hsr_scan_known {
   uint32_t neighbour;
   int until;
@@ -64,17 +68,17 @@ struct hsr_scan_cut {
   int row; /* for which its columns have been found */
 };
 
-/* Ways of keeping the X sort list that the survey proposes; x_list.c. None is
- * standard. */
+/* Other ways of keeping the X sort list, which the survey proposes (x_list.c).
+ * By default none is used. */
 struct hsr_scan_ways {
   bool tree;    /* as a tree, into which edges are merged */
   bool presort; /* edges are presorted by X */
-  bool
-      crossings; /* neighbours are compared only from the row on on which they may
-                     have crossed */
+  /* Two neighbours are compared again only on the first row on which they may
+   * have crossed. */
+  bool crossings;
 };
 
-/* What these count besides. */
+/* The part of these ways, and its counters. */
 extern const struct hsr_part hsr_x_list_part;
 enum { HSR_X_PRESORT = HSR_FIRST_OF(HSR_PART_X_LIST), HSR_X_CROSSINGS };
 
@@ -82,22 +86,24 @@ struct hsr_x_node {
   uint32_t edge, left, right;
 };
 
-/* How much memory is needed, in the window that needs most. */
+/* How much room is needed, in the window that needs most: for edges; for cut
+ * faces and pieces; for the columns of one of these on a row. */
 struct hsr_scan_room {
   size_t edges, cut, columns;
 };
 
-/* One window: the view's, or one of several windows of a frame in turn. */
+/* The scan of one window: the view's, or one window of a frame after
+ * another. */
 struct hsr_scan {
   const struct hsr_job *job;
   struct hsr_tally *tally;
   const struct hsr_window *window;
   struct hsr_screen screen;
 
-  int *vertex_row; /* hsr_vertex_rows of the screen */
+  int *vertex_row; /* by vertex: as of hsr_vertex_rows */
   struct hsr_scan_edge *edge;
   uint32_t n_edges, most_edges; /* there is room for most_edges */
-  uint32_t *bucket;    /* a row of the window: its first place in in_bucket[] */
+  uint32_t *bucket; /* by row of the window: its first place in in_bucket[] */
   uint32_t *in_bucket; /* the edges, one bucket behind the other */
   struct hsr_scan_cut *cut;
   uint32_t n_cut;
@@ -111,70 +117,74 @@ struct hsr_scan {
   struct hsr_x_node *node; /* the tree */
   uint32_t root, *in_order;
   uint32_t *x_bucket, *by_x;    /* if edges are presorted */
-  struct hsr_scan_known *known; /* of an edge; if crossings are predicted */
+  struct hsr_scan_known *known; /* by edge; if crossings are predicted */
 };
 
-/* Screen coordinates, memory from job->scratch, and the Y sort of all relevant
- * faces. HSR_E_NOMEM. */
+/* Begins a frame of one window, the view's: transforms and culls the faces, and
+ * sorts the edges of the relevant ones by Y. The job is borrowed; memory is
+ * taken from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
                                const struct hsr_job *job);
 
-/* The same in parts, for one window after another, and for pieces of faces.
- * The screen's arrays are shared. HSR_E_NOMEM. */
+/* The same in steps, for one window after another, or for pieces of faces.
+ * First hsr_scan_reserve, once a frame: the arrays of *screen are borrowed;
+ * memory is taken from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_scan_reserve(struct hsr_scan *scan,
                                  const struct hsr_job *job,
                                  const struct hsr_screen *screen,
                                  struct hsr_scan_room room);
 
-/* Room for all relevant faces. */
+/* The room that all relevant faces need together. */
 struct hsr_scan_room hsr_scan_whole_room(const struct hsr_screen *screen);
 
-/* Makes room for one more piece. */
+/* Adds to *room what one more piece needs. */
 void hsr_scan_make_room(struct hsr_scan_room *room,
                         const struct hsr_screen *screen,
                         const struct hsr_piece *piece);
 
-/* The Y sort of n faces in a window, which lies within the view's. It is to be
- * closed. */
+/* Then for each window: hsr_scan_sort sorts the edges of n faces by Y, in a
+ * window that lies within the view's. hsr_scan_close must follow. */
 void hsr_scan_sort(struct hsr_scan *scan, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n);
 
-/* The same in parts: a window without edges, to which pieces are added one
- * after another, scan->edge[].piece being `number`. */
+/* Or for pieces: hsr_scan_open begins a window without edges; hsr_scan_add adds
+ * those of one piece, which get the number `number`. hsr_scan_close must
+ * follow. */
 void hsr_scan_open(struct hsr_scan *scan, const struct hsr_window *window);
 void hsr_scan_add(struct hsr_scan *scan, const struct hsr_piece *piece,
                   uint32_t number);
 
-/* Ends the Y sort, all edges being added: makes the buckets. */
+/* Ends the Y sort, when all edges have been added: makes the buckets. */
 void hsr_scan_close(struct hsr_scan *scan);
 
-/* Brings the X sort list to row j. Called for each row of the window, from the
- * first. */
+/* Brings the X sort list to row j. To be called for each row of the window in
+ * turn, from the first on. */
 void hsr_scan_advance(struct hsr_scan *scan, int j);
 
-/* Where two faces penetrate on row j: the first of the samples [left, right)
- * at which the order of their planes is not that of the sample `left`. At the
- * last one it is not. f_first: f is nearer at `left`. 1/t is linear along the
- * row, so there is one such place. Each comparison of depths is a step of
- * `counter`, with f and g as subjects; outcome 1: f is nearer. */
+/* Where faces f and g penetrate on row j. Their planes have one order at sample
+ * `left`, and the opposite one at sample right - 1. Returns the first of the
+ * samples [left, right) that has the opposite order; since depth is linear
+ * along the row, all after it have it, too. f_first: f is nearer at `left`.
+ * Each comparison of depths is a step of `counter`, with subjects f and g;
+ * outcome 1: f is nearer. */
 int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
                       bool f_first, int left, int right, int j, int counter);
 
 /* --- Ways of keeping the X sort list -------------------------------------- */
 
-/* Chooses ways, after hsr_scan_reserve. Memory from job->scratch. HSR_E_NOMEM.
- */
+/* Chooses the ways, after hsr_scan_reserve and before any sort. Memory from
+ * job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_scan_choose(struct hsr_scan *scan,
                                 struct hsr_scan_ways ways);
 
-/* What scan_line.c takes from x_list.c, and that from it.
- * hsr_scan_fill_buckets: makes the Y buckets of all edges, in a given order;
- * NULL: the last edge first. hsr_scan_presort: sorts the edges of every Y bucket
- * by their columns on its row. hsr_scan_column: finds an edge's column on row j.
- * hsr_x_tree_retire: deletes edges that end above row j. hsr_x_tree_merge: merges
- * entering[] into the tree and makes list[] of it. hsr_x_tree_store: brings a
- * sorted list[] back into the tree. hsr_scan_predict: finds up to which row edge
- * a stays to the left of b. */
+/* For scan_line.c and x_list.c alone. hsr_scan_fill_buckets: makes the Y
+ * buckets of all edges, in a given order; NULL: the last edge first.
+ * hsr_scan_presort: sorts the edges of every Y bucket by their columns on its
+ * row. hsr_scan_column: finds an edge's column on row j. hsr_x_tree_retire:
+ * deletes edges that end above row j. hsr_x_tree_merge: merges entering[] into
+ * the tree and makes list[] of it. hsr_x_tree_store: brings a sorted list[]
+ * back into the tree. hsr_scan_predict: finds up to which row edge a stays to
+ * the left of b. */
 void hsr_scan_fill_buckets(struct hsr_scan *scan, const uint32_t *order);
 void hsr_scan_presort(struct hsr_scan *scan);
 void hsr_scan_column(struct hsr_scan *scan, struct hsr_scan_edge *edge, int j);
@@ -203,8 +213,9 @@ static inline void hsr_scan_step(const struct hsr_scan *s, int counter,
            HSR_ON(s->window->x0, s->window->x1, j), outcome);
 }
 
-/* What these count. What follows their lines in an outline is done on each scan
- * line. An interchange costs as much as ten comparisons. */
+/* The part and its counters; scan_line.c has their meanings. Lines that follow
+ * its own in an outline are done on each scan line. An interchange costs as
+ * much as ten comparisons. */
 extern const struct hsr_part hsr_scan_part;
 enum {
   HSR_Y_SORT = HSR_FIRST_OF(HSR_PART_SCAN_LINE),

@@ -137,13 +137,13 @@ static uint32_t insert(struct hsr_scan *s, uint32_t root, uint32_t e, int j) {
 }
 
 /* Puts the edges of a subtree into list[], and its nodes into in_order[]. */
-static void walk(struct hsr_scan *s, uint32_t root) {
+static void list_in_order(struct hsr_scan *s, uint32_t root) {
   if (root == NONE)
     return;
-  walk(s, s->node[root].left);
+  list_in_order(s, s->node[root].left);
   s->in_order[s->n_list] = root;
   s->list[s->n_list++] = s->node[root].edge;
-  walk(s, s->node[root].right);
+  list_in_order(s, s->node[root].right);
 }
 
 void hsr_x_tree_retire(struct hsr_scan *s, int j) {
@@ -157,7 +157,7 @@ void hsr_x_tree_merge(struct hsr_scan *s, int j) {
     s->root = insert(s, s->root, e, j);
   }
   s->n_list = 0;
-  walk(s, s->root);
+  list_in_order(s, s->root);
 }
 
 void hsr_x_tree_store(struct hsr_scan *s) {

@@ -15,6 +15,7 @@
 #include "algorithms/engines/splats/splats.h"
 #include "common/base/numbers.h"
 #include "common/base/vector.h"
+#include "common/grids/splatting.h"
 
 #include <math.h>
 #include <string.h>

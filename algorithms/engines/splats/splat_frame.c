@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The walk over the grid: rows of samples, and which of them are drawn. */
+/* The samples of the grid in order, row by row, and which of them are drawn. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 #include "common/base/numbers.h"
 #include "common/grids/normal.h"
 
@@ -128,8 +129,8 @@ static inline void ask_for_colour(const struct hsr_grid *g, uint32_t cell) {
     __builtin_prefetch(&g->rgb[cell]);
 }
 
-/* `n` kept samples of a row, from a cell on, up or down. A sample of opacity 0 gives
- * nothing to any pixel, unless weights are wanted. */
+/* `n` kept samples of a row, from a cell on, up or down. A sample of opacity 0
+ * gives nothing to any pixel, unless weights are wanted. */
 static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
                 uint32_t j, uint32_t k) {
   struct hsr_splat_batch *b = &s->batch;
@@ -165,13 +166,13 @@ struct extent {
   double from[2], to[2];
 };
 
-/* Adds the image of the box that reaches `reach` cells to all sides of a sample.
- *   Row c of the view gives w times screen coordinate c, and row 2 gives w. Let the
- * sample be at x. Then row c less x times row 2 is 0 at the sample. Within the box
- * it is at most its spread. A point of the image is this, divided by w, away from
- * x. So it is no farther away than the spread, divided by the least w.
- *   False if the box may be behind the eye. Rounding changes less than 2^-30 of the
- * sizes of the terms. */
+/* Adds the image of the box that reaches `reach` cells to all sides of a
+ *   sample. Row c of the view gives w times screen coordinate c, and row 2
+ * gives w. Let the sample be at x. Then row c less x times row 2 is 0 at the
+ * sample. Within the box it is at most its spread. A point of the image is
+ * this, divided by w, away from x. So it is no farther away than the spread,
+ *   divided by the least w. False if the box may be behind the eye. Rounding
+ * changes less than 2^-30 of the sizes of the terms. */
 static bool extend(const struct hsr_splats *s, uint32_t i, uint32_t j,
                    uint32_t k, double reach, struct extent *extent) {
   const struct hsr_view *v = s->view;
@@ -201,9 +202,9 @@ static bool extend(const struct hsr_splats *s, uint32_t i, uint32_t j,
 
 /* The pixels of the window that a splat of a row, from x = lo to hi, may touch.
  * Where the ray of a covered pixel is nearest to the sample, it is in a box
- * around the sample that reaches g r cells to all sides. So the pixel is between
- * the images of the boxes around the first and the last sample, if both are
- * before the eye. A blurred splat may be farther away. */
+ * around the sample that reaches g r cells to all sides. So the pixel is
+ * between the images of the boxes around the first and the last sample, if both
+ * are before the eye. A blurred splat may be farther away. */
 static struct hsr_window may_touch(const struct hsr_splats *s, uint32_t j,
                                    uint32_t k, uint32_t lo, uint32_t hi) {
   const struct hsr_view *v = s->view;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pixels that splats are put into. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the twins of splat_put.c share: splat_put_avx2.c and splat_put_avx512.c,
- * which weigh ALL pixels at once. Each includes it after its lanes, the types
- * `floats` and `ints`, and their operations; TWIN is its machine's
- * attribute. */
+/* What the twins of splat_put.c share: splat_put_avx2.c and splat_put_avx512.c.
+ * Each defines ALL, how many pixels it weighs together; the types `floats` and
+ * `ints` of so many lanes, with their operations; and TWIN, its machine's
+ * attribute. Then it includes this file. */
 #ifndef HSR_ALGORITHMS_SPLAT_TWIN_H
 #define HSR_ALGORITHMS_SPLAT_TWIN_H
 
@@ -10,7 +10,7 @@
 
 #define ALWAYS TWIN static inline __attribute__((always_inline))
 
-/* The footprint's square in floats. */
+/* What gives kappa in a splat's footprint, in all lanes. */
 struct footprint {
   floats xx, xy, yy, p, q, constant, most, least; /* slope, and 2 - slope */
   floats column, row;                             /* of each lane */
@@ -18,7 +18,8 @@ struct footprint {
   floats way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
 };
 
-/* Of `columns` pixels of each row, a power of two up to ALL. */
+/* `columns`: pixels of each row that are weighed together, a power of two up to
+ * ALL. */
 TWIN static inline struct footprint footprint_of(const struct hsr_splats *s,
                                                  const struct hsr_placed *p,
                                                  int columns, bool blurred) {
@@ -56,7 +57,8 @@ TWIN __attribute__((noinline)) static ints settle(const struct hsr_splats *s,
   return i_load(indices);
 }
 
-/* What is the same in a column of pixels: `past` columns right of the first. */
+/* What is the same in all rows, for the columns from `past` right of the first
+ * on. */
 struct column {
   floats X, xx, xy, px;
 };
@@ -75,7 +77,7 @@ TWIN static inline floats kappa_of(const struct footprint *f,
   return f_ratio(square, w * w);
 }
 
-/* The same from the way of a blurred splat: splat_blur.c. */
+/* The same for a blurred splat: splat_blur.c. */
 TWIN static inline floats blurred_kappa_of(const struct footprint *f,
                                            const struct column *c, floats Y) {
   floats per_w = f_inverse(f_fma(f->q, Y, c->px));
@@ -88,8 +90,8 @@ TWIN static inline floats blurred_kappa_of(const struct footprint *f,
   return f_fma(f_fma(f->xx, x, f->xy * y), x, yy);
 }
 
-/* Puts the columns of the box from x0 + past on, as many as are weighed at
- * once. */
+/* Composites the columns of the box from x0 + past on, as many as are weighed
+ * together. Defined by each twin. */
 ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
                         struct hsr_splat_picture *picture,
                         const struct footprint *f, int past, int columns,
@@ -105,7 +107,7 @@ ALWAYS void put_box(struct hsr_splats *s, const struct hsr_placed *p,
     put_columns(s, p, picture, &f, past, columns, blurred, way);
 }
 
-/* Each way has code of its own. */
+/* Calls put_box with a constant `way`: each has code of its own. */
 ALWAYS void put_shape(struct hsr_splats *s, const struct hsr_placed *p,
                       struct hsr_splat_picture *picture, int columns,
                       bool blurred, enum hsr_splat_way way) {
@@ -119,8 +121,8 @@ ALWAYS void put_shape(struct hsr_splats *s, const struct hsr_placed *p,
     put_box(s, p, picture, columns, blurred, HSR_PUT_SUM);
 }
 
-/* So has each shape, as together they would need more registers than there
- * are. */
+/* Each shape of footprint has code of its own, too: together they would need
+ * more registers than there are. */
 #define SHAPE(name, columns, blurred)                                          \
   TWIN static __attribute__((noinline)) void name(                             \
       struct hsr_splats *s, const struct hsr_placed *p,                        \

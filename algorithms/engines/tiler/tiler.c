@@ -79,8 +79,9 @@ struct span {
   int j, x0, x1;
 };
 
-/* The steps that are written for every machine; and once more in tiler_twin.h,
- * for AVX2 (tiler_avx2.h) and for AVX-512 (tiler_avx512.h). */
+/* The loops over samples and triangles. They are written for every machine in
+ * this file, and once more in tiler_twin.h for AVX2 (tiler_avx2.h) and AVX-512
+ * (tiler_avx512.h). */
 struct hsr_twin {
   void (*look)(const struct hsr_tiler *, struct hsr_batch *);
   void (*tile_span)(struct hsr_tiler *, const struct span *);
@@ -91,7 +92,7 @@ struct hsr_twin {
 
 /* --- What floats cannot tell ---------------------------------------------- */
 
-/* Makes sure that the screen's vertices are transformed. */
+/* Makes sure that the screen's vertices have been transformed. */
 void hsr_tiler_need_screen(struct hsr_tiler *t) {
   void (*lay_out)(void *) = t->lay_out;
   t->lay_out = NULL;
@@ -106,7 +107,8 @@ static void need_corners(struct hsr_tiler *t, uint32_t f) {
     hsr_screen_corners(&t->screen, f);
 }
 
-/* Does face f, called id, cover sample (i, j)? By exact means. */
+/* Does face f of the tiler's world, whose id in the picture is `id`, cover
+ * sample (i, j)? Decided exactly. */
 static bool covers(struct hsr_tiler *t, uint32_t f, uint32_t id, int i, int j) {
   struct hsr_screen *screen = &t->screen;
   if (t->alone) {
@@ -123,7 +125,8 @@ static bool covers(struct hsr_tiler *t, uint32_t f, uint32_t id, int i, int j) {
   return covered;
 }
 
-/* Is the face called id nearer than the face called held? By exact means. */
+/* Of two faces, by their ids in the picture: is the first nearer at sample (i,
+ * j) than the second? Decided exactly. */
 static bool is_nearer_exactly(struct hsr_tiler *t, uint32_t id, uint32_t held,
                               int i, int j) {
   if (t->pair)
@@ -133,7 +136,8 @@ static bool is_nearer_exactly(struct hsr_tiler *t, uint32_t id, uint32_t held,
   return hsr_nearer(&t->screen, id, held, i, j, t->tally);
 }
 
-/* Is the face called id nearer than what the sample holds? */
+/* Is the face `id` nearer than `held`, which the sample holds? Both are ids in
+ * the picture; `held` may be the background, or the face itself. */
 static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
                       int j) {
   if (held == HSR_BACKGROUND || held == id)
@@ -154,8 +158,9 @@ static inline void tell_write(const struct hsr_tiler *t, uint32_t id,
              HSR_AT(i, j), 0);
 }
 
-/* Decides sample (i, j) for face f, called id, which has depth q there. `sure`:
- * it certainly covers the sample, and f is not used. */
+/* Writes face f of the tiler's world, whose id in the picture is `id`, to
+ * sample (i, j), where its depth is q, if it covers the sample and is nearer
+ * than what is there. `sure`: it certainly covers it, and f is not used. */
 static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
                           bool sure, int i, int j) {
   size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
@@ -188,8 +193,8 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
 
 /* --- Looking at a batch --------------------------------------------------- */
 
-/* The corners of the triangles to be looked at, and which are one-sided, from the
- * batch's first on. */
+/* The corners of the triangles to be looked at, and which are one-sided, from
+ * the batch's first on. */
 static inline const uint32_t *vertices_from(const struct hsr_tiler *t,
                                             const struct hsr_batch *b) {
   const uint32_t *vertex =
@@ -219,8 +224,8 @@ static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
   }
 }
 
-/* Finds the boxes of the triangles from `from` on, turns them so that their area
- * on the screen is positive, and says what becomes of them. */
+/* Finds the boxes of the triangles from `from` on, turns them so that their
+ * area on the screen is positive, and says what becomes of them. */
 HSR_VECTOR static int decide(const struct hsr_tiler *t, int from, int n,
                              struct hsr_corners *restrict r,
                              const int *restrict one_sided,
@@ -318,7 +323,7 @@ static void look_portable(const struct hsr_tiler *t, struct hsr_batch *b) {
   look_from(t, b, 0);
 }
 
-/* Sets up n triangles; good[] says whether floats hold the depth within
+/* Sets up n triangles. good[k]: floats hold the depth of the k-th within
  * HSR_RHO. */
 HSR_VECTOR static void set_up(const struct hsr_tiler *t,
                               const struct hsr_corners *restrict r, int n,
@@ -849,9 +854,9 @@ void hsr_tiler_write_back(const struct hsr_tiler *t,
 
 static const struct hsr_counter counters[] = {
     {"depth tests", "depths compared with the recorded ones", HSR_COMPARE,
-     HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+     HSR_OF_FACE, HSR_OF_FACE, "farther|nearer", .key = "depth-test"},
     {"writes", "samples written, overwrites counted each time", HSR_ACCEPT,
-     HSR_OF_FACE, HSR_OF_FACE},
+     HSR_OF_FACE, HSR_OF_FACE, .key = "write"},
     {"overwrites", "writes where there was a face already", HSR_RETIRE,
      HSR_OF_FACE, HSR_OF_FACE},
     {"fast triangles", "tiled in floats", HSR_ACTIVATE, HSR_OF_FACE},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lanes of tiler_twin.h for machines with AVX2, fused multiply-adds and
- * BMI2, but without AVX-512: eight. Within tiler.c only. A mask has all bits of
- * its lanes. */
+ * BMI2, but without AVX-512: eight of them. Included in tiler.c only. In a mask
+ * all bits of a lane are set, or none. */
 #define TWIN(name) name##_avx2
 #define VECTOR __attribute__((target("avx2,fma,bmi2")))
 #define WIDTH 8
@@ -119,7 +119,8 @@ VECTOR static inline __m256 depths_avx2(const struct span *s, double x) {
 
 #define names_at(from) (from)
 
-/* Adds the samples of some lanes, whose faces have these names. */
+/* Adds the samples of some lanes to the queue. `names` are the ids of the faces
+ * of all lanes: where they are. */
 VECTOR static inline void enqueue_avx2(struct queue *queue, unsigned lanes,
                                        __m256i at, __m256 q,
                                        const uint32_t *names) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The lanes of tiler_twin.h for machines with AVX-512: sixteen. Within tiler.c
- * only. */
+/* The lanes of tiler_twin.h for machines with AVX-512: sixteen of them.
+ * Included in tiler.c only. */
 #define TWIN(name) name##_avx512
 #define VECTOR __attribute__((target("avx512f")))
 #define WIDTH 16
@@ -116,7 +116,8 @@ VECTOR static inline __m512 depths_avx512(const struct span *s, double x) {
 
 #define names_at(from) i_load(from)
 
-/* Adds the samples of some lanes, whose faces have these names. */
+/* Adds the samples of some lanes to the queue. `names` are the ids of the faces
+ * of all lanes. */
 VECTOR static inline void enqueue_avx512(struct queue *queue, unsigned lanes,
                                          __m512i at, __m512 q, __m512i names) {
   const __mmask16 m = (__mmask16)lanes;

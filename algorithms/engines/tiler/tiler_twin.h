@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What tiler.c does with samples and triangles, WIDTH at a time. Each function
- * does what its portable twin does, but rounds less. It is included once for
- * each width, by the header that has the lanes (tiler_avx2.h, tiler_avx512.h):
- * numbers f_, i_ and masks m_ of WIDTH lanes. */
+/* The loops of tiler.c over samples and triangles, WIDTH at a time. Each
+ * function does what its portable twin in tiler.c does, but rounds less. This
+ * file is part of tiler.c. It is included once for each width, by the header
+ * that defines the lanes (tiler_avx2.h, tiler_avx512.h): operations f_ on
+ * floats, i_ on ints and m_ on masks, of WIDTH lanes. TWIN(name) is the name
+ * with that width's ending. */
 #define floats TWIN(floats)
 #define ints TWIN(ints)
 #define mask TWIN(mask)
@@ -44,8 +46,9 @@ VECTOR static inline floats TWIN(pixels)(ints a, ints b) {
   return f_of_ints(i_sub(a, b)) * f_all(1.0f / GRID);
 }
 
-/* The lanes of `live` whose triangles are tiled fast; *turned: those seen from
- * the front (y runs down); *back: those not to be seen. */
+/* Returns the lanes of `live` whose triangles take the fast way. *turned: the
+ * lanes whose triangles are seen from the front (y runs down). *back: those of
+ * back faces that do not exist. */
 VECTOR static inline mask
 TWIN(decide)(const struct hsr_tiler *t, const struct TWIN(corners) * A,
              const struct TWIN(corners) * B, const struct TWIN(corners) * C,

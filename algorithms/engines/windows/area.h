@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Faces against rectangles of samples: what all subdivision of the picture
- * asks.
+/* How a face lies to a rectangle of samples: what every subdivision of the
+ * picture asks.
  *
  * Source      J. E. Warnock, "A hidden-surface algorithm for computer-generated
  *             halftone pictures", University of Utah, TR 4-15, 1969;
  *             Sutherland et al. 1974, figure 26, "Surrounding Polygons".
  * Notation    window -> area, a rectangle whose corners are samples;
  *             surrounder, intersecter, disjoint -> enum hsr_relation
- * Certain     a face that is said to be disjoint covers no sample of the area,
- *             and a surrounder covers all of them. Where neither can be proved,
- *             the face is an intersecter. An area of one sample has none. */
+ * Certain     A disjoint face certainly covers no sample of the area, and a
+ *             surrounder certainly covers all. A face for which neither is
+ *             proved is an intersecter. An area of one sample has no
+ *             intersecter. */
 #ifndef HSR_ALGORITHMS_AREA_H
 #define HSR_ALGORITHMS_AREA_H
 
@@ -18,8 +19,10 @@
 
 struct hsr_area {
   int x0, y0, x1, y1; /* columns [x0, x1), rows [y0, y1) */
-  int level;          /* the caller's: of subdivision, 0 the picture */
-  /* On the screen: of the first and the last column and row; the centre. */
+  int level;          /* of subdivision, set by the caller; 0: the picture */
+
+  /* On the screen, in pixels: sx of the first and the last column, sy of the
+   * first and the last row; the centre, and half the sides. */
   double sx[2], sy[2], centre_x, centre_y, half_width, half_height;
 };
 
@@ -38,15 +41,15 @@ static inline struct hsr_window hsr_area_samples(const struct hsr_area *area) {
 /* Figure 26. */
 enum hsr_relation { HSR_DISJOINT, HSR_INTERSECTER, HSR_SURROUNDER };
 
-/* That of a face whose bounds do not tell. `reaches_over`: they hold the
- * area. */
+/* The relation of a face for which its bounds do not decide. `reaches_over`:
+ * the bounds hold the whole area. For hsr_area_relate. */
 enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
                                         uint32_t f, const struct hsr_area *area,
                                         bool reaches_over,
                                         struct hsr_tally *tally);
 
 /* How a relevant face, whose bounds are b, lies to an area. *by_box: the bounds
- * told. */
+ * alone have decided. */
 static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
                                                 uint32_t f, struct hsr_bounds b,
                                                 const struct hsr_area *w,
@@ -63,7 +66,8 @@ static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
   return hsr_area_relate_edges(screen, f, w, reaches_over, tally);
 }
 
-/* The depths of a face's plane at the corners of an area, as hsr_depth. */
+/* The depths of a face's plane at the corners of an area, as by hsr_depth:
+ * corner k is at sx[k & 1], sy[k / 2]. */
 struct hsr_area_depths {
   uint32_t id;
   double q[4], error;
@@ -79,8 +83,8 @@ hsr_area_depths(const struct hsr_screen *screen, uint32_t f,
   return depths;
 }
 
-/* +1 if f is nearer than g at all corners of one area, and so between them, -1
- * if g is, 0 if neither or not certain. */
+/* +1: the plane of f is nearer than that of g at all corners of an area, and so
+ * all over it. -1: that of g is. 0: neither, or it is not certain. */
 static inline int hsr_area_order(const struct hsr_screen *screen,
                                  const struct hsr_area_depths *f,
                                  const struct hsr_area_depths *g) {

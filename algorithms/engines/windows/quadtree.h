@@ -8,10 +8,10 @@
  * Notation    covered, occupied -> HSR_QUAD_COVERED; active -> HSR_QUAD_ACTIVE.
  *             Cell (x, y) of a level has 2^level samples a side; level 0 has
  *             one sample. The root is cell (0, 0) of level n_levels - 1.
- * Invariant   a cell is covered just when all its samples are, or are outside
- *             the window; whoever changes a cell gathers its parents. A covered
- *             or vacant cell may have been changed alone: what is below it is
- *             then out of date. */
+ * Invariant   A cell is covered if and only if each of its samples is covered
+ *             or outside the window. Whoever changes a cell then updates its
+ *             parents by hsr_quad_gather. A cell may be made covered or vacant
+ *             alone; then the cells below it are out of date. */
 #ifndef HSR_ALGORITHMS_QUADTREE_H
 #define HSR_ALGORITHMS_QUADTREE_H
 
@@ -30,6 +30,7 @@ struct hsr_quadtree {
   unsigned char *state[HSR_QUAD_LEVELS]; /* rows of 2^(n_levels - 1 - level) */
 };
 
+/* The index of a cell in state[level]. */
 static inline size_t hsr_quad_place(const struct hsr_quadtree *q, int level,
                                     int x, int y) {
   return ((size_t)y << (q->n_levels - 1 - level)) + (size_t)x;
@@ -40,7 +41,7 @@ static inline unsigned char *hsr_quad_state(const struct hsr_quadtree *q,
   return &q->state[level][hsr_quad_place(q, level, x, y)];
 }
 
-/* The state of a cell, from those of its four quadrants. */
+/* The state that a cell, above level 0, has by those of its four quadrants. */
 static inline enum hsr_quad_state hsr_quad_gather(const struct hsr_quadtree *q,
                                                   int level, int x, int y) {
   int n_covered = 0, n_vacant = 0;
@@ -65,8 +66,8 @@ static inline struct hsr_bounds hsr_quad_samples(const struct hsr_quadtree *q,
   return b;
 }
 
-/* A quadtree whose root holds the window. All samples of the window are vacant,
- * and what is outside of it is covered. The arrays are the arena's.
+/* Makes a quadtree whose root holds the window. All samples of the window are
+ * vacant; samples outside of it are covered. The arrays are the arena's.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_quadtree_init(struct hsr_quadtree *q,
                                   const struct hsr_window *window,

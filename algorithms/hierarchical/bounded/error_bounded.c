@@ -5,8 +5,8 @@
  *             Complex Environments", SIGGRAPH 1994; N. Greene, "Hierarchical
  *             Rendering of Complex Environments", PhD thesis, UC Santa Cruz,
  *             1995, chapter 5 ("the thesis").
- * Notation    octree cube -> node; quadtree cell -> struct hsr_bounded_cell; z -> q;
- *             P -> struct hsr_shape
+ * Notation    octree cube -> node; quadtree cell -> struct hsr_bounded_cell; z
+ *             -> q; P -> struct hsr_shape
  * Invariants  when the tiling pass ends, the lists of the quadtree's leaves
  *             hold every face of which a point is visible in the cell. The
  *             interval of a pixel holds the exact integral
@@ -21,13 +21,15 @@
  *             (leaf.c). Shaders: bumps are of a curtate cycloid, as a cycloid's
  *             slope has no bound at its cusps; Gouraud's colours are not
  *             integrated in closed form.
- *             Of 5.6: order=strict is the first of his two directions (strict.h).
- *             Motion blur is not built; reports/area/README.md tells why.
+ *             Of 5.6: order=strict is the first of his two directions
+ *             (strict.h). Motion blur is not built; reports/area/README.md
+ *             tells why.
  * Cost        of what is visible; of each pixel, the more complex what it
  *             shows, the more */
 #include "algorithms/hierarchical/bounded/bounded.h"
 #include "algorithms/hierarchical/bounded/strict.h"
 #include "algorithms/engines/cubes/cube_frame.h"
+#include "common/answers/kinds/area.h"
 #include "common/base/clock.h"
 
 #include <math.h>
@@ -77,19 +79,20 @@ struct prepared {
   struct hsr_arena arena;
 };
 
-struct walk {
+/* The tiling pass: the octree of octrees from front to back. */
+struct traversal {
   struct hsr_cube_frame frame;
   const struct prepared *prepared;
   struct hsr_bounded_tree tree;
   uint64_t limit;
   struct hsr_tally *tally;
-  uint32_t *met; /* a face of the object at hand: the visit when it was met */
-  uint32_t visit;
+  uint32_t *met; /* by face of the current object: the visit that met it last */
+  uint32_t visit; /* another one for each instance */
 };
 
 /* --- CouldCubeBeVisible --------------------------------------------------- */
 
-static struct hsr_bounded_side side_of(const struct walk *w,
+static struct hsr_bounded_side side_of(const struct traversal *w,
                                        const struct hsr_placing *placing,
                                        const struct hsr_octree_box *cube,
                                        const struct hsr_cube_image *image,
@@ -114,7 +117,7 @@ static struct hsr_bounded_side side_of(const struct walk *w,
 }
 
 /* `n` faces are in the cube. */
-static bool could_box_be_visible(struct walk *w,
+static bool could_box_be_visible(struct traversal *w,
                                  const struct hsr_placing *placing,
                                  const struct hsr_octree_box *cube, uint64_t n,
                                  struct hsr_subject subject) {
@@ -142,7 +145,8 @@ static bool could_box_be_visible(struct walk *w,
   return visible;
 }
 
-static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
+static bool could_be_visible(struct traversal *w,
+                             const struct hsr_placing *placing,
                              const struct hsr_octree_node *node, uint64_t n,
                              struct hsr_subject subject) {
   struct hsr_octree_box cube = hsr_octree_cube(node);
@@ -150,7 +154,7 @@ static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
 }
 
 /* The time has ended: what is in the cube is not tiled. */
-static bool leave(struct walk *w, const struct hsr_placing *placing,
+static bool leave(struct traversal *w, const struct hsr_placing *placing,
                   const struct hsr_octree_box *cube,
                   struct hsr_subject subject) {
   struct hsr_cube_image image;
@@ -174,18 +178,18 @@ static bool could_strict_cube_be_visible(void *context,
                                          const struct hsr_octree_box *cube,
                                          uint64_t n,
                                          struct hsr_subject subject) {
-  struct walk *w = context;
+  struct traversal *w = context;
   return could_box_be_visible(w, &w->frame.as_it_is, cube, n, subject);
 }
 
 static bool leave_strict(void *context, const struct hsr_octree_box *cube) {
-  struct walk *w = context;
+  struct traversal *w = context;
   return leave(w, &w->frame.as_it_is, cube, HSR_CELL(0, HSR_NO_ID, 0));
 }
 
 /* --- The tiling pass ------------------------------------------------------ */
 
-static bool insert_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
+static bool insert_face(struct traversal *w, struct hsr_tiler *t, uint32_t f) {
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);
@@ -193,7 +197,7 @@ static bool insert_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
          hsr_bounded_add(&w->tree, &t->screen, f, hsr_tiler_id(t, f));
 }
 
-static bool is_repeated(struct walk *w, uint32_t f) {
+static bool is_repeated(struct traversal *w, uint32_t f) {
   uint32_t *met = &w->met[w->frame.tiler.id[f]];
   if (*met != w->visit) {
     *met = w->visit;
@@ -205,7 +209,7 @@ static bool is_repeated(struct walk *w, uint32_t f) {
   return true;
 }
 
-static bool tile_cell(struct walk *w, uint32_t place) {
+static bool tile_cell(struct traversal *w, uint32_t place) {
   if (!w->frame.object->cell[place].n_faces)
     return true;
   const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
@@ -221,7 +225,7 @@ static bool tile_cell(struct walk *w, uint32_t place) {
   return true;
 }
 
-static bool tile(struct walk *w, uint32_t k) {
+static bool tile(struct traversal *w, uint32_t k) {
   const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
   struct hsr_octree_box cube = hsr_octree_cube(node);
   if (hsr_bounded_is_late(&w->tree))
@@ -242,13 +246,13 @@ static bool tile(struct walk *w, uint32_t k) {
   return true;
 }
 
-static bool tile_instance(struct walk *w, uint32_t i) {
+static bool tile_instance(struct traversal *w, uint32_t i) {
   hsr_cube_instance(&w->frame, i);
   w->visit++;
   return tile(w, 0);
 }
 
-static bool tile_instances(struct walk *w, uint32_t k) {
+static bool tile_instances(struct traversal *w, uint32_t k) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   struct hsr_octree_box cube = hsr_octree_cube(node);
@@ -273,7 +277,7 @@ static bool tile_instances(struct walk *w, uint32_t k) {
 
 /* Tile, of all that is in the scene. Loose faces come first, and what moves
  * last. */
-static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
+static bool tile_all(struct traversal *w, struct hsr_tiler *loose) {
   const struct hsr_cubes *cubes = w->frame.cubes;
   for (uint32_t f = 0; f < cubes->loose.n_faces; f++) {
     if (hsr_bounded_is_late(&w->tree)) {
@@ -292,7 +296,7 @@ static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
 }
 
 /* Tile, of all, in the order that was chosen. */
-static bool tile_in_order(struct walk *w) {
+static bool tile_in_order(struct traversal *w) {
   struct hsr_strict_walk strict = {.strict = &w->prepared->strict,
                                    .tree = &w->tree,
                                    .could_be_visible =
@@ -319,9 +323,9 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_view view = *job->view;
   struct hsr_job wide = *job;
-  struct walk w = {.prepared = job->prepared,
-                   .limit = (uint64_t)job->option[LIMIT],
-                   .tally = job->tally};
+  struct traversal w = {.prepared = job->prepared,
+                        .limit = (uint64_t)job->option[LIMIT],
+                        .tally = job->tally};
   const struct hsr_bounded_limits limits = {
       .order = (enum hsr_bounded_order)job->option[REFINE],
       .form = hsr_form_area(&job->answer->form),
@@ -417,20 +421,26 @@ static void release(void *prepared) {
   free(p);
 }
 
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->cubes = &((const struct prepared *)prepared)->cubes;
+}
+
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_use uses[] = {{&hsr_inequalities_part}, {NULL}};
 
 static const struct hsr_counter counters[] = {
     [HSR_BOUNDED_NODES] = {"nodes visited", "octree nodes come to",
-                           HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+                           HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING,
+                           .key = "cube-visited"},
     [HSR_BOUNDED_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
-                         HSR_OF_CELL, HSR_OF_WINDOW},
+                         HSR_OF_CELL, HSR_OF_WINDOW, .key = "cube-out"},
     [HSR_BOUNDED_CUBES_TESTED] = {"cubes tested", "whether they are hidden",
                                   HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING,
-                                  "hidden|visible"},
+                                  "hidden|visible", .key = "cube-tested"},
     [HSR_BOUNDED_CUBES_CULLED] = {"cubes culled", "found to be hidden",
-                                  HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
+                                  HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING,
+                                  .key = "cube-culled"},
     [HSR_BOUNDED_SIDE_CELLS] = {"cells asked", "about a front face of a cube",
                                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL},
     [HSR_BOUNDED_FACES] = {"faces met",
@@ -534,7 +544,7 @@ const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {
     .sort_order = "Z(XY)",
     .coherence = "of hidden regions in space, of areas on the screen",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_AREAS,
+    .makes = {{HSR_AREAS}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .counters = counters,
@@ -542,4 +552,5 @@ const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {
     .options = options,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

@@ -12,6 +12,7 @@
  *             more than one colour. What belongs to a pixel is given back when
  *             it is done. */
 #include "algorithms/hierarchical/bounded/refine.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 

@@ -11,6 +11,8 @@
  *   no limit. Else a bundle of polygons along a line would be divided along all
  *   of the line, to the smallest size, whether or not anyone asks for it. */
 #include "algorithms/hierarchical/bounded/bounded.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 #include <string.h>

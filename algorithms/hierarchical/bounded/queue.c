@@ -41,8 +41,8 @@ bool hsr_bounded_push(struct hsr_bounded_queue *q,
   return true;
 }
 
-/* Children of leaves of one size are pushed while that size is at hand: they
- * are of the next. */
+/* While leaves of one size are taken, their children are pushed. These are of the
+ * next size. */
 bool hsr_bounded_pop(struct hsr_bounded_queue *q,
                      struct hsr_bounded_item *item) {
   if (q->order == HSR_BOUNDED_QUEUE) {

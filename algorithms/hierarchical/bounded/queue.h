@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which leaf of the quadtree is refined next: the most uncertain one, as in the
- * thesis's listing, or all of one size before those of the next, as in its
- * author's program (5.5). */
+/* The leaves of the quadtree that wait to be refined, in one of two orders: the
+ * most uncertain one first, as in the listing of the thesis (5.4.3); or all of
+ * one size before those of the next smaller one, as in its author's program
+ * (5.5). */
 #ifndef HSR_ALGORITHMS_BOUNDED_QUEUE_H
 #define HSR_ALGORITHMS_BOUNDED_QUEUE_H
 
@@ -15,7 +16,8 @@ extern "C" {
 
 enum hsr_bounded_order { HSR_BOUNDED_QUEUE, HSR_BOUNDED_LEVELS };
 
-/* A leaf of side 2^-depth pixels, within this pixel. */
+/* A leaf, of side 2^-depth pixels, and the pixel that it lies in: numbers of
+ * cells. */
 struct hsr_bounded_item {
   double uncertainty;
   uint32_t cell, pixel;
@@ -24,21 +26,25 @@ struct hsr_bounded_item {
 
 enum { HSR_BOUNDED_DEEPEST = 20 }; /* no cell is smaller than 2^-20 pixels */
 
-/* All zero but for the order and the arena: empty. */
+/* An empty queue is all zero, but for `order` and `arena`, which the caller
+ * sets. */
 struct hsr_bounded_queue {
   enum hsr_bounded_order order;
   struct hsr_arena *arena;
-  struct hsr_growing heap;                           /* by uncertainty */
-  struct hsr_growing depth[HSR_BOUNDED_DEEPEST + 1]; /* by size */
-  int at;                                            /* the size at hand, */
-  size_t next; /* and the next of that size */
+  struct hsr_growing heap; /* HSR_BOUNDED_QUEUE: by uncertainty */
+
+  /* HSR_BOUNDED_LEVELS: the leaves of each depth; the depth that is being
+   * taken; and the index of the next leaf of that. */
+  struct hsr_growing depth[HSR_BOUNDED_DEEPEST + 1];
+  int at;
+  size_t next;
 };
 
-/* False if memory ran out. */
+/* Adds a leaf. False: out of memory. */
 bool hsr_bounded_push(struct hsr_bounded_queue *queue,
                       struct hsr_bounded_item item);
 
-/* False if the queue is empty. */
+/* Takes the next leaf out. False: the queue is empty. */
 bool hsr_bounded_pop(struct hsr_bounded_queue *queue,
                      struct hsr_bounded_item *item);
 

@@ -2,6 +2,7 @@
 /* Refine of the thesis, 5.4.3: the order in which cells are divided, the
  * passes, and when to stop. */
 #include "algorithms/hierarchical/bounded/refine.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 

@@ -21,6 +21,7 @@
  * Departures  the cells of a pixel that is done stay, since its neighbours may
  *             need them */
 #include "algorithms/hierarchical/bounded/refine.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 

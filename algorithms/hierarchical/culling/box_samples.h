@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The samples that a box may show at.
+/* The samples at which a box, or what is in it, may show.
  *
  * Filter. An entry of the screen matrix has a relative error of 2u, u = 2^-53,
  * and a difference with E one of u. A coordinate of a corner's image is a sum
@@ -8,9 +8,9 @@
  * at most 2^20, and within 2^20 times 2 x 2^20 x 8u = 2^-9 of the true one. A
  * sample more on each side is far above that. A product may lose 2^-1075 more
  * to underflow, which is below 2^-60 of a size above 2^-900. What overflows
- * makes `size` infinite, and then w is not above it.
- * So that holds in every scene: a corner of which it is not known leaves the
- * whole window. */
+ * makes `size` infinite, and then w is not above it. So this holds in every
+ * scene: if it cannot be shown for a corner, the box may show anywhere in the
+ * window. */
 #ifndef HSR_ALGORITHMS_BOX_SAMPLES_H
 #define HSR_ALGORITHMS_BOX_SAMPLES_H
 
@@ -19,9 +19,9 @@
 
 #include <math.h>
 
-/* Narrows *b, samples of the view's window, to the rectangle around the box's
- * image. It stays as it is if a corner is not safely before the eye. The box
- * may be infinite. */
+/* Narrows *b, which are samples of the view's window, to those within the
+ * rectangle around the image of a box in the world. *b stays as it is if a
+ * corner is not safely before the eye. The box may be infinite. */
 static inline void hsr_box_samples(const struct hsr_view *view,
                                    const struct hsr_box *box,
                                    struct hsr_bounds *b) {

@@ -194,7 +194,7 @@ struct frame {
   struct hsr_tally *tally;
   unsigned char beyond[6][4]; /* the side beyond corner k to k + 1 of a side */
 
-  /* The side at hand. */
+  /* The current side. */
   struct outline side;
   uint32_t face;
   uint32_t at[3]; /* its cell */
@@ -470,9 +470,9 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
-               HSR_OF_CELL, HSR_OF_NOTHING},
+               HSR_OF_CELL, HSR_OF_NOTHING, .key = "cube-visited"},
     [OUT] = {"nodes out", "outside of the picture", HSR_REJECT, HSR_OF_CELL,
-             HSR_OF_WINDOW},
+             HSR_OF_WINDOW, .key = "cube-out"},
     [SILHOUETTES] = {"silhouette tests",
                      "quadtree cells compared with outlines of nodes",
                      HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
@@ -526,7 +526,7 @@ const struct hsr_algorithm HSR_ALGORITHM(meagher) = {
     .sort_order = "Z(XY)",
     .coherence = "of objects, in space; area",
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_INSTANCED,
     .sorts = sorts,
     .counters = counters,

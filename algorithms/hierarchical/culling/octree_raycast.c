@@ -346,8 +346,8 @@ static void release(void *prepared) {
   free(p);
 }
 
-static const struct hsr_octree *octree_of(const void *prepared) {
-  return &((const struct prepared *)prepared)->octree;
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->octree = &((const struct prepared *)prepared)->octree;
 }
 
 /* Rays, and those faces which every ray tests. */
@@ -408,7 +408,7 @@ const struct hsr_algorithm HSR_ALGORITHM(octree_raycast) = {
     .sort_order = "(XY)Z",
     .coherence = "of objects, in space",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .sorts = sorts,
     .counters = counters,
     .outline = outline,
@@ -416,4 +416,4 @@ const struct hsr_algorithm HSR_ALGORITHM(octree_raycast) = {
     .prepare = prepare,
     .render = render,
     .release = release,
-    .octree = octree_of};
+    .show = show};

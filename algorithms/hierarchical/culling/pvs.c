@@ -253,7 +253,6 @@ static void draw_set(struct pvs *s) {
 static enum hsr_status begin(struct pvs *s) {
   const struct hsr_job *job = s->job;
   const struct hsr_world *world = job->world;
-  const struct hsr_window *w = &job->view->window;
   struct hsr_arena *arena = job->scratch;
   s->seen = HSR_NEW_ZEROED(arena, struct hsr_bounds, s->portals->n_cells);
   s->is_waiting = HSR_NEW_ZEROED(arena, bool, s->portals->n_cells);
@@ -264,9 +263,7 @@ static enum hsr_status begin(struct pvs *s) {
       hsr_screen_init(&s->screen, world, job->view, arena))
     return HSR_E_NOMEM;
   hsr_screen_vertices(&s->screen);
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
+  hsr_job_clear(job);
   return HSR_OK;
 }
 
@@ -369,7 +366,7 @@ const struct hsr_algorithm HSR_ALGORITHM(pvs) = {
     .sort_order = "Z(XY)",
     .coherence = "of cells, in space",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .counters = counters,
     .outline = outline,
     .options = options,

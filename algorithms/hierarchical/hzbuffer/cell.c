@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The polygons of a cube, many at a time: tested, then tiled. See walk.h. */
+/* The polygons of a cube, by batches: tested, then tiled. See walk.h.
+ *
+ * Only triangles are tested by the pyramid. The tiler sorts those of a batch
+ * into the fast ones, which it tiles together, and the others, which go the
+ * general way, one by one and untested (tiler.h). So do faces of more
+ * corners. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
-/* Is there a pyramid, and is it in use? */
-static bool has_pyramid(const struct hsr_hz_walk *w) {
+/* Is there a pyramid, and is it in use? It is not in the first pass of
+ * coherence. */
+static bool uses_pyramid(const struct hsr_hz_walk *w) {
   return w->choice.pyramid != HSR_HZ_PYRAMID_OFF && !w->plain;
 }
 
-/* The number that a face of a tiler's world has in the scene. */
-static uint32_t number_of(const struct hsr_tiler *t, uint32_t f) {
+/* The scene's id of face f of a tiler's world: a cell, or the loose faces. */
+static uint32_t id_of(const struct hsr_tiler *t, uint32_t f) {
   return t->id ? t->first_id + t->id[f] : f;
 }
 
@@ -22,27 +28,28 @@ static struct hsr_window window_of(struct hsr_bounds box) {
   return hsr_window_make(box.x0, box.y0, box.x1, box.y1);
 }
 
-/* Was the face met before? If not, it is from now on. */
-static bool is_repeated(struct hsr_hz_walk *w, uint32_t f) {
+/* Marks face f of the current cell as met in this frame. Returns true if it had
+ * been met before, in another cube. */
+static bool meet_again(struct hsr_hz_walk *w, uint32_t f) {
   uint32_t *met = &w->met[w->frame.tiler.id[f]];
   if (*met != w->visit) {
     *met = w->visit;
     return false;
   }
-  HSR_STEP(w->tally, HSR_HZ_FACES_REPEATED,
-           HSR_FACE(number_of(&w->frame.tiler, f)), HSR_NOTHING, HSR_NOWHERE,
-           0);
+  HSR_STEP(w->tally, HSR_HZ_FACES_REPEATED, HSR_FACE(id_of(&w->frame.tiler, f)),
+           HSR_NOTHING, HSR_NOWHERE, 0);
   return true;
 }
 
-/* Of the faces that are tiled one by one, leaves out those met before. */
+/* Of a batch's triangles that go the general way, leaves out those met
+ * before. */
 static void drop_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n && b->general; k++)
-    if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k))
+    if (b->fate[k] == HSR_GENERALLY && meet_again(w, b->first + (uint32_t)k))
       b->fate[k] = HSR_DROP;
 }
 
-/* Which of the triangles to be tiled are hidden. */
+/* Which of the fast triangles does the pyramid hide? Basic or fast test. */
 static void find_hidden(struct hsr_hz_walk *w, const struct hsr_batch *b,
                         int *hidden) {
   const struct hsr_corners *r = &b->corners;
@@ -66,14 +73,14 @@ static void count_tested(const struct hsr_hz_walk *w,
              window_of(box_of(r, k)), 0);
 }
 
-/* Of the triangles that are tiled together, leaves out those met before and
- * those that are hidden. */
-static void filter(struct hsr_hz_walk *w, struct hsr_batch *b) {
+/* Of a batch's fast triangles, leaves out those met before and those that the
+ * pyramid hides. */
+static void leave_out_hidden(struct hsr_hz_walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
   for (int k = 0; k < b->n_fast; k++)
-    drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
+    drop[k] = meet_again(w, b->first + (uint32_t)b->place[k]);
   hsr_tiler_drop(b, drop);
-  if (!has_pyramid(w) || w->choice.polygons == HSR_HZ_POLYGONS_NONE)
+  if (!uses_pyramid(w) || w->choice.polygons == HSR_HZ_POLYGONS_NONE)
     return;
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
@@ -99,9 +106,10 @@ static int greater(int a, int b) {
   return a > b ? a : b;
 }
 
-/* Something was tiled in a box: the pyramid above it is not up to date. It is
- * brought up to date together with that of earlier boxes, if one box around all
- * of them has no more samples than they have. */
+/* Something was tiled in a box, so the pyramid above it is not up to date. To
+ * save updates, boxes are gathered in one box around them, as long as that has
+ * no more samples than they have. Otherwise the pyramid is updated for those
+ * gathered so far. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
@@ -114,20 +122,21 @@ static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
 }
 
 void hsr_hz_tile_face(struct hsr_hz_walk *w, struct hsr_tiler *t, uint32_t f) {
-  HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(number_of(t, f)),
-           HSR_THE_WINDOW, window_of(t->screen.bounds[f]), 0);
+  HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(id_of(t, f)), HSR_THE_WINDOW,
+           window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
-  if (has_pyramid(w))
+  if (uses_pyramid(w))
     make_stale(w, t->screen.bounds[f]);
 }
 
+/* Tiles face f of the current cell the general way, if it has a sample. */
 static void tile_generally(struct hsr_hz_walk *w, uint32_t f) {
   if (hsr_tiler_place(&w->frame.tiler, f))
     hsr_hz_tile_face(w, &w->frame.tiler, f);
 }
 
-/* polygons=definitive: tests what the fast test has left. */
-static void filter_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
+/* polygons=definitive: tests the triangles that the fast test has left. */
+static void leave_out_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
     struct hsr_subject face = HSR_FACE(b->corners.id[k]);
@@ -141,8 +150,8 @@ static void filter_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
-/* pyramid=dual: tiles the triangles that are nearer than anything where they
- * are. Their depths need not be compared. */
+/* pyramid=dual: tiles, without comparing depths, each triangle all of which is
+ * nearer than the nearest depth of the entry around its box. */
 static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
   for (int k = 0; k < b->n_fast; k++) {
@@ -164,11 +173,12 @@ static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
+/* Tiles what is left of a batch: fast triangles together, then the others. */
 static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
-  bool tests = has_pyramid(w);
+  bool tests = uses_pyramid(w);
   if (tests && w->choice.polygons == HSR_HZ_POLYGONS_DEFINITIVE)
-    filter_definitively(w, b);
+    leave_out_definitively(w, b);
   if (tests && w->choice.pyramid == HSR_HZ_PYRAMID_DUAL)
     tile_before_all(w, b);
   hsr_tiler_tile_batch(&w->frame.tiler, b);
@@ -195,17 +205,17 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t k) {
   struct hsr_batch batch;
   struct hsr_subject cube = hsr_cube_subject(w->frame.instance, k);
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
-    HSR_STEP(w->tally, HSR_HZ_FACES_MET, HSR_FACE(number_of(t, f)), cube,
+    HSR_STEP(w->tally, HSR_HZ_FACES_MET, HSR_FACE(id_of(t, f)), cube,
              HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     hsr_tiler_look(t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     drop_repeated(w, &batch);
-    filter(w, &batch);
+    leave_out_hidden(w, &batch);
     hsr_tiler_set_up(t, &batch);
     tile_batch(w, &batch);
   }
   for (uint32_t f = n; f < cell->n_faces; f++)
-    if (!is_repeated(w, f))
+    if (!meet_again(w, f))
       tile_generally(w, f);
   hsr_hz_refresh(w);
 }

@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temporal coherence: the cubes that were visible are rendered first. As a list
- * that is pruned, as in 1993, or in two passes, as in the thesis. See walk.h. */
+/* Temporal coherence: the cubes that were visible in the last frame are
+ * rendered first. See walk.h. There are two forms:
+ *
+ *   list     1993: these cubes are not tested in the frame. At its end all
+ *            cubes found visible are tested by the finished pyramid, and those
+ *            that it hides leave the list
+ *   passes   the thesis, 3.3.3: the first pass renders these cubes; the second
+ *            is the usual traversal, which tests all cubes and renders those
+ *            that the first has not. The thesis marks a visible cube with the
+ *            number of the frame; here a list takes the place of the marks */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
@@ -24,11 +32,13 @@ enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
                              w->frame.job->scratch);
 }
 
-/* 1993: the listed cubes stay unless the finished pyramid hides them. */
+/* 1993: of the cubes found visible in this frame, those that the finished
+ * pyramid does not hide are the list for the next one. It is made in the place
+ * of the last frame's list, which is not needed any more. */
 static void prune(struct hsr_hz_walk *w) {
   struct hsr_cube_list *kept = w->last;
   const struct hsr_cube_list *all = w->next;
-  w->rendered.list = NULL;
+  w->rendered.list = NULL; /* its list is cleared next */
   hsr_cube_list_clear(kept);
   for (size_t g = 0; g < all->group.n; g++) {
     const struct hsr_listed_instance *group = hsr_cube_list_group(all, g);

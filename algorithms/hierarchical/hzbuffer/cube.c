@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Is a cube visible? cube_visible of the thesis, and the sides of cubes as in
- * 1993. See hzbuffer.c for the sources, and walk.h. */
+/* Is a cube visible? IsCubeVisible of the thesis; with cubes=sides its sides
+ * are scan-converted, as in 1993. A side is what the papers call a face of the
+ * cube. See hzbuffer.c for the sources, and walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 #include <math.h>
@@ -15,8 +16,9 @@ struct tested {
 
 /* --- A side --------------------------------------------------------------- */
 
-/* From which x to which a side may be met at height y, wherever its corners are
- * within HSR_CUBE_MARGIN: false if nowhere. */
+/* The part [*lo, *hi] of the line at height y that a side may cover. Its
+ * corners are known within HSR_CUBE_MARGIN, and the part holds for every place
+ * that they may have. False if the side does not reach that height. */
 static bool row_of_side(const struct hsr_cube_image *image,
                         const unsigned char *corner, double y, double *lo,
                         double *hi) {
@@ -42,8 +44,8 @@ static bool row_of_side(const struct hsr_cube_image *image,
   return *lo <= *hi;
 }
 
-/* Scan-converts a side, as in 1993, to the first sample where it is not hidden.
- */
+/* Scan-converts a side, as in 1993, up to the first sample where it is not
+ * hidden. True if there is one. */
 static bool scan_side(struct hsr_hz_walk *w, const struct tested *c, int side,
                       const struct hsr_bounds *box) {
   const struct hsr_view *view = w->frame.job->view;
@@ -82,8 +84,9 @@ static float nearest_of(const struct hsr_cube_image *image,
   return q;
 }
 
-/* Does the pyramid hide a rectangle of a cube, whose depth is q? If it is
- * visible, the pyramid of the nearest may tell so at once. */
+/* Does the pyramid hide a rectangle at depth q, that of a side or of a cube?
+ * With pyramid=dual, the pyramid of the nearest depths may show at once that
+ * the rectangle is visible. */
 static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
                                 float q) {
   if (w->choice.pyramid == HSR_HZ_PYRAMID_OFF)
@@ -95,7 +98,7 @@ static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
   return hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
-/* Is a front side not known to be hidden? */
+/* May a front side be visible? False: it is hidden. */
 static bool is_side_visible(struct hsr_hz_walk *w, const struct tested *c,
                             int side) {
   const unsigned char *corner = hsr_cube_side[side];
@@ -120,7 +123,7 @@ static bool is_any_side_visible(struct hsr_hz_walk *w, const struct tested *c) {
   return false;
 }
 
-/* cubes=whole: its bounding rectangle. */
+/* cubes=whole: tests the bounding rectangle of the cube, not of its sides. */
 static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
   static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   struct hsr_bounds box;
@@ -128,7 +131,9 @@ static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
          !is_rectangle_hidden(w, box, c->image.nearest);
 }
 
-/* *inside: the cube, and so each cube in it, is all inside of the frustum. */
+/* False if the cube is outside of the frustum. *inside: on entry, whether it is
+ * known to lie wholly in the frustum; set if it is found to. What holds of a
+ * cube then holds of all cubes in it. */
 static bool is_in_frustum(struct hsr_hz_walk *w,
                           const struct hsr_placing *placing,
                           const struct hsr_octree_box *cube,
@@ -166,14 +171,15 @@ bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
   return visible;
 }
 
-/* --- Octants together ----------------------------------------------------- */
+/* --- Octants that are projected together ---------------------------------- */
 
 bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
   return !HSR_COUNTING && w->choice.pyramid == HSR_HZ_PYRAMID_ON &&
          w->choice.cubes != HSR_HZ_CUBES_SIDES && !w->frame.job->view->parallel;
 }
 
-/* The whole is tested first: what hides it hides each of its sides. */
+/* The rectangle of the whole cube is tested before those of its sides: what
+ * hides it hides each of them. */
 bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
                               const struct hsr_octants *octants, int o,
                               const struct hsr_octree_node *node,

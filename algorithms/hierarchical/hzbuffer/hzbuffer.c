@@ -5,27 +5,41 @@
  *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
  *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
  *             Santa Cruz, 1995, chapter 3 ("the thesis").
- * Notation    octree cube -> node; z-pyramid -> far[]; z -> q = 1/t, greater is
- *             nearer; primitive -> face
- * Invariants  a face that is tiled lies in a cube that is not known to be
- *             hidden, or is loose (algorithms/engines/cubes/cubes.h). Whenever a
- *             cube or a face is tested, the pyramid agrees with the z-buffer.
- * Ties        a cube or a face that is as near as what hides it is not hidden;
- *             which face wins at a sample, tiler.h decides
- * Departures  the faces of a cell are all tested, then all tiled, many at a
- *             time; the paper tests and tiles one after the other. Loose faces
- *             are tiled first. The octree of instances has no cube around a
- *             single instance: the root of its own octree is tested instead.
- *             The fast test begins where the rectangle meets at most four
- *             entries. The standard choice of options is Greene's;
+ * Notation    octree cube -> node. Primitive, polygon -> face. z -> q = 1/t:
+ *             greater is nearer. z-pyramid -> pyramid.far[]; znear pyramid ->
+ *             pyramid.near[]. ProcessOctreeNode -> process_node (octrees.c);
+ *             IsCubeVisible -> hsr_hz_is_cube_visible (cube.c).
+ * Invariants  Every face that is tiled lies in a cube that was not found to be
+ *             hidden: in this frame, or with coherence in the last one.
+ *             Exceptions are loose faces (algorithms/engines/cubes/cubes.h),
+ *             and octree=off, which tests no cube. Whenever a cube or a face is
+ *             tested, the pyramid agrees with the z-buffer.
+ * Ties        A cube or a face is hidden only if it is farther than what hides
+ *             it, by more than rounding may change; as near as that is not
+ *             hidden. Which of two faces wins a sample is decided as tiler.h
+ *             says.
+ * Departures  - The faces of a cell go by batches: all faces of a batch are
+ *             tested, then those left are tiled. The paper tests and tiles one
+ *             face after the other.
+ *             - Only triangles are tested by the pyramid. Faces of more corners
+ *             are tiled untested, and so are triangles that the tiler sends the
+ *             general way when it looks at them (tiler.h).
+ *             - Loose faces are tiled before anything else.
+ *             - The octree of instances has no cube around a single instance.
+ *             The root of the instance's own octree is tested instead.
+ *             - The fast test begins at the finest level where the rectangle
+ *             meets at most 2 x 2 entries, not at the one entry around it.
+ *             - octree=lazy keeps for later frames what it has divided (thesis,
+ *             3.4).
+ *             - The build that is timed projects the octants of a cube
+ *             together. It tests an octant's whole rectangle before those of
+ *             its sides. Which cubes are hidden is the same.
+ * Options     The standard ones are Greene's.
  *             cubes=whole:volumes=tight:least=80 makes the same picture in less
- *             time, by fewer and tighter tests. octree=lazy keeps what it has
- *             divided for later frames (thesis, 3.4). The build that is timed
- *             projects the octants of a cube together, and tests the whole of
- *             one before its sides; answers are the same.
- * Z-queries   pyramid=off:cubes=sides does what the thesis does on a machine
- *             with z-queries (3.5.6); least= is the number of polygons from
- *             which on it asks about a cube.
+ *             time, by fewer and tighter tests. pyramid=off:cubes=sides does
+ *             what the thesis does on a machine with z-queries (3.5.6); least=
+ *             is then the number of polygons from which on a cube is asked
+ *             about.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
@@ -97,7 +111,7 @@ static struct hsr_hz_choice choice_of(const long *option) {
                                 .coherence = option[COHERENCE]};
 }
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
@@ -118,9 +132,13 @@ static void release(void *prepared) {
   free(prepared);
 }
 
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->cubes = &((const struct hsr_hz_prepared *)prepared)->cubes;
+}
+
 /* --- A frame -------------------------------------------------------------- */
 
-/* octree=off: cell after cell, as they come. */
+/* octree=off: tiles all cells, by their numbers. No cube is tested. */
 static void tile_all(struct hsr_hz_walk *w) {
   for (uint32_t i = 0; i < w->frame.cubes->scene->n_instances; i++) {
     hsr_hz_set_instance(w, i);
@@ -129,7 +147,8 @@ static void tile_all(struct hsr_hz_walk *w) {
   }
 }
 
-/* What stands still, from front to back; then what moves, one by one. */
+/* The instances that stand still, by their octree from front to back; then
+ * those that move, one by one in any order. */
 static void process_all(struct hsr_hz_walk *w) {
   const struct hsr_cubes *cubes = w->frame.cubes;
   hsr_hz_process_instances(w, 0, false);
@@ -159,7 +178,7 @@ static const struct hsr_line outline[] = {
     {"", .part = &hsr_hz_part, .group = HSR_HZ_LAST_LINES},
     {"", .part = &hsr_hz_part, .group = HSR_HZ_NODE_LINES},
     {"", .part = &hsr_hz_part, .group = HSR_HZ_POLYGON_LINES},
-    {"then process_node for each object that moves, one by one"},
+    {"then ProcessOctreeNode for each object that moves, one by one"},
     {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
@@ -173,11 +192,12 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .sort_order = "Z(XY)",
     .coherence = "of hidden regions, in space and on the screen",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .outline = outline,
     .options = options,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

@@ -4,15 +4,18 @@
  * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
  *             thesis, UC Santa Cruz, 1995, 3.4. He lists the ways, and measures
  *             none.
- * Ways        few objects that move: after all that stands still, which
- *             `hzbuffer` does. Many: an octree of them, of the same cubes as
- *             that of what stands still; both are gone through at once. It is
- *             made anew in each frame, wholly or lazily; or it is kept and
- *             brought up to date (movers.h). Or clusters in space-time
- *             (space_time.h), after all that stands still.
+ * Ways        Few objects move: they come after all that stands still, as in
+ *             `hzbuffer`. Many move: they are in an octree of their own, the
+ *             dynamic octree, whose cubes are those of the static one. Both
+ *             octrees are traversed together. The dynamic octree is made anew
+ *             in each frame, wholly (movers=octree) or lazily (lazy). Or it is
+ *             kept and brought up to date (update, bounded, fixed: movers.h).
+ *             Or objects are in clusters in space-time (space-time:
+ *             space_time.h), which come after all that stands still.
+ * Notation    dynamic octree -> movers; static octree -> cubes->octree
  * Invariants  those of hzbuffer.c, with the standard choice of its options
- * Cost        that of hzbuffer, and what it takes to put each object that moves
- *             into a cube, where that is not known to hold it still */
+ * Cost        that of hzbuffer, and putting the objects that move into cubes:
+ *             in each frame all those that are not known to stay in theirs */
 #include "algorithms/hierarchical/hzbuffer/moving/movers.h"
 #include "algorithms/hierarchical/hzbuffer/moving/space_time.h"
 #include "algorithms/hierarchical/hzbuffer/walk.h"
@@ -79,7 +82,7 @@ static struct hsr_hz_choice choice_of(const long *option) {
 
 struct prepared {
   struct hsr_hz_prepared still;
-  struct hsr_movers movers;       /* of an octree that is kept */
+  struct hsr_movers movers;       /* the dynamic octree, if it is kept */
   struct hsr_space_time clusters; /* movers=space-time */
   struct hsr_arena arena;         /* of either */
 };
@@ -104,12 +107,17 @@ static void release(void *prepared) {
   free(p);
 }
 
-/* --- The octree of what moves --------------------------------------------- */
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->cubes = &((const struct prepared *)prepared)->still.cubes;
+}
+
+/* --- The dynamic octree --------------------------------------------------- */
 
 struct frame {
   struct hsr_hz_walk walk;
   struct prepared *prepared;
-  struct hsr_movers anew, *movers; /* of this frame; or those that are kept */
+  struct hsr_movers anew;    /* the dynamic octree, if it is made anew */
+  struct hsr_movers *movers; /* this one, or the one that is kept */
 };
 
 static void process_mover(struct frame *f, uint32_t i) {
@@ -118,11 +126,14 @@ static void process_mover(struct frame *f, uint32_t i) {
   hsr_hz_process_instance(&f->walk, i);
 }
 
+/* The movers of a list, which begins with `first`. */
 static void process_list(struct frame *f, uint32_t first) {
   for (uint32_t k = first; k != HSR_NO_MOVER; k = f->movers->mover[k].next)
     process_mover(f, f->movers->mover[k].instance);
 }
 
+/* Makes the dynamic octree of this frame: of one cube if movers=lazy, else
+ * whole. */
 static enum hsr_status make_anew(struct frame *f) {
   const struct hsr_job *job = f->walk.frame.job;
   const struct hsr_cubes *cubes = f->walk.frame.cubes;
@@ -135,7 +146,8 @@ static enum hsr_status make_anew(struct frame *f) {
              : HSR_E_NOMEM;
 }
 
-/* An octree for which memory ran out is thrown away. */
+/* Brings the dynamic octree that is kept to this frame. If memory runs out, it
+ * is thrown away, and the next frame begins with a new one. */
 static enum hsr_status bring_up_to_date(struct frame *f) {
   static const enum hsr_mover_knowledge knowledge[] = {
       [MOVERS_UPDATE] = HSR_MOVERS_KNOW_NOTHING,
@@ -159,8 +171,8 @@ static enum hsr_status bring_up_to_date(struct frame *f) {
 static void process_octants(struct frame *f, const struct hsr_octree_node *cube,
                             uint32_t still, uint32_t moving, bool inside);
 
-/* process_node for the two nodes of a cube: `still` of what stands still, or
- * HSR_NO_NODE; `moving` of what moves. */
+/* ProcessOctreeNode for a cube of both octrees: `still` is its node in the
+ * static one, or HSR_NO_NODE; `moving` is its node in the dynamic one. */
 static void process_both(struct frame *f, const struct hsr_octree_node *cube,
                          uint32_t still, uint32_t moving, bool inside) {
   struct hsr_hz_walk *w = &f->walk;
@@ -186,7 +198,8 @@ static void process_both(struct frame *f, const struct hsr_octree_node *cube,
   process_octants(f, cube, still, moving, inside);
 }
 
-/* Where nothing moves, hzbuffer goes on. */
+/* The octants of a cube of both octrees, from front to back. In an octant where
+ * nothing moves, the static octree is traversed alone, as hzbuffer does. */
 static void process_octants(struct frame *f, const struct hsr_octree_node *cube,
                             uint32_t still, uint32_t moving, bool inside) {
   struct hsr_hz_walk *w = &f->walk;
@@ -206,6 +219,7 @@ static void process_octants(struct frame *f, const struct hsr_octree_node *cube,
   }
 }
 
+/* Both octrees; then the objects outside of the root's cube. */
 static void process_octrees(struct frame *f) {
   struct hsr_hz_walk *w = &f->walk;
   const struct hsr_octree_node root = w->frame.cubes->octree.node[0];
@@ -224,8 +238,9 @@ static void process_octrees(struct frame *f) {
 
 /* --- Clusters in space-time ----------------------------------------------- */
 
-/* What rounding may take off is added. */
-static struct hsr_octree_box by_its_middle(const struct hsr_box *box) {
+/* A box by its middle and half its sides, enlarged by what rounding may take
+ * off. */
+static struct hsr_octree_box middle_and_half(const struct hsr_box *box) {
   struct hsr_octree_box made;
   for (int a = 0; a < 3; a++) {
     made.centre[a] = 0.5 * (box->lo[a] + box->hi[a]);
@@ -235,18 +250,20 @@ static struct hsr_octree_box by_its_middle(const struct hsr_box *box) {
   return made;
 }
 
-/* A box outside of the root's cube, where too little is known of rounding on
- * the screen, counts as visible. */
+/* May a cluster be visible? A box that is not within the root's cube counts as
+ * visible: there too little is known of rounding on the screen. */
 static bool is_visible(struct frame *f, const struct hsr_cluster *c,
                        uint32_t k) {
   struct hsr_hz_walk *w = &f->walk;
   struct hsr_box root = hsr_cube_box(&w->frame.cubes->octree.node[0]);
   bool inside = false;
   return !hsr_box_holds(&root, &c->box) ||
-         hsr_hz_is_cube_visible(w, &w->frame.as_it_is, by_its_middle(&c->box),
+         hsr_hz_is_cube_visible(w, &w->frame.as_it_is, middle_and_half(&c->box),
                                 HSR_MOVERS_CUBE(k), &inside);
 }
 
+/* If cluster k may be visible: its only member, or else the parts into which it
+ * is divided. */
 static void process_cluster(struct frame *f, uint32_t k) {
   struct hsr_space_time *clusters = &f->prepared->clusters;
   const struct hsr_cluster *c = hsr_cluster_at(clusters, k);
@@ -263,7 +280,8 @@ static void process_cluster(struct frame *f, uint32_t k) {
     process_cluster(f, part[p]);
 }
 
-/* After all that stands still. Clusters for which memory ran out are thrown
+/* All that stands still; then the clusters; then the objects of which too
+ * little is known to be in one. If memory runs out, the clusters are thrown
  * away. */
 static void process_clusters(struct frame *f) {
   struct hsr_hz_walk *w = &f->walk;
@@ -307,7 +325,8 @@ static const struct hsr_counter counters[] = {
                          "instances that move, from a cube to an octant",
                          HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
     [HSR_MOVERS_SPLITS] = {"splits", "cubes of instances that move, divided",
-                           HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+                           HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING,
+                           .key = "cube-split"},
     [HSR_MOVERS_LOOKED_AT] = {"movers looked at",
                               "in their cubes of the last frame, which may "
                               "hold them still",
@@ -351,7 +370,7 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer_moving) = {
     .sort_order = "Z(XY)",
     .coherence = "of hidden regions, in space, on the screen and in time",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .counters = counters,
@@ -359,4 +378,5 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer_moving) = {
     .options = options,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

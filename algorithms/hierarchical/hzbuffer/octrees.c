@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* process_node of the thesis: the octrees from front to back. See walk.h. */
+/* ProcessOctreeNode of the thesis: the octrees from front to back. See walk.h.
+ *
+ * There are two levels of octrees, as in the thesis, 3.5: each object has an
+ * octree of its faces, and the scene has one of its instances. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 #include <string.h>
@@ -38,6 +41,7 @@ static void count_division(struct hsr_hz_walk *w,
   }
 }
 
+/* A cube that is divided by half leaves the octree unfit for use. */
 static void note_failure(struct hsr_hz_walk *w, enum hsr_status status) {
   if (!status)
     return;
@@ -45,6 +49,8 @@ static void note_failure(struct hsr_hz_walk *w, enum hsr_status status) {
   w->prepared->half_divided = true;
 }
 
+/* octree=lazy: divides node k of the current instance's object. Without it
+ * nothing is left to divide. */
 static void divide_cube(struct hsr_hz_walk *w, uint32_t k) {
   uint32_t i = w->frame.instance,
            object = w->frame.cubes->scene->instances[i].object;
@@ -65,8 +71,10 @@ void hsr_hz_divide_instances(struct hsr_hz_walk *w, uint32_t k) {
 
 static void process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside);
 
-/* octants: NULL, or node k is octant o of those that are tested together. A
- * cube on the list of 1993 is not tested before the list is pruned. */
+/* ProcessOctreeNode for node k. If `octants` is not NULL, the node is octant o
+ * of those that were projected together. With coherence=list, a cube of the
+ * last frame's list has been rendered and counts as visible: it is not tested
+ * until the list is pruned, at the end of the frame. */
 static void process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
                          const struct hsr_octants *octants, int o) {
   const struct hsr_octree *octree = &w->frame.object->octree;
@@ -94,6 +102,7 @@ static void process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
     process_octants(w, k, inside);
 }
 
+/* The octants of node k, from front to back. */
 static void process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
@@ -126,8 +135,8 @@ void hsr_hz_set_instance(struct hsr_hz_walk *w, uint32_t instance) {
   }
 }
 
-/* The instance may reach out of the cube in which it is met: whether that cube
- * is inside of the frustum says nothing of it. */
+/* The root is tested against the frustum anew, since the instance may reach out
+ * of the cube in which it is met. */
 void hsr_hz_process_instance(struct hsr_hz_walk *w, uint32_t i) {
   if (!hsr_cube_is_new(&w->frame, i))
     return;
@@ -146,8 +155,8 @@ void hsr_hz_process_instances_of(struct hsr_hz_walk *w, uint32_t k) {
   }
 }
 
-/* A cube around a single instance is not tested: the root of the instance's own
- * octree is. */
+/* A leaf with a single instance is not tested. The root of the instance's own
+ * octree is tested instead. */
 void hsr_hz_process_instances(struct hsr_hz_walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];

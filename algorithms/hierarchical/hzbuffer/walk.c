@@ -9,7 +9,8 @@ const struct hsr_word hsr_hz_coherences[] = {
      HSR_FRAME_STATE},
     {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
     {NULL}};
-/* --- Once ----------------------------------------------------------------- */
+
+/* --- Once for all frames -------------------------------------------------- */
 
 enum hsr_status hsr_hz_prepare(struct hsr_hz_prepared *p,
                                const struct hsr_world *world,
@@ -27,6 +28,7 @@ void hsr_hz_release(struct hsr_hz_prepared *p) {
 
 /* --- A frame -------------------------------------------------------------- */
 
+/* Without coherence both lists stay NULL. */
 static void begin_lists(struct hsr_hz_walk *w) {
   struct hsr_hz_prepared *p = w->prepared;
   if (w->choice.coherence == HSR_HZ_COHERENCE_OFF)
@@ -36,6 +38,7 @@ static void begin_lists(struct hsr_hz_walk *w) {
   hsr_cube_list_clear(w->next);
 }
 
+/* Makes level 0 of the pyramid the tiler's z-buffer, and clears both. */
 static enum hsr_status begin_depths(struct hsr_hz_walk *w,
                                     const struct hsr_job *job) {
   const struct hsr_window *window = &job->view->window;
@@ -95,32 +98,33 @@ enum hsr_status hsr_hz_end(struct hsr_hz_walk *w) {
 /* In the order of HSR_HZ_NODES and so on. */
 static const struct hsr_counter counters[] = {
     {"nodes visited", "octree nodes come to", HSR_ACTIVATE, HSR_OF_CELL,
-     HSR_OF_NOTHING},
+     HSR_OF_NOTHING, .key = "cube-visited"},
     {"nodes out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
-     HSR_OF_WINDOW},
+     HSR_OF_WINDOW, .key = "cube-out"},
     {"cubes tested", "whether they are hidden", HSR_COMPARE, HSR_OF_CELL,
-     HSR_OF_NOTHING, "hidden|visible"},
+     HSR_OF_NOTHING, "hidden|visible", .key = "cube-tested"},
     {"cubes culled", "found to be hidden", HSR_REJECT, HSR_OF_CELL,
-     HSR_OF_NOTHING},
+     HSR_OF_NOTHING, .key = "cube-culled"},
     {"cubes visible", "not known to be hidden", HSR_ACTIVATE, HSR_OF_CELL,
-     HSR_OF_NOTHING},
+     HSR_OF_NOTHING, .key = "cube-visible"},
     {"cube reads", "pyramid entries read to test cubes", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES},
+     HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES, .key = "cube-read"},
     {"sides scanned", "sides of cubes scan-converted", HSR_COMPARE, HSR_OF_CELL,
      HSR_OF_WINDOW, "hidden|visible"},
     {"side samples", "samples looked at for that", HSR_SAMPLE, HSR_OF_CELL,
-     HSR_OF_WINDOW, "hidden|visible"},
+     HSR_OF_WINDOW, "hidden|visible", .key = "side-sample"},
     {"faces met", "in cubes that are not known to be hidden", HSR_ACTIVATE,
-     HSR_OF_FACE, HSR_OF_CELL},
+     HSR_OF_FACE, HSR_OF_CELL, .key = "face-met"},
     {"faces repeated", "met again in the frame", HSR_REJECT, HSR_OF_FACE,
      HSR_OF_NOTHING},
     {"faces tested", "by the pyramid", HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
-     "hidden|visible"},
+     "hidden|visible", .key = "face-tested"},
     {"faces culled", "found to be hidden", HSR_REJECT, HSR_OF_FACE,
      HSR_OF_WINDOW},
-    {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW,
+     .key = "face-tiled"},
     {"face reads", "pyramid entries read to test faces", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES},
+     HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES, .key = "face-read"},
     {"faces before", "nearer than anything: tiled without comparisons",
      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     {"cubes again",
@@ -140,11 +144,11 @@ static const struct hsr_line last_lines[] = {
     {NULL}};
 
 static const struct hsr_line node_lines[] = {
-    {"process_node: for each node, from front to back",
+    {"ProcessOctreeNode: for each node, from front to back",
      HSR_RAISES(HSR_HZ_NODES)},
     {"  return if the cube is outside of the frustum",
      HSR_RAISES(HSR_INEQUALITIES, HSR_HZ_NODES_OUT)},
-    {"  return unless cube_visible",
+    {"  return unless IsCubeVisible",
      HSR_RAISES(HSR_HZ_CUBES_TESTED, HSR_HZ_CUBES_CULLED,
                 HSR_HZ_CUBES_VISIBLE)},
     {"    for each front face of the cube: is it behind a pyramid value?",
@@ -169,7 +173,7 @@ static const struct hsr_line polygon_lines[] = {
      HSR_RAISES(HSR_HZ_FACES_BEFORE)},
     {"      ", .part = &hsr_tiler_part},
     {"    update the z-pyramid"},
-    {"  process_node for each octant"},
+    {"  ProcessOctreeNode for each octant"},
     {NULL}};
 
 const struct hsr_part hsr_hz_part = {

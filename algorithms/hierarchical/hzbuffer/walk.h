@@ -1,13 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hierarchical z-buffer's walk through a frame, for hzbuffer.c and
- * hzbuffer_moving.c. The sources are named in hzbuffer.c. Its parts, as the
- * papers have them:
+/* One frame of the hierarchical z-buffer: its state, struct hsr_hz_walk, and
+ * its steps. Shared by hzbuffer.c and hzbuffer_moving.c. The sources are named
+ * in hzbuffer.c ("the thesis", "1993").
+ *
+ * The name `walk` stands for the traversal of the octrees from front to back in
+ * one frame. It has nothing to do with a camera's walk through a scene, nor
+ * with the traversal of BSP trees (algorithms/engines/bsp/bsp_walk.h).
+ *
+ * Files, as the papers have the steps:
  *
  *   walk.c        how a frame begins and ends, and what is counted
- *   octrees.c     process_node: the octrees from front to back
- *   cube.c        cube_visible: is a cube visible?
- *   cell.c        the polygons of a cube
- *   coherence.c   what was visible in the frame before */
+ *   octrees.c     ProcessOctreeNode: the octrees from front to back
+ *   cube.c        IsCubeVisible: is a cube visible?
+ *   cell.c        the polygons of a cube: tested, then tiled
+ *   coherence.c   temporal coherence: what was visible in the frame before
+ *
+ * Functions borrow what they are given, for the call. Pointers are not NULL. */
 #ifndef HSR_ALGORITHMS_HZBUFFER_WALK_H
 #define HSR_ALGORITHMS_HZBUFFER_WALK_H
 
@@ -22,6 +30,7 @@ extern "C" {
 
 /* --- What is counted ------------------------------------------------------ */
 
+/* The part, and its counters; walk.c has their meanings, in this order. */
 extern const struct hsr_part hsr_hz_part;
 enum {
   HSR_HZ_NODES = HSR_FIRST_OF(HSR_PART_HZ),
@@ -44,12 +53,14 @@ enum {
   HSR_HZ_FACES_DOWN,
   HSR_HZ_INSTANCES_DOWN
 };
-/* Groups of its lines. */
+/* Groups of lines of its outline: the cubes of the last frame; a node up to its
+ * visibility test; its polygons and octants. */
 enum { HSR_HZ_LAST_LINES, HSR_HZ_NODE_LINES, HSR_HZ_POLYGON_LINES };
 
 /* --- Options -------------------------------------------------------------- */
 
-/* The words of hzbuffer's options, and what is chosen of each. */
+/* The words of hzbuffer's options, in the order of the option's words in
+ * hzbuffer.c; and one choice of each. */
 enum { HSR_HZ_OCTREE_OFF, HSR_HZ_OCTREE_ON, HSR_HZ_OCTREE_LAZY };
 enum { HSR_HZ_PYRAMID_OFF, HSR_HZ_PYRAMID_ON, HSR_HZ_PYRAMID_DUAL };
 enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT };
@@ -65,7 +76,7 @@ struct hsr_hz_choice {
   long octree, pyramid, volumes, cubes, polygons, coherence;
 };
 
-/* The words of coherence=. */
+/* The words of the option coherence=, which both modules have. */
 extern const struct hsr_word hsr_hz_coherences[];
 
 /* The standard octree of the thesis (3.5): a leaf has at least 20 faces, and a
@@ -73,18 +84,22 @@ extern const struct hsr_word hsr_hz_coherences[];
 #define HSR_HZ_LEAST 20
 #define HSR_HZ_SMALL 0.1
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
-/* What lasts from frame to frame. All zero before it is prepared. */
+/* What lasts from frame to frame. All zero before hsr_hz_prepare. */
 struct hsr_hz_prepared {
   struct hsr_cubes cubes;
-  struct hsr_cube_list list[2]; /* visible cubes: of the last frame, of this */
-  int last;                     /* which one is the last frame's */
-  bool half_divided; /* octree=lazy: memory ran out in the middle of it */
+  struct hsr_cube_list list[2]; /* coherence: visible cubes of the last frame,
+                                   and of this one */
+  int last;                     /* list[last] is the last frame's */
+  bool half_divided; /* octree=lazy: memory ran out while a cube was divided.
+                        No further frame can be drawn */
 };
 
-/* As of hsr_cubes_init; the cubes are divided later if `lazily`. To be released
- * also after a failure. */
+/* Makes the cubes of a world, as hsr_cubes_init. If `lazily`, it makes the root
+ * cubes only; the others are divided when they are first visible. `world` is
+ * borrowed as long as *prepared. Fails as hsr_cubes_init; to be released also
+ * after a failure. */
 enum hsr_status hsr_hz_prepare(struct hsr_hz_prepared *prepared,
                                const struct hsr_world *world,
                                const struct hsr_octree_rule *rule, bool lazily,
@@ -101,30 +116,36 @@ struct hsr_hz_walk {
   bool out_of_memory;
 
   struct hsr_pyramid pyramid;
-  struct hsr_bounds
-      stale;  /* the pyramid above this is not up to date; or empty */
-  bool plain; /* faces are not tested, and the pyramid is left as it is */
+  struct hsr_bounds stale; /* samples that have been written since the pyramid
+                              above them was brought up to date; or empty */
+  bool plain; /* the first pass of coherence: faces are not tested, and the
+                 pyramid is not kept up to date */
 
-  /* Faces of the instance at hand: met[f] == visit if it was met already. */
+  /* Face f of the current instance has been met already if met[f] == visit.
+   * Each instance gets another `visit`, so met[] is never cleared. */
   uint32_t *met, visit;
 
-  /* Cubes that were visible in the last frame, and those of this; NULL without
-   * coherence. */
+  /* The cubes that were visible in the last frame, and those found visible in
+   * this one; NULL without coherence. */
   struct hsr_cube_list *last, *next;
-  struct hsr_cube_marks rendered; /* those of *last, when they are rendered */
+  struct hsr_cube_marks rendered; /* the cubes of *last, to look them up, once
+                                     they have been rendered */
 };
 
-/* Begins a frame: tiles loose faces, which are in no cube, and renders what was
- * visible in the last frame. HSR_E_NOMEM. */
+/* Begins a frame of `job`: clears the depths and the pyramid, tiles the loose
+ * faces, which are in no cube, and renders the cubes that were visible in the
+ * last frame. `job`, `prepared` and `choice` are borrowed until hsr_hz_end;
+ * memory is taken from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_begin(struct hsr_hz_walk *walk,
                              const struct hsr_job *job,
                              struct hsr_hz_prepared *prepared,
                              const struct hsr_hz_choice *choice);
 
-/* Ends it. HSR_E_NOMEM if memory ran out in it. */
+/* Ends the frame. HSR_E_NOMEM if memory ran out in it. */
 enum hsr_status hsr_hz_end(struct hsr_hz_walk *walk);
 
-/* What the pyramid is read for from now on. */
+/* From now on each entry that is read of the pyramid is a step of `counter`, on
+ * behalf of the cube or the face `whom`. */
 static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
                                    struct hsr_subject whom) {
   if (!HSR_COUNTING)
@@ -135,48 +156,56 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
 
 /* --- The octrees, from front to back -------------------------------------- */
 
-/* process_node of the thesis, for node k of the octree of instances. `inside`:
- * its cube is known to be all inside of the frustum. */
+/* ProcessOctreeNode for node k of the octree of instances. `inside`: its cube
+ * is known to lie wholly in the frustum. */
 void hsr_hz_process_instances(struct hsr_hz_walk *walk, uint32_t k,
                               bool inside);
 
 /* octree=lazy: divides node k of the octree of instances, if it is not divided
- * yet. */
+ * yet. Sets walk->out_of_memory if memory runs out. */
 void hsr_hz_divide_instances(struct hsr_hz_walk *walk, uint32_t k);
 
-/* The instances in node k, but for those in its octants. */
+/* Processes the instances that node k of that octree itself holds, not those of
+ * its octants. */
 void hsr_hz_process_instances_of(struct hsr_hz_walk *walk, uint32_t k);
 
-/* process_node for the octree of one instance: the first time in a frame. */
+/* ProcessOctreeNode from the root of an instance's own octree. An instance that
+ * has been processed in this frame already is left out: it may be in several
+ * cubes. */
 void hsr_hz_process_instance(struct hsr_hz_walk *walk, uint32_t instance);
 
-/* Makes an instance the one at hand, whose faces are met. Those that were
- * rendered with the last frame's cubes count as met. */
+/* Makes an instance the current one, to which all cells and faces below belong.
+ * None of its faces has been met, but those of the last frame's cubes that have
+ * been rendered. */
 void hsr_hz_set_instance(struct hsr_hz_walk *walk, uint32_t instance);
 
 /* --- Is a cube visible? --------------------------------------------------- */
 
-/* The volume that is tested for a node. */
+/* The volume that is tested for a node: its cube, or the tight box in it. */
 static inline struct hsr_octree_box
 hsr_hz_volume(const struct hsr_hz_walk *w, const struct hsr_octree_node *node) {
   return w->choice.volumes == HSR_HZ_VOLUMES_TIGHT ? node->tight
                                                    : hsr_octree_cube(node);
 }
 
-/* cube_visible of the thesis: false if the box is outside of the frustum, or
- * found to be hidden. *inside: the box is known to be all inside of the
- * frustum; it is brought up to date. */
+/* IsCubeVisible: false if the box `cube`, placed by `placing`, is outside of
+ * the frustum or found to be hidden. True may be wrong, as the thesis allows.
+ * Steps are counted for `subject`. *inside says on entry whether the box is
+ * known to lie wholly in the frustum, and is set to true if that is found
+ * here. */
 bool hsr_hz_is_cube_visible(struct hsr_hz_walk *walk,
                             const struct hsr_placing *placing,
                             struct hsr_octree_box cube,
                             struct hsr_subject subject, bool *inside);
 
-/* Are octants projected and tested together? Not in the counting build, which
- * counts what the paper's steps read; nor where a test needs more than an
- * octant's rectangles. */
+/* Are the eight octants of a cube projected together? Not in the counting
+ * build, which counts what the paper's own steps read; and not where a test
+ * needs more of an octant than its rectangles: with pyramid=off or dual,
+ * cubes=sides, or in parallel projection. */
 bool hsr_hz_tests_together(const struct hsr_hz_walk *walk);
 
-/* hsr_hz_is_cube_visible of octant o, with the same answer. */
+/* hsr_hz_is_cube_visible for octant o of those projected together, which is
+ * `node`; with the same answer. */
 bool hsr_hz_is_octant_visible(struct hsr_hz_walk *walk,
                               const struct hsr_octants *octants, int o,
                               const struct hsr_octree_node *node,
@@ -184,23 +213,27 @@ bool hsr_hz_is_octant_visible(struct hsr_hz_walk *walk,
 
 /* --- The polygons of a cube ----------------------------------------------- */
 
-/* Tests and tiles the faces of node k of the instance at hand. */
+/* Tests and tiles the faces of node k of the current instance's octree: those
+ * that the node itself holds. */
 void hsr_hz_tile_cell(struct hsr_hz_walk *walk, uint32_t k);
 
-/* Tiles a face that is placed on the tiler's screen. */
+/* Tiles face f of the tiler's world, untested, the general way. It has been
+ * placed on the tiler's screen (hsr_tiler_place, or a relevant face). */
 void hsr_hz_tile_face(struct hsr_hz_walk *walk, struct hsr_tiler *tiler,
                       uint32_t f);
 
-/* Brings the pyramid up to date, before anything is tested. */
+/* Brings the pyramid up to date above walk->stale. To be called before anything
+ * is tested. */
 void hsr_hz_refresh(struct hsr_hz_walk *walk);
 
 /* --- Temporal coherence --------------------------------------------------- */
 
-/* Renders the cubes that were visible in the last frame into the plain
- * z-buffer; then builds the pyramid. HSR_E_NOMEM. */
+/* The first pass: renders the cubes of walk->last into the z-buffer alone; then
+ * builds the pyramid of it. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *walk);
 
-/* Makes the list for the next frame; an empty one, if memory ran out. */
+/* Makes the list for the next frame, prepared->list[prepared->last]; an empty
+ * one if memory ran out. */
 void hsr_hz_end_coherence(struct hsr_hz_walk *walk);
 
 #ifdef __cplusplus

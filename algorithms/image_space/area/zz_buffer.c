@@ -66,7 +66,7 @@ struct zz {
   struct node *node[LEVELS]; /* row by row */
   struct hsr_growing entry;
   bool out_of_memory;
-  struct entry *list; /* of the cell at hand */
+  struct entry *list; /* of the current cell */
   uint32_t n;
 };
 
@@ -337,7 +337,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zz_buffer) = {
     .sort_order = "(XY)Z",
     .coherence = "area",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .sorts = sorts,
     .counters = counters,
     .outline = outline,

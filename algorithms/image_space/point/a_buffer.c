@@ -26,6 +26,7 @@
  *             pixel that it touches; to pack a pixel of k fragments, at most
  *             k (k - 1) / 2 comparisons */
 #include "algorithms/algorithm.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/exact/screen.h"
 
 #include <string.h>
@@ -401,8 +402,7 @@ const struct hsr_algorithm HSR_ALGORITHM(a_buffer) = {
     .coherence = "object: fragments of one object are merged",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = &hsr_answer_filtered,
-    .makes = 1 << 2, /* box4x8 */
+    .makes = {{HSR_FILTERED, HSR_WORD_OF(HSR_FILTER_BOX_4X8)}},
     .flags = HSR_KNOWN_WRONG,
     .sorts = sorts,
     .counters = counters,

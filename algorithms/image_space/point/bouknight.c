@@ -41,6 +41,8 @@
 #include "algorithms/engines/light/glass.h"
 #include "algorithms/engines/scan_line/scan_line.h"
 #include "algorithms/image_space/point/shadow_pairs.h"
+#include "common/answers/kinds/shadowed.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <string.h>
 
@@ -280,13 +282,15 @@ static const struct hsr_counter counters[] = {
     [SPAN_CULL] = {"span cull", "visible bits turned on or off", HSR_ACTIVATE,
                    HSR_OF_FACE, HSR_OF_EDGE, "turned off|turned on"},
     [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth",
-                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer",
+                      .key = "depth-search"},
     [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate",
-                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE,
+                   .key = "span-division"},
     [COMBINED] = {"combined", "transparent faces put over what is behind",
                   HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
     [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
-               HSR_OF_WINDOW},
+               HSR_OF_WINDOW, .key = "span"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -329,8 +333,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .coherence = "scan line; edge",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT, HSR_SHADOWED},
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}, {HSR_SHADOWED}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

@@ -5,25 +5,38 @@
  * Source      G. S. Watkins, "A real-time visible surface algorithm",
  *             UTECH-CSC-70-101, 1970; as described by Sutherland et al. 1974,
  *             "Scan-line Algorithms" and figures 27b and 28.
- * Notation    scan line -> row j; Y buckets and X sort list -> scan_line.h;
+ * Notation    scan line -> row j; Y buckets, X sort list -> scan_line.h;
  *             segment -> struct hsr_watkins_segment, the samples [x0, x1) of a
- *             face on the row; sample span -> [left, right)
- * Invariant   in scan_row, `visible` is nearest in [left, right) of the
- *             segments looked at so far, and right only ever moves to the left
- * Ties        depth: one plane, lower id; all else by hsr_nearer
- * Departures  those of scan_line.h
- * Options     what Sutherland et al. propose in chapter IV: the X sort list as
- *             a tree ("Other Combinations of Sorting"), edges presorted by X
- *             ("Area Coherence"), no sort until an edge crosses its neighbor
- *             ("Scan-Line Coherence"). The second is by the column on the first
- *             scan line, where they have the X of the upper vertex: this leaves
- *             no two edges of one vertex out of order. Of the third, the sort
- *             is saved, not the intercepts of hidden edges. x_list.c has these
- *             three. Z buckets (watkins_z.c); and sample spans that end at
- *             contour edges only ("Edge Coherence", watkins_runs.c)
+ *             face on the row; sample span -> [left, right). The left end is
+ *             fixed, and the right end floats to the left.
+ * Invariant   in search_depth and float_right, `visible` is the nearest in
+ *             [left, right) of the segments looked at so far; right never moves
+ *             to the right
+ * Ties        of two faces in one plane the lower id is nearer, and no search
+ *             is made; otherwise hsr_nearer decides
+ * Departures  - Those of scan_line.h.
+ *             - The depths at a segment's ends are compared with their error
+ *             bounds. What is left undecided at a single sample is compared
+ *             exactly, by the planes.
+ *             - Faces may penetrate: if the order of two segments changes
+ *             within a span, the search finds the sample where it does, and the
+ *             span ends there.
+ * Options     What Sutherland et al. propose in chapter IV:
+ *             - x-list=tree: the X sort list is a tree ("Other Combinations of
+ *             Sorting").
+ *             - presort=x: edges are sorted by X before the Y sort ("Area
+ *             Coherence"). The survey sorts by the X of the upper vertex; here
+ *             it is the column on the edge's first row, which puts two edges of
+ *             one vertex in order, too.
+ *             - sort=crossing: no sort until an edge crosses its neighbor
+ *             ("Scan-Line Coherence"). The sort is saved, but not the
+ *             intercepts of hidden edges. These three are in x_list.c.
+ *             - z=buckets: Z buckets (watkins_z.c).
+ *             - ends=contour: sample spans end at contour edges only ("Edge
+ *             Coherence", watkins_runs.c).
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
- *             of scan_line.h; of a crossing that is predicted 10, as of other
- *             relations of two segments in the plane */
+ *             of scan_line.h. A crossing that is predicted costs 10, as other
+ *             relations of two segments in the plane do. */
 #include "algorithms/image_space/point/watkins.h"
 
 #include <stdlib.h>
@@ -73,6 +86,7 @@ static const uint32_t NONE = UINT32_MAX;
 
 /* --- Segments ------------------------------------------------------------- */
 
+/* Sets the right end of a segment, and clips it to the window. */
 static void close_segment(struct hsr_watkins *s, uint32_t number, int x1) {
   struct hsr_watkins_segment *segment = &s->segment[number];
   const struct hsr_window *w = s->edges.window;
@@ -83,8 +97,8 @@ static void close_segment(struct hsr_watkins *s, uint32_t number, int x1) {
     segment->x1 = segment->x0; /* holds no sample */
 }
 
-/* Pairs the edges of list[]: the first of a face opens a segment, the second
- * closes it. */
+/* Pairs the edges of the X sort list: the first of a piece opens a segment, the
+ * second closes it. */
 static void find_segments(struct hsr_watkins *s) {
   struct hsr_watkins_runs *runs = s->runs;
   uint32_t n = 0;
@@ -118,39 +132,41 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* A part of a segment between two points of the row, in columns, with its
- * depths there. */
-struct part {
+/* A stretch of a segment between two points x0 and x1 of the row, in columns,
+ * and its depths q0 and q1 there. */
+struct stretch {
   double x0, x1, q0, q1;
 };
 
-static struct part whole_part(const struct hsr_watkins *s,
-                              const struct hsr_watkins_segment *segment,
-                              int j) {
+static struct stretch whole_segment(const struct hsr_watkins *s,
+                                    const struct hsr_watkins_segment *segment,
+                                    int j) {
   const struct hsr_screen *screen = &s->edges.screen;
   int first = segment->x0, last = segment->x1 - 1;
-  return (struct part){first, last, hsr_depth(screen, segment->face, first, j),
-                       hsr_depth(screen, segment->face, last, j)};
+  return (struct stretch){first, last,
+                          hsr_depth(screen, segment->face, first, j),
+                          hsr_depth(screen, segment->face, last, j)};
 }
 
-static struct part left_half(struct part p) {
-  return (struct part){p.x0, (p.x0 + p.x1) / 2, p.q0, (p.q0 + p.q1) / 2};
+static struct stretch left_half(struct stretch p) {
+  return (struct stretch){p.x0, (p.x0 + p.x1) / 2, p.q0, (p.q0 + p.q1) / 2};
 }
 
-static struct part right_half(struct part p) {
-  return (struct part){(p.x0 + p.x1) / 2, p.x1, (p.q0 + p.q1) / 2, p.q1};
+static struct stretch right_half(struct stretch p) {
+  return (struct stretch){(p.x0 + p.x1) / 2, p.x1, (p.q0 + p.q1) / 2, p.q1};
 }
 
-static double nearest(struct part p) {
+static double nearest_end(struct stretch p) {
   return p.q0 > p.q1 ? p.q0 : p.q1;
 }
 
-static double farthest(struct part p) {
+static double farthest_end(struct stretch p) {
   return p.q0 < p.q1 ? p.q0 : p.q1;
 }
 
-/* Halves the part if one half holds all of the samples [l, r). */
-static bool narrow(struct part *p, int l, int r) {
+/* Replaces a stretch by that half of it which holds all of the samples [l, r).
+ * False if neither half does. */
+static bool narrow(struct stretch *p, int l, int r) {
   double middle = (p->x0 + p->x1) / 2;
   if (r - 1 <= middle && middle < p->x1)
     *p = left_half(*p);
@@ -161,27 +177,33 @@ static bool narrow(struct part *p, int l, int r) {
   return true;
 }
 
-/* Outcomes of a comparison of two segments, as HSR_DEPTH_SEARCH names them. */
+/* Outcomes of a comparison of two segments, in the order of the words of
+ * HSR_DEPTH_SEARCH. */
 enum order { UNDECIDED, FARTHER, NEARER };
 
-/* Is f nearer than g at the first sample of [l, r)? The answer holds for
- * [l, *end). If the farthest end of one part is nearer than the nearest end of
- * the other, that decides. Otherwise the longer part is divided at its
- * midpoint. If the samples lie on both sides of both midpoints, they are
- * divided too. A single sample is left to the exact comparison. */
-static bool first_is_nearer(struct hsr_watkins *s,
-                            const struct hsr_watkins_segment *f, struct part pf,
-                            const struct hsr_watkins_segment *g, struct part pg,
-                            int l, int r, int j, int *end) {
+/* The logarithmic search (figure 28). Is f nearer than g at the first sample of
+ * [l, r)? The answer holds for [l, *end). pf and pg are stretches of f and g
+ * that hold all these samples.
+ *
+ * If the farthest end of one stretch is nearer than the nearest end of the
+ * other, that decides. Otherwise the longer stretch is divided at its midpoint,
+ * and its half with the samples takes its place. If the samples lie on both
+ * sides of both midpoints, they are divided too: [l, r) is searched in two
+ * parts. A single sample that is undecided is compared exactly. */
+static bool is_first_nearer(struct hsr_watkins *s,
+                            const struct hsr_watkins_segment *f,
+                            struct stretch pf,
+                            const struct hsr_watkins_segment *g,
+                            struct stretch pg, int l, int r, int j, int *end) {
   const struct hsr_depth_plane *plane = s->edges.screen.plane;
   double margin = 2 * (plane[f->face].error + plane[g->face].error);
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
     *end = r;
     enum order order =
-        farthest(pf) - nearest(pg) > margin   ? NEARER
-        : farthest(pg) - nearest(pf) > margin ? FARTHER
-        : r - l > 1                           ? UNDECIDED
+        farthest_end(pf) - nearest_end(pg) > margin   ? NEARER
+        : farthest_end(pg) - nearest_end(pf) > margin ? FARTHER
+        : r - l > 1                                   ? UNDECIDED
         : hsr_nearer(&s->edges.screen, f->face, g->face, l, j, s->tally)
             ? NEARER
             : FARTHER;
@@ -198,24 +220,25 @@ static bool first_is_nearer(struct hsr_watkins *s,
       break;
   }
 
-  /* Divide the samples where the longer part is divided. */
-  struct part longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0 ? pf : pg;
+  /* Divide the samples where the longer stretch is divided. */
+  struct stretch longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0 ? pf : pg;
   int middle = (int)floor((longer.x0 + longer.x1) / 2) + 1;
-  bool nearer = first_is_nearer(s, f, pf, g, pg, l, middle, j, end);
+  bool nearer = is_first_nearer(s, f, pf, g, pg, l, middle, j, end);
   if (*end < middle)
     return nearer;
   int further;
-  if (first_is_nearer(s, f, pf, g, pg, middle, r, j, &further) == nearer)
+  if (is_first_nearer(s, f, pf, g, pg, middle, r, j, &further) == nearer)
     *end = further;
   return nearer;
 }
 
-/* For what only options need. These functions are not inlined: if they are,
- * watkins without options takes 4 % longer. */
+/* For code that only options need. It is not inlined: if it is, watkins without
+ * options takes 4 % longer. */
 #define OF_OPTION __attribute__((noinline))
 #define IS_OPTION(x) __builtin_expect((x), 0)
 
-/* Whether the Z buckets of two segments' faces tell which is nearer. */
+/* z=buckets: which of two segments' faces is nearer by their Z buckets?
+ * UNDECIDED if they share one. */
 OF_OPTION static enum order order_by_bucket(struct hsr_watkins *s, uint32_t f,
                                             uint32_t g, int l, int r, int j) {
   enum order order = s->z_farthest[f] < s->z_nearest[g]   ? NEARER
@@ -227,7 +250,8 @@ OF_OPTION static enum order order_by_bucket(struct hsr_watkins *s, uint32_t f,
   return order;
 }
 
-/* The last step, for whole segments. Faces of one plane need no search. */
+/* The last step, for two segments: is f nearer than g at the first sample of
+ * [l, r)? The answer holds for [l, *end). */
 static inline bool segment_is_nearer(struct hsr_watkins *s,
                                      const struct hsr_watkins_segment *f,
                                      const struct hsr_watkins_segment *g, int l,
@@ -245,12 +269,13 @@ static inline bool segment_is_nearer(struct hsr_watkins *s,
     if (order != UNDECIDED)
       return order == NEARER;
   }
-  return first_is_nearer(s, f, whole_part(s, f, j), g, whole_part(s, g, j), l,
-                         r, j, end);
+  return is_first_nearer(s, f, whole_segment(s, f, j), g,
+                         whole_segment(s, g, j), l, r, j, end);
 }
 
-/* The same for runs. The order of two whose surfaces are apart never changes
- * while both go on. */
+/* The same for two runs, by the segments that they have at sample l. If the
+ * surfaces of the two are apart, their order is the same in all of [l, r), and
+ * one sample is compared. Otherwise the answer ends where a segment does. */
 OF_OPTION static bool run_is_nearer(struct hsr_watkins *s,
                                     const struct hsr_watkins_segment *f,
                                     const struct hsr_watkins_segment *g, int l,
@@ -265,6 +290,7 @@ OF_OPTION static bool run_is_nearer(struct hsr_watkins *s,
   return nearer;
 }
 
+/* The same for what segment[] holds, runs or segments. */
 static inline bool is_nearer(struct hsr_watkins *s,
                              const struct hsr_watkins_segment *f,
                              const struct hsr_watkins_segment *g, int l, int r,
@@ -276,9 +302,9 @@ static inline bool is_nearer(struct hsr_watkins *s,
 
 /* --- Sample spans --------------------------------------------------------- */
 
-/* The visible one of the segments that reach over `left`; NULL if there is
- * none. *right moves to the left, as far as the segment is known to be visible.
- */
+/* Searches the segments under[] for the one that is visible at `left`; NULL if
+ * there are none. *right moves to the left, to where that one is no longer
+ * known to be visible. */
 static const struct hsr_watkins_segment *
 search_depth(struct hsr_watkins *s, int left, int *right, int j) {
   const struct hsr_watkins_segment *visible = NULL;
@@ -292,16 +318,18 @@ search_depth(struct hsr_watkins *s, int left, int *right, int j) {
     int both = least(*right, segment->x1), end;
     if (is_nearer(s, segment, visible, left, both, j, &end))
       visible = segment;
-    /* Beyond the segment's own end the old one is still visible. */
+    /* If the one visible before is nearer as long as the segment lasts, it is
+     * visible beyond that, too. */
     if (visible == segment || end < both)
       *right = end;
   }
   return visible;
 }
 
-/* Moves *right to the left end of the first segment that begins within the span
- * and is not behind the visible one. `next` is the first segment that is not
- * yet in under[]. */
+/* Floats the right end: moves *right to the left end of the first segment that
+ * begins within the span and is nearer there than the visible one, if there is
+ * one; or to where one that begins behind it comes to be nearer. `next` is the
+ * first segment that is not yet in under[]. */
 static void float_right(struct hsr_watkins *s,
                         const struct hsr_watkins_segment *visible,
                         uint32_t next, int left, int *right, int j) {
@@ -323,8 +351,10 @@ static void float_right(struct hsr_watkins *s,
   }
 }
 
-/* Brings under[] up to date for a span that begins at `left`. Returns the first
- * segment that is not in it yet. */
+/* The span cull, at a span's left end: leaves in under[] the segments that
+ * cover sample `left`, and adds those that have begun since. Segments before
+ * `next` have been in it. Returns the first that begins to the right of
+ * `left`. */
 static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
                            int j) {
   uint32_t kept = 0;
@@ -347,6 +377,7 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
   return next;
 }
 
+/* Writes face `id`, or the background, to the samples of a span. */
 static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
                       int j) {
   uint32_t *row = hsr_job_row(s->edges.job, j);
@@ -357,6 +388,7 @@ static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
     row[i] = id;
 }
 
+/* ends=contour: shows a run in a span, segment by segment. */
 OF_OPTION static void show_run(struct hsr_watkins *s,
                                const struct hsr_watkins_segment *run, int left,
                                int right, int j) {
@@ -368,6 +400,7 @@ OF_OPTION static void show_run(struct hsr_watkins *s,
   }
 }
 
+/* Solves row j, sample span by sample span from the left. */
 static void scan_row(struct hsr_watkins *s, int j) {
   uint32_t next = 0;
   s->n_under = 0;
@@ -453,7 +486,9 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
-/* The surfaces, for spans that end at contour edges. */
+/* ends=contour: finds which faces are one surface, and which surfaces are
+ * apart.
+ */
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
@@ -520,8 +555,9 @@ static const struct hsr_line outline[] = {
 
 static const struct hsr_counter span_counters[] = {
     {"span cull", "segments tested against a sample span", HSR_COMPARE,
-     HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
-    {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside", .key = "span-cull"},
+    {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW,
+     .key = "span"},
     {NULL}};
 
 static const struct hsr_step span_steps[] = {
@@ -553,9 +589,10 @@ const struct hsr_part hsr_spans_part = {HSR_PART_SPANS,
 
 static const struct hsr_counter search_counters[] = {
     {"depth search", "comparisons of two segments in depth", HSR_COMPARE,
-     HSR_OF_FACE, HSR_OF_FACE, "undecided|farther|nearer"},
+     HSR_OF_FACE, HSR_OF_FACE, "undecided|farther|nearer",
+     .key = "depth-search"},
     {"depth divisions", "segments divided at their midpoint", HSR_SUBDIVIDE,
-     HSR_OF_FACE, HSR_OF_FACE},
+     HSR_OF_FACE, HSR_OF_FACE, .key = "depth-division"},
     {NULL}};
 
 static const struct hsr_step search_steps[] = {
@@ -591,7 +628,7 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .coherence = "scan line; edge; floating right end of the sample span",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

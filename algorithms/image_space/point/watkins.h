@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Watkins' algorithm as other algorithms use it: on the faces of a window, on
+/* Watkins' algorithm as other modules use it: on the faces of one window, on
  * pieces of faces, and with another last step than the search in depth. See
- * watkins.c. */
+ * watkins.c for the algorithm and its source.
+ *
+ * How it is used: hsr_watkins_reserve, once a frame. Then for each window
+ * either hsr_watkins_solve; or hsr_scan_open, hsr_scan_add for each piece, and
+ * hsr_watkins_scan (algorithms/engines/scan_line/scan_line.h). Rows and columns
+ * are those of samples in the picture. */
 #ifndef HSR_ALGORITHMS_WATKINS_H
 #define HSR_ALGORITHMS_WATKINS_H
 
@@ -18,93 +23,112 @@ struct hsr_watkins_segment {
   int x0, x1;
 };
 
-/* Runs of segments, joined where they share an edge: see watkins_runs.c. */
+/* The option ends=contour: the segments of a row in runs, joined where one ends
+ * at the edge where another begins; see watkins_runs.c. */
 struct hsr_watkins_runs {
   const struct hsr_surfaces *surfaces; /* borrowed */
-  int counter;                         /* of segments looked at */
-  uint32_t *shared;                    /* by scan edge, as in hsr_surfaces */
+  int counter;      /* a step for each segment that is looked at to join it */
+  uint32_t *shared; /* by scan edge: its number in hsr_surfaces, or
+                       HSR_NOT_SHARED */
 
-  /* Of the row: its segments, the scan edges at both ends of each, and the next
-   * one in its run. By shared
-   * edge: the segment that ends there, if row_of[] is the row. By run: the
-   * first segment, and the one that was looked at last. */
+  /* By segment of the row: the segment; the scan edges at its left and right
+   * end; the next segment of its run, or UINT32_MAX; the run it is in. */
   struct hsr_watkins_segment *part;
-  uint32_t n_parts, *left, *right, *next;
-  uint32_t *ends_there, *run_of, *first, *last_seen;
+  uint32_t n_parts, *left, *right, *next, *run_of;
+
+  /* By run: its first segment; and the one that was asked for last, where the
+   * next search in it begins. */
+  uint32_t *first, *last_seen;
+
+  /* By shared edge: the segment that ends at it, on row row_of[]. On any other
+   * row the entry is stale. */
+  uint32_t *ends_there;
   int *row_of;
 };
 
 struct hsr_watkins {
   struct hsr_scan edges;   /* Y buckets and X sort list */
-  struct hsr_tally *tally; /* theirs */
+  struct hsr_tally *tally; /* the job's */
 
-  uint32_t *open; /* a piece: its segment without right end */
+  uint32_t *open; /* by piece: its segment that has no right end yet, or
+                     UINT32_MAX */
   struct hsr_watkins_segment *segment; /* of the row, by ascending x0 */
   uint32_t n_segments;
-  uint32_t *under, n_under; /* segments that reach over the span's left end */
-  bool layer;               /* paint over what is there: show no background */
+  uint32_t *under, n_under; /* the segments that cover the sample at the span's
+                               left end: indices of segment[] */
+  /* Set by the caller: this window is painted over what is there, so no
+   * background is shown. */
+  bool layer;
 
-  /* Z buckets, or NULL: the buckets of each face's nearest and farthest point,
-   * the nearest first. A comparison of them is a step of z_counter. */
+  /* The option z=buckets; else NULL. By face: the bucket of its nearest point,
+   * and of its farthest. Bucket 0 is the nearest. A comparison of buckets is a
+   * step of z_counter. */
   uint16_t *z_nearest, *z_farthest;
   int z_counter;
 
-  struct hsr_watkins_runs *runs; /* which segment[] holds then; or NULL */
+  struct hsr_watkins_runs *runs; /* ends=contour: segment[] holds runs, `piece`
+                                    being their numbers; else NULL */
 
-  /* The last step: is f nearer than g at the first sample of [l, r), where both
-   * are? The answer is true for [l, *end). NULL: by a search in depth. */
+  /* The last step, if the caller sets it: is f nearer than g at sample l of row
+   * j? Both cover the samples [l, r). *end is set so that the answer holds for
+   * [l, *end), l < *end <= r. NULL: by the search in depth. */
   bool (*is_nearer)(void *context, const struct hsr_watkins_segment *f,
                     const struct hsr_watkins_segment *g, int l, int r, int j,
                     int *end);
   void *context;
 };
 
-/* Memory from job->scratch for windows that need no more than `room`, of pieces
- * with numbers less than n_pieces. HSR_E_NOMEM. */
+/* Makes ready for windows that need no more than `room`, and for pieces whose
+ * numbers are less than n_pieces. `job` and what *screen points to are
+ * borrowed; memory is taken from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_watkins_reserve(struct hsr_watkins *watkins,
                                     const struct hsr_job *job,
                                     const struct hsr_screen *screen,
                                     struct hsr_scan_room room, size_t n_pieces);
 
-/* The rows of the window that watkins->edges was opened with, all edges being
- * added. */
+/* Solves the window that watkins->edges was opened with (hsr_scan_open), row by
+ * row, when all edges have been added. */
 void hsr_watkins_scan(struct hsr_watkins *watkins);
 
-/* A window, which lies within the view's, and of whose samples no face covers
- * one but these n. */
+/* Solves a window, which lies within the view's: writes the visible face of all
+ * its samples. These n faces are all that cover a sample of it. */
 void hsr_watkins_solve(struct hsr_watkins *watkins,
                        const struct hsr_window *window, const uint32_t *faces,
                        uint32_t n);
 
-/* Shows the background in all of a window, for layers to be painted over. */
+/* Writes the background to all samples of a window, before layers are painted
+ * (watkins->layer). */
 void hsr_watkins_clear(struct hsr_watkins *watkins,
                        const struct hsr_window *window);
 
-/* Puts all relevant faces into Z buckets, each a step of `sort`, so that only
- * segments of faces that share a bucket are compared in depth. Steps of
- * `compare` tell the others apart. Memory from job->scratch. HSR_E_NOMEM. */
+/* z=buckets: puts each relevant face into the Z buckets of its depths, a step
+ * of the counter `sort`. From now on the buckets of two segments' faces are
+ * compared first, a step of `compare`; only if the faces share a bucket are the
+ * segments compared in depth. Memory from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_watkins_sort_z(struct hsr_watkins *watkins, int sort,
                                    int compare);
 
-/* Joins segments into runs from now on, all edges being added; each segment
- * looked at is a step of `counter`. *runs and *surfaces, which are those of the
- * world, are borrowed. Memory from job->scratch. HSR_E_NOMEM. */
+/* ends=contour: from now on segments are joined into runs; each segment that is
+ * looked at is a step of `counter`. All edges of the window have been added.
+ * *runs, and *surfaces of the job's world, are borrowed as long as *watkins.
+ * Memory from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *watkins,
                                      struct hsr_watkins_runs *runs,
                                      const struct hsr_surfaces *surfaces,
                                      int counter);
 
-/* What watkins.c takes from watkins_runs.c. hsr_watkins_join: makes runs of
- * segment[]. hsr_watkins_part: the segment of a run at column x, which is in
- * it. */
+/* For watkins.c alone. hsr_watkins_join: makes runs of the segments of row j,
+ * in the place of segment[]. hsr_watkins_part: the segment of a run that covers
+ * column x, which lies in the run. */
 void hsr_watkins_join(struct hsr_watkins *watkins, int j);
 const struct hsr_watkins_segment *
 hsr_watkins_part(const struct hsr_watkins *watkins,
                  const struct hsr_watkins_segment *run, int x);
 
-/* What these count: the spans; and the last step, where it is the search in depth.
- * The groups of lines of the spans: before the last step, whose lines are four
- * blanks deep, and after it. */
+/* Two parts: the sample spans; and the search in depth, for modules that have
+ * no other last step. Groups of lines of the spans' outline: before the last
+ * step and after it. Between them stand the lines of the last step, indented by
+ * four blanks. */
 extern const struct hsr_part hsr_spans_part, hsr_depth_search_part;
 enum { HSR_SPAN_CULL = HSR_FIRST_OF(HSR_PART_SPANS), HSR_SPANS };
 enum {

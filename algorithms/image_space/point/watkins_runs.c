@@ -5,27 +5,29 @@
  *             penetration were disallowed or otherwise accounted for, edges
  *             that are no contour edges need not change the visibility of
  *             others.
- * Notation    run -> segments of a row, each of which ends at an edge where the
- *             next one begins; edges inside a run are no contour edges here
- * Invariants  A run is continuous: its surface goes on from each segment to the
- *             next. So if two runs are on surfaces that are apart, the one that
- *             is nearer at a sample is so at all samples of both. They are
- *             compared once. Of surfaces that may meet segments are compared,
- *             and a span ends where a segment does.
- *             segment[] holds the runs: their samples, and the face of the
- *             first part; `piece` is the number of the run
- * Departures  the survey leaves open how penetration is accounted for: surfaces
- *             are compared beforehand, once for all views
- *             (common/adapt/surfaces.h). Whether an edge is a contour edge is
- *             looked at on each row: it is not, if one segment ends there and
- *             another begins
+ * Notation    Run: a sequence of segments on a row, each of which ends at a
+ *             shared edge where the next one begins. On this row such an edge
+ *             is no contour edge. segment[] holds the runs: the samples of a
+ *             run, the face of its first segment, and as `piece` the run's
+ *             number. part[] holds the segments.
+ * Invariants  The surface of a run is continuous from each segment to the next.
+ *             So if two runs are on surfaces that are apart, the one that is
+ *             nearer at a sample of both is nearer at all samples of both: they
+ *             are compared once. If their surfaces may meet, segments are
+ *             compared, and a span ends where a segment does.
+ * Departures  - The survey leaves open how to account for penetration. Here
+ *             surfaces are compared beforehand, once for all views
+ *             (common/adapt/surfaces.h).
+ *             - Whether an edge is a contour edge is decided on each row: it is
+ *             not, if one segment ends there and another begins.
  * Cost        one comparison more for each segment on a row */
 #include "algorithms/image_space/point/watkins.h"
 
 /* No segment. */
 static const uint32_t NONE = UINT32_MAX;
 
-/* The shared edge, if it is one, from vertex a to b of face f. */
+/* The number in *surfaces of an edge of face f, given by its two vertices;
+ * HSR_NOT_SHARED if it is not shared. */
 static uint32_t find_shared(const struct hsr_surfaces *surfaces,
                             const struct hsr_world *world, uint32_t f,
                             const struct hsr_edge *line) {
@@ -92,6 +94,7 @@ static uint32_t one_with_samples_before(const struct hsr_watkins_runs *runs,
   return k;
 }
 
+/* Notes for each shared edge which segment of row j ends there. */
 static void note_ends(struct hsr_watkins_runs *runs, int j) {
   for (uint32_t k = 0; k < runs->n_parts; k++) {
     uint32_t edge = runs->shared[runs->right[k]];

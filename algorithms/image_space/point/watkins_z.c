@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Faces in Z buckets, before Watkins' search in depth.
+/* Watkins with z=buckets: faces are put into Z buckets, which are compared
+ * before the search in depth.
  *
  * Source      Sutherland et al. 1974, chapter IV, "Other Combinations of
  *             Sorting": why not sort by Z, too, as by X and by Y, on the first
  *             9 bits of the key?
  * Notation    Z -> q, 1/t or in parallel -t, which is linear on the screen
  * Invariant   no sample of face f is in a bucket before z_nearest[f] or behind
- *             z_farthest[f]. The buckets divide the range of all faces evenly;
- *             so the data are well distributed over it, which the survey leaves
- *             to clipping
- * Cost        a step for each face; and for each pair of segments one
- *             comparison, where a comparison in depth costs 30 */
+ *             z_farthest[f]
+ * Departures  The buckets divide evenly the range of depths of the relevant
+ *             faces. The survey counts on clipping to spread the depths well
+ *             over the range of Z.
+ * Cost        a step for each face; for each pair of segments one comparison,
+ *             and only if that is undecided a comparison in depth, which costs
+ *             30 */
 #include "algorithms/image_space/point/watkins.h"
 
 enum { BUCKETS = 512 };
@@ -19,8 +22,8 @@ struct range {
   double least, most;
 };
 
-/* Of q on the samples of a face: it is linear, so the corners of its box tell.
- */
+/* The range of q on the samples of a face. q is linear, so it is within those
+ * at the corners of the face's box. */
 static struct range range_of(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_bounds *b = &screen->bounds[f];
   struct range range = {INFINITY, -INFINITY};
@@ -34,7 +37,7 @@ static struct range range_of(const struct hsr_screen *screen, uint32_t f) {
   return (struct range){range.least - error, range.most + error};
 }
 
-/* The bucket of q, the first being the nearest. */
+/* The bucket of q; bucket 0 is the nearest. */
 static uint16_t bucket_of(struct range all, double q) {
   double place = (all.most - q) / (all.most - all.least) * BUCKETS;
   return (uint16_t)(place > 0 ? fmin(place, BUCKETS - 1) : 0);

@@ -78,6 +78,7 @@
  *             too, and take at most the eight vertices of two rectangles */
 #include "algorithms/engines/light/glass.h"
 #include "algorithms/engines/scan_line/scan_line.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <string.h>
 
@@ -875,8 +876,7 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .coherence = "depth from line to line; scan line; edge",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT},
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

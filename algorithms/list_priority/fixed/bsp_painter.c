@@ -18,6 +18,7 @@
  *             (bsp_frame.h)
  * Cost        samples of all faces: written, or looked at */
 #include "algorithms/engines/bsp/bsp_frame.h"
+#include "common/answers/kinds/transparent.h"
 
 enum { OVERWRITES };
 enum { TAKEN };
@@ -205,8 +206,9 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
     .coherence = "frame",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .prepare = hsr_bsp_prepare,
+    .show = hsr_bsp_show,
     .release = hsr_bsp_release,
     .name = "bsp-painter",
     .title = "A BSP tree, painted from back to front",
@@ -214,7 +216,6 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
     .year = 1980,
     .source = "Fuchs et al., On Visible Surface Generation by A Priori Tree "
               "Structures, SIGGRAPH 1980",
-    .also = {HSR_TRANSPARENT},
     .sorts = painter_sorts,
     .parts = painter_uses,
     .counters = painter_counters,
@@ -227,8 +228,9 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
     .coherence = "frame",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .prepare = hsr_bsp_prepare,
+    .show = hsr_bsp_show,
     .release = hsr_bsp_release,
     .name = "bsp-front",
     .title = "A BSP tree, from front to back where samples are vacant",

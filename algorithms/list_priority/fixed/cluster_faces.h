@@ -2,9 +2,10 @@
 /* The faces of one cluster after another, for algorithms that find the order
  * within a cluster by themselves.
  *
- * A face that is not quite flat may have no place in the order of clusters,
- * because it touches a separating plane or the eye grazes its own plane. Such
- * faces are loose: they belong to no cluster of this frame. */
+ * A face that is not flat may have no place in the order of clusters: if it is
+ * within its thickness of a separating plane (it is thick, and in no cluster),
+ * or if the eye grazes its own plane. Such faces are loose: they belong to no
+ * cluster in this frame. */
 #ifndef HSR_ALGORITHMS_CLUSTER_FACES_H
 #define HSR_ALGORITHMS_CLUSTER_FACES_H
 
@@ -13,12 +14,13 @@
 struct hsr_cluster_faces {
   const struct hsr_screen *screen;
   const struct hsr_clusters *clusters;
-  bool *relevant;           /* by face */
-  uint32_t *faces, n_faces; /* of the cluster in hand */
-  uint32_t *loose, n_loose; /* so far */
+  bool *relevant;           /* by face: it is in screen->relevant[] */
+  uint32_t *faces, n_faces; /* of the cluster taken last */
+  uint32_t *loose, n_loose; /* the loose faces found so far */
 };
 
-/* Memory from `arena`. The screen's faces are culled already. HSR_E_NOMEM. */
+/* Begins a frame. The screen's faces have been culled; it is borrowed as long
+ * as *c. Memory from `arena`. HSR_E_NOMEM. */
 static inline enum hsr_status
 hsr_cluster_faces_init(struct hsr_cluster_faces *c,
                        const struct hsr_screen *screen,
@@ -36,8 +38,9 @@ hsr_cluster_faces_init(struct hsr_cluster_faces *c,
   return HSR_OK;
 }
 
-/* Puts the faces of a cluster that are in the picture into faces[], and loose
- * ones into loose[]. A face of two sides is in the cluster twice. */
+/* Takes a cluster: puts its relevant faces into faces[], and appends the loose
+ * ones among them to loose[]. A two-sided face is in a cluster twice, once for
+ * each side; it is taken once. */
 static inline void hsr_cluster_faces_take(struct hsr_cluster_faces *c,
                                           uint32_t cluster) {
   const struct hsr_clusters *all = c->clusters;
@@ -53,7 +56,7 @@ static inline void hsr_cluster_faces_take(struct hsr_cluster_faces *c,
   }
 }
 
-/* Adds the faces that are in no cluster to loose[]. */
+/* Appends the relevant faces that are in no cluster to loose[]. */
 static inline void hsr_cluster_faces_take_thick(struct hsr_cluster_faces *c) {
   const struct hsr_clusters *all = c->clusters;
   for (uint32_t k = 0; k < all->n_thick; k++)

@@ -49,7 +49,7 @@ bool hsr_next_cluster(struct hsr_cluster_order *order, bool nearest_first,
 static const struct hsr_counter counters[] = {
     {"inter-cluster priority",
      "separating planes that the eye is compared with", HSR_COMPARE,
-     HSR_OF_FACE, HSR_OF_CELL, "behind|on it|in front"},
+     HSR_OF_FACE, HSR_OF_CELL, "behind|on it|in front", .key = "inter-cluster"},
     {NULL}};
 
 static double predict_inter_cluster(const struct hsr_table1 *t) {

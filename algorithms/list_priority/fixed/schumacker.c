@@ -40,6 +40,7 @@
  *             n m S_l */
 #include "algorithms/engines/light/glass.h"
 #include "algorithms/list_priority/fixed/cluster_order.h"
+#include "common/answers/kinds/transparent.h"
 #include "common/base/bits.h"
 #include "common/base/vector.h"
 
@@ -81,12 +82,12 @@ struct edges {
 
   /* The Y cull, in blocks of BLOCK edges. */
   uint32_t n_blocks;
-  int16_t *begin, *end; /* y0 and y1 within the band in hand */
-  uint8_t *meets;       /* the scan line in hand */
+  int16_t *begin, *end; /* y0 and y1 within the current band */
+  uint8_t *meets;       /* the current scan line */
   uint8_t *some;        /* of a block: whether any edge of it does */
 };
 
-/* The edges that meet the scan line in hand, and their intercepts. */
+/* The edges that meet the current scan line, and their intercepts. */
 struct intercepts {
   uint32_t n, *edge;
   struct hsr_edge *line;
@@ -98,7 +99,7 @@ struct intercepts {
 struct pairs {
   uint32_t n, *face;
   int *left, *right;
-  int16_t *l, *r; /* left and right, as loaded for the strip in hand */
+  int16_t *l, *r; /* left and right, as loaded for the current strip */
 };
 
 struct schumacker {
@@ -111,7 +112,7 @@ struct schumacker {
   struct listed *list; /* by priority; then the thick faces, in no order */
   uint32_t n_list, n_thick;
   struct edges edges;
-  int band; /* the first scan line of the band in hand */
+  int band; /* the first scan line of the current band */
 
   struct intercepts intercepts;
   struct pairs pairs;
@@ -275,7 +276,7 @@ static void cull_edges(struct schumacker *s, int j) {
 
 /* --- Intercepts, loaded into the counters --------------------------------- */
 
-/* Takes the edges of a block that meet the scan line in hand, by eights. */
+/* Takes the edges of a block that meet the current scan line, by eights. */
 static void take_block(const struct edges *edges, uint32_t block,
                        struct intercepts *found) {
   for (uint32_t first = block * BLOCK; first < (block + 1) * BLOCK; first += 8)
@@ -597,7 +598,8 @@ static const struct hsr_counter counters[] = {
     [BACK_FACES] = {"back-face cull",
                     "faces, as seen from either side, that are tested for "
                     "being back faces",
-                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front"},
+                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front",
+                    .key = "back-face-cull"},
     [Y_CULL] = {"Y cull",
                 "edges of listed faces, each face counting its own, on every "
                 "scan line",
@@ -607,9 +609,10 @@ static const struct hsr_counter counters[] = {
                   "pairs of counters looked at, on every raster element all of "
                   "the scan line's",
                   HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
-                  "not there|there|there, with the highest priority"},
+                  "not there|there|there, with the highest priority",
+                  .key = "priority-search"},
     [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts",
-               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW, .key = "counter-pair"},
     [THICKNESS] = {"thickness checks",
                    "comparisons in depth with faces that are not flat and have "
                    "no place in the list",
@@ -688,8 +691,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .coherence = "frame; cluster",
     .restrictions = HSR_CF | HSR_LS | HSR_NP | HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT},
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

@@ -35,7 +35,7 @@ struct schumacker_watkins {
 
 /* --- Clusters ------------------------------------------------------------- */
 
-/* The part of the window that the faces of the cluster in hand are in. */
+/* The part of the window that the faces of the current cluster are in. */
 static struct hsr_window box_of_cluster(const struct schumacker_watkins *s) {
   const struct hsr_window *w = &s->job->view->window;
   struct hsr_window box = {w->x1, w->y1, w->x0, w->y0};
@@ -176,7 +176,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_watkins) = {
                  "sample span",
     .restrictions = HSR_CF | HSR_LS,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

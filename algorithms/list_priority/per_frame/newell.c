@@ -23,6 +23,7 @@
  * Cost        segments 10 F_r H_f, X merge F_r H_f S_v / 4, and those of
  *             priority_list.h */
 #include "algorithms/list_priority/per_frame/newell.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -500,12 +501,13 @@ static const struct hsr_sort sorts_previous[] = {
     {NULL}};
 
 static const struct hsr_counter painting_counters[] = {
-    {"segments", "segments generated", HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    {"segments", "segments generated", HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW,
+     .key = "list-segment"},
     {"thickness checks",
      "comparisons in depth where faces that are not flat touch", HSR_COMPARE,
      HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {"spans written", "runs of samples of one face written to the picture",
-     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW, .key = "span-written"},
     {NULL}};
 
 static double predict_segments(const struct hsr_table1 *t) {
@@ -568,13 +570,12 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .name = "newell",
     .title = "Newell, Newell and Sancha's priority list, with beads",
     .year = 1972,
     .sort_order = "ZYX",
     .coherence = "depth",
-    .also = {HSR_TRANSPARENT},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,
@@ -590,13 +591,12 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
     .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .name = "newell-frame-buffer",
     .title = "Newell, Newell and Sancha's priority list on a frame buffer",
     .year = 1974,
     .sort_order = "Z(XY)",
     .coherence = "depth",
-    .also = {HSR_TRANSPARENT},
     .sorts = sorts_frame_buffer,
     .parts = uses_frame_buffer,
     .outline = outline_frame_buffer,
@@ -609,13 +609,12 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}, {HSR_TRANSPARENT}},
     .name = "newell-previous",
     .title = "Newell, Newell and Sancha's, from the previous frame's order",
     .year = 1974,
     .sort_order = "ZYX",
     .coherence = "depth, frame",
-    .also = {HSR_TRANSPARENT},
     .flags = HSR_FRAME_STATE | HSR_FOLLOWS,
     .sorts = sorts_previous,
     .parts = uses_previous,

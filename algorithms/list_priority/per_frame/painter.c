@@ -78,13 +78,6 @@ static void paint(struct painter *s, uint32_t f) {
   }
 }
 
-static void clear(const struct hsr_job *job) {
-  const struct hsr_window *w = &job->view->window;
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      hsr_job_row(job, j)[i] = HSR_BACKGROUND;
-}
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct painter painter = {.job = job}, *s = &painter;
@@ -108,7 +101,7 @@ static enum hsr_status render(const struct hsr_job *job,
   s->columns = HSR_NEW(job->scratch, int, (size_t)corners + 4);
   if (!s->columns)
     return hsr_fail_nomem(err);
-  clear(job);
+  hsr_job_clear(job);
   sort_z(s);
   for (uint32_t r = 0; r < n; r++)
     paint(s, s->order[r]);
@@ -119,7 +112,8 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     [Z_SORT] = {"Z sort", "comparisons of two farthest vertices", HSR_COMPARE,
-                HSR_OF_FACE, HSR_OF_FACE, "goes later|goes first"},
+                HSR_OF_FACE, HSR_OF_FACE, "goes later|goes first",
+                .key = "face-sort"},
     [SAMPLES] = {"samples", "samples painted", HSR_ACCEPT, HSR_OF_FACE,
                  HSR_OF_WINDOW},
     {NULL}};
@@ -149,7 +143,7 @@ const struct hsr_algorithm HSR_ALGORITHM(painter) = {
     .sort_order = "Z(XY)",
     .coherence = "depth",
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .flags = HSR_KNOWN_WRONG,
     .sorts = sorts,
     .counters = counters,

@@ -12,8 +12,9 @@
  *             into it
  * Invariants  A piece is in the chain of its group, or in those of its cells.
  *             Chains are by the bucket of the farthest depth, farthest first;
- *             so are groups, by that of their first piece. Pieces that have
- *             left the list leave a chain when it is next walked along. A piece
+ *             so are groups, by that of their first piece. A piece that
+ *             has left the list is removed from a chain when the chain is next
+ *             searched. A piece
  *             that P may obscure has a sample where P has one, and so it shares
  *             a cell with P.
  * Ties        any piece that P may obscure may be tried in P's place, not only

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pieces of Newell's list, for priority_list.c and priority_index.c. */
+/* The pieces of the priority list. For priority_list.c and priority_index.c
+ * only; see priority_list.h. */
 #ifndef HSR_ALGORITHMS_PRIORITY_PIECES_H
 #define HSR_ALGORITHMS_PRIORITY_PIECES_H
 
@@ -15,11 +16,12 @@ struct hsr_list_piece {
   uint32_t next, previous;
   double nearest, farthest; /* depths along the line of sight */
   uint32_t bucket;          /* of the farthest; greater is nearer */
-  uint32_t marker; /* the last attempt in which it was moved to the end of the
-                      list; 0: never, and it is still where it was sorted */
-  bool forced;     /* no order was found: the samples decide */
-  bool gone;       /* it has left the list */
-  uint32_t seen;   /* by the last candidate that met it: see priority_index.c */
+  /* The last attempt in which it was moved; 0: it never was, and is where the
+   * Z sort put it. */
+  uint32_t marker;
+  bool forced;   /* no order was found for it: the samples decide */
+  bool gone;     /* it has left the list */
+  uint32_t seen; /* the last search that has met it: priority_index.c */
 };
 
 static inline struct hsr_list_piece *piece_at(const struct hsr_priority_list *s,
@@ -33,11 +35,11 @@ static inline struct hsr_subject subject(const struct hsr_priority_list *s,
   return HSR_PIECE(piece_at(s, p)->part.face, p);
 }
 
-/* What priority_list.c takes from priority_index.c, and that from it.
- * hsr_index_sort: sorts a new list's pieces. hsr_index_add: adds a divided
- * piece. hsr_index_find: a piece that P may obscure, or HSR_NO_PIECE; `bucket`
- * is that of P's nearest depth. hsr_list_may_obscure: the six tests. If memory
- * runs out, list->out_of_memory is set. */
+/* hsr_index_sort: indexes the pieces of a new list. hsr_index_add: adds a half
+ * of a divided piece. hsr_index_find: a piece that p, the candidate, may
+ * obscure, or HSR_NO_PIECE; `bucket` is that of the nearest depth of p.
+ * hsr_list_may_obscure, of priority_list.c: the six tests. They set
+ * list->out_of_memory if memory runs out. */
 void hsr_index_sort(struct hsr_priority_list *list);
 void hsr_index_add(struct hsr_priority_list *list, uint32_t p);
 uint32_t hsr_index_find(struct hsr_priority_list *list, uint32_t p,

@@ -20,6 +20,7 @@
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges */
 #include "algorithms/object_space/edges/edge_intersection.h"
+#include "common/answers/kinds/segments.h"
 
 enum { BOXES }; /* option */
 static const struct hsr_option options[] = {
@@ -129,7 +130,7 @@ const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
+    .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,
     .parts = uses,
     .outline = outline,
@@ -151,7 +152,7 @@ const struct hsr_algorithm HSR_ALGORITHM(appel_visible) = {
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
+    .makes = {{HSR_SEGMENTS, .how = HSR_VISIBLE_ONLY}},
     .sorts = sorts,
     .parts = uses,
     .outline = outline,
@@ -159,5 +160,4 @@ const struct hsr_algorithm HSR_ALGORITHM(appel_visible) = {
     .prepare = hsr_network_prepare,
     .release = hsr_network_release,
     .expense = hsr_network_expense,
-    .flags = HSR_VISIBLE_ONLY,
     .render = render_visible};

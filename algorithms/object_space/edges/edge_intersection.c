@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The edge-intersection algorithms' common part: see edge_intersection.h. */
 #include "algorithms/object_space/edges/edge_intersection.h"
+#include "common/answers/kinds/segments.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -574,15 +575,17 @@ static const struct hsr_counter counters[] = {
      "edges",
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists"},
     {"initial visibility", "faces put to a vertex in the searches", HSR_COMPARE,
-     HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides"},
+     HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides",
+     .key = "initial-visibility"},
     {"edge intersection", "pairs of edges that were compared", HSR_COMPARE,
-     HSR_OF_EDGE, HSR_OF_EDGE, HSR_CROSSING_OUTCOMES},
+     HSR_OF_EDGE, HSR_OF_EDGE, HSR_CROSSING_OUTCOMES,
+     .key = "edge-intersection"},
     {"correction", "faces with a corner at an edge's end put to the edge",
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not hide|hides"},
     {"sort along edge", "comparisons of places along an edge", HSR_COMPARE,
      HSR_OF_EDGE, HSR_OF_EDGE, "not before|before"},
     {"searches", "searches of all faces: clusters", HSR_ACTIVATE, HSR_OF_EDGE,
-     HSR_OF_VERTEX},
+     HSR_OF_VERTEX, .key = "search"},
     {"crossings", "nearer contour edges that an edge crosses", HSR_ACTIVATE,
      HSR_OF_EDGE, HSR_OF_EDGE},
     {"pierced faces", "faces put to an edge that touches them", HSR_COMPARE,
@@ -592,10 +595,10 @@ static const struct hsr_counter counters[] = {
     {"faces apart", "faces in whose plane an edge lies, and loose ones",
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|added"},
     {"promoted", "vertices to which visibility is promoted", HSR_ACTIVATE,
-     HSR_OF_VERTEX, HSR_OF_EDGE},
+     HSR_OF_VERTEX, HSR_OF_EDGE, .key = "promoted"},
 
     {"intervals drawn", "intervals of edges added to the drawing", HSR_ACCEPT,
-     HSR_OF_EDGE, HSR_OF_NOTHING},
+     HSR_OF_EDGE, HSR_OF_NOTHING, .key = "interval-drawn"},
     {NULL}};
 
 static double predict_edge_cull(const struct hsr_table1 *t) {

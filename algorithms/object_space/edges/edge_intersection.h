@@ -6,25 +6,30 @@
  * Source      Sutherland et al. 1974, "Edge-Intersection Algorithms"; A. Appel,
  *             "The Notion of Quantitative Invisibility and the Machine
  *             Rendering of Solids", Proc. ACM National Conference, 1967.
- * Notation    relevant edge -> an edge with something in the picture;
- *             contour edge -> contour[]: by net[], more of its faces lie on one
- *             side of its image than on the other; quantitative invisibility of
- *             a vertex -> known[] and invisibility[]; cluster -> the edges that
- *             one search of all faces serves
- * Invariant   the invisibility of a vertex is the number of faces that hide the
- *             displaced vertex. Faces that have a corner there do not count.
- *             So the number is the same for all edges that end there. The
- *             invisibility of an edge where it begins adds those of the left
- *             out faces that hide this edge: the invisibility correction. Along
- *             the edge it changes at contour edges and at faces that the edge
- *             pierces, and nowhere else.
- * Ties        crossings at one place happen at once
- * Departures  Edges may pierce faces, and implied edges are drawn; the papers'
- *             environments have neither. A face in whose plane an edge lies is
- *             counted like any other along the displaced edge, and is taken
- *             away at the end. Faces that are not flat, or that the near plane
- *             cuts, are each added at the end. Each edge is put to all contour
- *             edges; only a minimax test comes before, as in the papers.
+ * Notation    Relevant edge: one with something in the picture. Contour edge ->
+ *             contour[]: more of its faces lie on one side of its image than on
+ *             the other, by net[]. Quantitative invisibility of a vertex ->
+ *             known[] and invisibility[]. Cluster: the edges that one search of
+ *             all faces serves. Regular face -> sight.faces: it is flat, and
+ *             the near plane does not cut it. Point: a vertex, or an end of an
+ *             implied edge. Displaced: moved as the samples of a picture are,
+ *             so that no ties are left; A'B' is a displaced edge
+ *             (docs/correct-drawing.md).
+ * Invariant   The invisibility of a vertex is the number of faces that hide the
+ *             displaced vertex. Faces that have a corner at the vertex are left
+ *             out; so the number is the same for all edges that end there.
+ *             Where an edge begins, its invisibility is that number and the
+ *             number of those left out faces that hide this edge: the
+ *             invisibility correction. Along the edge it changes at contour
+ *             edges, at faces that the edge pierces, and nowhere else.
+ * Ties        All crossings at one place along an edge happen together.
+ * Departures  - Edges may pierce faces, and implied edges are drawn; the
+ *             papers' environments have neither.
+ *             - A face in whose plane an edge lies is counted like any other
+ *             along the displaced edge, and is taken off at the end.
+ *             - Faces that are not regular are added one by one at the end.
+ *             - As in the papers, each edge is compared with all contour edges,
+ *             and only a minimax test comes before.
  * Cost        Table III: back and contour cull E_t, initial visibility
  *             100 C_t F_r, edge intersection 30 E_s E_c, invisibility
  *             correction 30 (2 E_s 3), sort along the edge E_s */
@@ -38,47 +43,52 @@
 extern "C" {
 #endif
 
-/* The part of an edge that is in the picture lies between two places. */
+/* The part of an edge that is in the picture: between two places along it. */
 struct hsr_edge_part {
-  bool relevant; /* there is such a part */
+  bool relevant; /* there is one */
   struct hsr_sight_event from, to;
 };
 
+/* One frame: the edges, and how far visibility has been promoted along them. */
 struct hsr_network {
-  const struct hsr_job *job;
-  const struct hsr_edges *edges;
+  const struct hsr_job *job;     /* borrowed */
+  const struct hsr_edges *edges; /* what hsr_network_prepare made */
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
   int *net; /* by edge: how many more of its faces lie on its positive side
                (hsr_sight_side) than on its negative one */
   uint32_t *contour, n_contour;
-  struct hsr_image_box *box;      /* by edge */
-  struct hsr_corner_boxes boxes;  /* of edges; if they are sorted */
-  struct hsr_image_box *face_box; /* by face, of the regular ones */
-  struct hsr_near_boxes faces;    /* of sight.faces */
-  struct hsr_near_boxes contours; /* of contour[] */
+  struct hsr_image_box *box;      /* by edge: of its image */
+  struct hsr_corner_boxes boxes;  /* the edges' boxes, if they are sorted */
+  struct hsr_image_box *face_box; /* by face: of the regular ones */
+  struct hsr_near_boxes faces;    /* the boxes of sight.faces */
+  struct hsr_near_boxes contours; /* the boxes of contour[] */
   struct hsr_edge_part *part;     /* by edge */
-  bool *drawn;                    /* by edge: it is done */
+  bool *drawn;                    /* by edge: it has been drawn */
 
-  bool *known;                  /* by point */
-  int64_t *invisibility;        /* by point, where known */
-  uint32_t *waiting, n_waiting; /* vertices from which to promote */
+  bool *known;                  /* by point: its invisibility is known */
+  int64_t *invisibility;        /* by point, if known */
+  uint32_t *waiting, n_waiting; /* a stack: points to promote from */
 
-  struct hsr_growing events; /* along the current edge */
+  /* Of struct hsr_sight_event: along the current edge. */
+  struct hsr_growing events;
 };
 
-/* How an algorithm promotes visibility from vertex to vertex. It keeps at hand
- * what hides the vertex whose turn it is. */
+/* How an algorithm promotes visibility from point to point. It keeps, for the
+ * point whose turn it is (the current one), what hides it: a number or a set of
+ * faces. */
 struct hsr_promotion {
-  /* The search of all faces: brings to hand what hides point p. HSR_E_NOMEM. */
+  /* The search of all faces: makes p the current point, and finds what hides
+   * it. HSR_E_NOMEM. */
   enum hsr_status (*search)(void *context, struct hsr_network *network,
                             uint32_t p);
-  /* Brings to hand what was left with p, the last of all that wait. */
+  /* Makes p the current point: the last of those that wait, for which
+   * `follow` has left what hides it. */
   void (*resume)(void *context, struct hsr_network *network, uint32_t p);
-  /* Draws relevant edge e from its end p, whose turn it is. If
-   * hsr_network_wants the other end, leaves what hides that with
-   * hsr_network_wait. network->events are empty. HSR_E_NOMEM. */
+  /* Draws relevant edge e from its end p, the current point. If
+   * hsr_network_wants the other end, keeps what hides that, and calls
+   * hsr_network_wait. network->events is empty at the call. HSR_E_NOMEM. */
   enum hsr_status (*follow)(void *context, struct hsr_network *network,
                             uint32_t e, uint32_t p);
   void *context;
@@ -86,89 +96,96 @@ struct hsr_promotion {
 
 /* What differs among the algorithms that count hiding faces. */
 struct hsr_intersector {
-  /* Finds the crossings of A'B' with nearer contour edges that share no vertex
-   * with e, and appends them to network->events by hsr_network_cross.
-   * HSR_E_NOMEM. */
+  /* Finds where edge e is crossed by nearer contour edges that share no
+   * vertex with it, and adds these events by hsr_network_cross. HSR_E_NOMEM. */
   enum hsr_status (*cross)(void *context, struct hsr_network *network,
                            uint32_t e);
   void *context;
-  int box_sort; /* its counter, if boxes are sorted by their corners; or 0 */
+  int box_sort; /* if boxes are sorted by their corners: the counter; else 0 */
   bool visible_only; /* an edge of which nothing can be visible is drawn as one
                         hidden interval, and its crossings are not sorted */
 };
 
-/* `expense` of those that compare every edge with every other: the minimax
- * tests. About one of three sides is that of an edge in the picture. */
+/* `expense` of algorithms that compare every edge with every other: the minimax
+ * tests, if about one side of a face in three belongs to an edge in the
+ * picture. */
 double hsr_network_expense(const struct hsr_world *world,
                            const struct hsr_view *view);
 
-/* `prepare` and `release` of these algorithms: the edges of the world. */
+/* `prepare` and `release` of these algorithms: *prepared is the edges of the
+ * world. */
 enum hsr_status hsr_network_prepare(const struct hsr_world *world,
                                     const long *option, void **prepared,
                                     struct hsr_error *err);
 void hsr_network_release(void *prepared);
 
-/* A sight, the cull of edges, and memory from job->scratch. network->sight is
- * freed with hsr_sight_free, also after a failure. HSR_E_NOMEM. */
+/* Begins a frame: makes network->sight and culls the edges. The job is
+ * borrowed; memory is taken from job->scratch. network->sight is freed by the
+ * caller with hsr_sight_free, also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_network_init(struct hsr_network *network,
                                  const struct hsr_job *job);
 
-/* Adds the event that A'B' crosses edge c, which is nearer, and of which
- * `gained` more faces lie on the positive side than on the negative one.
- * HSR_E_NOMEM. */
+/* Adds the event that edge e, displaced, passes behind contour edge c.
+ * `gained`: how many more faces of c lie on its positive side than on its
+ * negative one. HSR_E_NOMEM. */
 enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
                                   uint32_t c, int gained);
 
-/* Adds the events of the regular faces that A'B' pierces. HSR_E_NOMEM. */
+/* Adds the events of the regular faces that edge e, displaced, pierces.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e);
 
 /* Sorts network->events by their places along edge e. */
 void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 
-/* Draws edge e from t0 to t1. HSR_E_NOMEM. */
+/* Draws edge e from t0 to t1, parameters along it, as an interval of that
+ * invisibility. HSR_E_NOMEM. */
 enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
                                      uint32_t invisibility);
 
-/* Finds which of network->faces are near point p. */
+/* Finds which of network->faces have the image of point p in their box. */
 void hsr_network_find_faces(struct hsr_network *network, uint32_t p);
 
-/* Does regular face f hide point p, displaced? Never, if it has a corner there.
- */
+/* Does regular face f hide point p, displaced? A face that has a corner there
+ * does not. */
 bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
                        uint32_t p);
 
-/* Whether visibility is still to be promoted to point p. */
+/* Is visibility still to be promoted to point p? */
 static inline bool hsr_network_wants(const struct hsr_network *network,
                                      uint32_t p) {
   return network->sight.ahead[p] && !network->known[p];
 }
 
-/* Point p, an end of edge e, is known from now on. It waits for its turn; the
+/* Makes point p, an end of edge e, known, and has it wait for its turn. The
  * last to wait is the first to be taken. */
 void hsr_network_wait(struct hsr_network *network, uint32_t p, uint32_t e);
 
-/* Draws all relevant edges into the job's drawing. HSR_E_NOMEM. */
+/* Draws all relevant edges into the job's drawing, by an algorithm's own
+ * promotion. HSR_E_NOMEM. */
 enum hsr_status hsr_network_promote(struct hsr_network *network,
                                     const struct hsr_promotion *promotion);
 
-/* The same, promoting the number of hiding faces. HSR_E_NOMEM. */
+/* The same, promoting the number of hiding faces. `intersector` has the rest.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_network_draw(struct hsr_network *network,
                                  const struct hsr_intersector *intersector);
 
-/* `render` of an algorithm that is its intersector and no more. */
+/* `render` of an algorithm that consists of its intersector alone. */
 enum hsr_status hsr_network_render(const struct hsr_job *job,
                                    const struct hsr_intersector *intersector,
                                    struct hsr_error *err);
 
-/* On which side of the image of its edge a face lies. Seen from its front, a
- * face runs around its inside so that the inside has sign -1. */
+/* On which side of the image of an edge one of its faces lies: +1 or -1, as of
+ * hsr_sight_side. Seen from its front, the corners of a face run around its
+ * inside so that the inside has the sign -1. */
 static inline int hsr_inside(const struct hsr_sight *sight,
                              const struct hsr_side *side) {
   return -sight->facing[side->face] * side->turn;
 }
 
-/* Whether point p is a corner of face f. */
+/* Is point p a corner of face f? */
 static inline bool hsr_is_corner(const struct hsr_edges *edges, uint32_t p,
                                  uint32_t f) {
   if (p >= edges->world->mesh.n_vertices)
@@ -179,7 +196,7 @@ static inline bool hsr_is_corner(const struct hsr_edges *edges, uint32_t p,
   return false;
 }
 
-/* Whether f is one of the own faces of edge e. */
+/* Is f one of the faces that have edge e as a side? */
 static inline bool hsr_is_own(const struct hsr_edges *edges, uint32_t e,
                               uint32_t f) {
   for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++)
@@ -188,8 +205,8 @@ static inline bool hsr_is_own(const struct hsr_edges *edges, uint32_t e,
   return false;
 }
 
-/* Do the images of A'B' and of edge c cross? They do if the ends of each are on
- * different sides of the other. */
+/* Do the images of edge e, displaced, and of edge c cross? They do if the ends
+ * of each are on different sides of the other. */
 static inline bool hsr_images_cross(const struct hsr_sight *sight, uint32_t e,
                                     uint32_t c) {
   uint32_t A = sight->edges->a[e], B = sight->edges->b[e];
@@ -199,7 +216,7 @@ static inline bool hsr_images_cross(const struct hsr_sight *sight, uint32_t e,
              hsr_sight_line_side(sight, A, B, D);
 }
 
-/* Whether edges e and c share a vertex. */
+/* Do edges e and c share a vertex? */
 static inline bool hsr_edges_meet(const struct hsr_edges *edges, uint32_t e,
                                   uint32_t c) {
   uint32_t a = edges->a[e], b = edges->b[e];
@@ -207,21 +224,21 @@ static inline bool hsr_edges_meet(const struct hsr_edges *edges, uint32_t e,
          b == edges->b[c];
 }
 
-/* Sorts n edges, contour[] or others, by the upper left corners of their boxes.
- * A comparison is a step of `counter`. Memory from job->scratch. HSR_E_NOMEM.
- */
+/* Sorts n edges, those of contour[] or others, by the upper left corners of
+ * their boxes, into network->boxes. A comparison is a step of `counter`. Memory
+ * from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
                                        uint32_t *edges, uint32_t n,
                                        int counter);
 
-/* Puts those of them whose boxes may overlap that of e into boxes.near[].
- * Returns how many. */
+/* Puts the sorted edges whose boxes may overlap that of e into
+ * network->boxes.near[]. Returns how many. */
 uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e);
 
-/* Puts e to other edges by cross_one, which adds their crossing; `apart` says
- * that c is known to be apart from e. The other edges are edge[k], with box k of
- * `all`. If `all` is NULL, they are those edges near e whose boxes are sorted.
- * HSR_E_NOMEM. */
+/* Compares e with other edges: calls cross_one for each, which adds the
+ * crossing if there is one. The other edges are edge[k], with box k of *all; or
+ * if `all` is NULL, the sorted edges near e. `apart`: the boxes of e and c are
+ * known to be apart. HSR_E_NOMEM. */
 static inline enum hsr_status hsr_network_cross_edges(
     struct hsr_network *network, uint32_t e, struct hsr_near_boxes *all,
     const uint32_t *edge,
@@ -241,7 +258,7 @@ static inline enum hsr_status hsr_network_cross_edges(
   return HSR_OK;
 }
 
-/* What the edge intersection may find of an edge and a contour edge. */
+/* What the comparison of an edge with a contour edge finds. */
 enum hsr_crossing {
   HSR_BOXES_APART,
   HSR_SHARE_A_VERTEX,
@@ -252,7 +269,7 @@ enum hsr_crossing {
 #define HSR_CROSSING_OUTCOMES                                                  \
   "boxes apart|share a vertex|do not cross|farther|nearer"
 
-/* The face that has corner k of world->vertex[]. */
+/* The face whose corner is world->mesh.vertex[k]. */
 static inline uint32_t hsr_face_of_corner(const struct hsr_world *world,
                                           uint32_t k) {
   uint32_t f = 0, beyond = world->n_faces;
@@ -266,8 +283,8 @@ static inline uint32_t hsr_face_of_corner(const struct hsr_world *world,
   return f;
 }
 
-/* What is at an event along an edge, as a subject: an edge; a side of a face;
- * or only a face, as an edge without vertices. */
+/* What happens at an event along an edge, as the subject of a step: an edge; a
+ * side of a face; or a face alone, as an edge without vertices. */
 static inline struct hsr_subject
 hsr_event_subject(const struct hsr_network *network,
                   const struct hsr_sight_event *event) {
@@ -290,11 +307,12 @@ hsr_event_subject(const struct hsr_network *network,
   }
 }
 
-/* What these count. Where visibility is promoted as a number, `hiding` is the sum
- * of those numbers, and computed; where it is promoted as a set, it has the steps
- * that keep its members: a module uses one of the two parts. The groups of lines
- * stand before and after those that find an edge's crossings, which are at the
- * third level and raise HSR_INTERSECT. */
+/* The parts and their counters; edge_intersection.c has the meanings. A module
+ * uses hsr_network_part and one of the other two. If it promotes visibility as
+ * a number, the counter HSR_HIDING is the sum of these numbers, and computed;
+ * if as a set, it counts the steps that keep the set. Groups of lines of the
+ * outline: before and after the module's own lines, which find an edge's
+ * crossings, are indented by four blanks, and raise HSR_INTERSECT. */
 extern const struct hsr_part hsr_network_part, hsr_hiding_number_part,
     hsr_hiding_set_part;
 enum {

@@ -31,6 +31,7 @@
  *             saved, and that a set takes more to change than a number. Only
  *             the natures of vertices that wait are kept. */
 #include "algorithms/object_space/edges/edge_intersection.h"
+#include "common/answers/kinds/segments.h"
 
 #include <string.h>
 
@@ -57,7 +58,7 @@ struct state {
   uint32_t *touched, n_touched; /* faces whose member[] is not all zero */
   uint32_t n_hiding;            /* the size of the nature along the edge */
 
-  uint32_t *nature, n_nature; /* at hand */
+  uint32_t *nature, n_nature; /* where the edge has come to */
   struct hsr_growing natures; /* of uint32_t: those of the vertices that wait */
   size_t *from;               /* where that of network->waiting[k] begins */
 };
@@ -361,10 +362,11 @@ static const struct hsr_use uses[] = {
 static const struct hsr_counter counters[] = {
     [OF_CONTOUR] = {"contour pairs",
                     "pairs there would be with contour edges only", HSR_COMPARE,
-                    HSR_OF_EDGE, HSR_OF_EDGE, .computed = true},
+                    HSR_OF_EDGE, HSR_OF_EDGE, .computed = true,
+                    .key = "contour-pair"},
     [CHANGED] = {"nature changes", "events at which faces are entered and left",
                  HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING,
-                 "forwards|backwards"},
+                 "forwards|backwards", .key = "nature-change"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -398,7 +400,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .coherence = "edge: natures are promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
+    .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

@@ -25,6 +25,7 @@
  *             compares at most as many. The two differ in the order of their
  *             tests, not in what they find. */
 #include "algorithms/object_space/edges/edge_intersection.h"
+#include "common/answers/kinds/segments.h"
 
 enum { MINIMAX, PLANE, DEPTH };
 enum { BOXES }; /* option */
@@ -96,10 +97,11 @@ static const struct hsr_use uses[] = {{&hsr_network_part},
 
 static const struct hsr_counter counters[] = {
     [MINIMAX] = {"boxes overlap", "pairs that the minimax test leaves",
-                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE},
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap"},
     [PLANE] = {"plane intersections",
                "pairs whose images cross, put to the depth test", HSR_COMPARE,
-               HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer"},
+               HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer",
+               .key = "plane-intersection"},
     [DEPTH] = {"nearer boundary edges",
                "of those, where the boundary edge is nearer", HSR_ACTIVATE,
                HSR_OF_EDGE, HSR_OF_EDGE},
@@ -139,7 +141,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
+    .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

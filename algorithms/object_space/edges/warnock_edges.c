@@ -42,6 +42,7 @@
  *             C_t F_r, is then the one that grows fastest. */
 #include "algorithms/object_space/edges/active_edges.h"
 #include "algorithms/object_space/edges/edge_intersection.h"
+#include "common/answers/kinds/segments.h"
 
 enum {
   BUCKET_SORT,
@@ -461,7 +462,7 @@ static const struct hsr_counter counters[] = {
                      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
                      "in order|out of order"},
     [INTERCHANGES] = {"interchanges", "exchanges of neighbours in the list",
-                      HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE},
+                      HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE, .key = "interchange"},
     [UNCERTAIN] = {"uncertain order",
                    "pairs of edges that cover places in "
                    "common, of which neither is the left "
@@ -529,7 +530,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
                  "vertex, and the order in X is kept from Y to Y",
     .restrictions = HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
+    .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,

@@ -41,6 +41,7 @@
  *             of its n edges */
 #include "algorithms/engines/boxes/box_rows.h"
 #include "algorithms/engines/boxes/corner_boxes.h"
+#include "common/answers/kinds/segments.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
 
@@ -241,7 +242,7 @@ static bool add_volume(struct frame *frame, uint32_t v,
     return false;
   for (uint32_t i = volumes->plane_start[v]; i < volumes->plane_start[v + 1];
        i++) {
-    const struct hsr_half_space *plane = &volumes->plane[i];
+    const struct hsr_cut *plane = &volumes->plane[i];
     int eye = hsr_sight_eye_side(&frame->sight, plane->face);
     frame->outside[i] = eye == -plane->side;
     if (frame->outside[i] &&
@@ -793,7 +794,8 @@ static double predict_test(const struct hsr_table1 *t) {
 static const struct hsr_counter counters[] = {
     [BACK_CULL] = {"back-edge cull",
                    "sides of faces looked at for relevant edges", HSR_COMPARE,
-                   HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists"},
+                   HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists",
+                   .key = "back-edge-cull"},
     [CLIP_CULL] = {"clipping cull", "edges clipped to the picture", HSR_COMPARE,
                    HSR_OF_EDGE, HSR_OF_WINDOW, "outside|inside"},
     [MINIMAX] = {"minimax",
@@ -811,13 +813,14 @@ static const struct hsr_counter counters[] = {
              HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME},
     [TEST] = {"edge/volume test", "fragments put to a convex volume",
               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
-              "hidden whole|untouched|one piece left|two pieces left"},
+              "hidden whole|untouched|one piece left|two pieces left",
+              .key = "edge-volume"},
     [WHOLE] = {"hidden whole", "tests that left nothing", HSR_REJECT,
                HSR_OF_EDGE, HSR_OF_VOLUME},
     [UNTOUCHED] = {"untouched", "tests that left all", HSR_COMPARE, HSR_OF_EDGE,
                    HSR_OF_VOLUME},
     [ONE_LEFT] = {"one piece left", "tests that left one piece", HSR_SPLIT,
-                  HSR_OF_EDGE, HSR_OF_VOLUME},
+                  HSR_OF_EDGE, HSR_OF_VOLUME, .key = "one-left"},
     [TWO_LEFT] = {"two pieces left", "tests that left two pieces", HSR_SPLIT,
                   HSR_OF_EDGE, HSR_OF_VOLUME},
     [FRAGMENTS] = {"fragments", "edges and what was split off them",
@@ -832,7 +835,8 @@ static const struct hsr_counter counters[] = {
     [TAKEN_APART] = {"bodies apart", "bodies that are taken face by face",
                      HSR_SPLIT, HSR_OF_VOLUME, HSR_OF_NOTHING},
     [DRAWN] = {"intervals drawn", "intervals of edges added to the drawing",
-               HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING},
+               HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING,
+               .key = "interval-drawn"},
     [BOX_SORT] = {"box sort", "comparisons to sort boxes of volumes",
                   HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_VOLUME,
                   "not before|before"},
@@ -897,8 +901,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .coherence = "object: a volume leaves at most two pieces of an edge",
     .restrictions = HSR_CC | HSR_TP,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_SEGMENTS,
-    .flags = HSR_VISIBLE_ONLY,
+    .makes = {{HSR_SEGMENTS, .how = HSR_VISIBLE_ONLY}},
     .sorts = sorts,
     .counters = counters,
     .steps = steps,

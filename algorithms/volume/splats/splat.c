@@ -21,6 +21,7 @@
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 
 #include <string.h>
 
@@ -278,11 +279,10 @@ const struct hsr_algorithm HSR_ALGORITHM(splat) = {
               "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
               "thesis, Ohio State University, 1998",
     .sort_order = "Z(XY)",
-    .makes = 1 << HSR_OVER | 1 << HSR_UNDER,
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_OVER | 1 << HSR_UNDER}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .outline = outline,

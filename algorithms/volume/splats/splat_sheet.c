@@ -11,6 +11,7 @@
  *
  * Notation, invariant, ties, further departures are those of splats.h. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 
@@ -88,11 +89,10 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_sheet) = {
               "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
               "thesis, Ohio State University, 1998",
     .sort_order = "Z(XY)",
-    .makes = 1 << HSR_SHEET,
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_SHEET}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .outline = outline,

@@ -14,6 +14,7 @@
  *
  * Invariant, ties, further departures are those of splats.h. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 
@@ -228,11 +229,10 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
               "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
               "thesis, Ohio State University, 1998",
     .sort_order = "(XY)Z",
-    .makes = 1 << HSR_VOLUME,
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_VOLUME}},
     .flags = HSR_INSTANCED,
     .parts = uses,
     .outline = outline,

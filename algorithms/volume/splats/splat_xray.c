@@ -9,6 +9,7 @@
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/engines/splats/splats.h"
+#include "common/answers/kinds/composited.h"
 
 enum { MOST_SPLATS = 65536 };
 
@@ -116,12 +117,11 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_xray) = {
     .source = "Westover, Footprint Evaluation for Volume Rendering, SIGGRAPH "
               "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
               "thesis, Ohio State University, 1998",
-    .makes = 1 << HSR_XRAY,
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
-    .flags = HSR_INSTANCED | HSR_SUMS,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY, .how = HSR_SUMS}},
+    .flags = HSR_INSTANCED,
     .parts = uses,
     .outline = outline,
     .render = render};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layer of a grid, and the preimages of pixels on it. */
 #include "algorithms/volume/textures/textures.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 #include <string.h>

@@ -18,6 +18,7 @@
  *
  * Notation, invariant, ties and the rest are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 
@@ -38,7 +39,7 @@ struct model {
   double reach;   /* of the kernel, times width */
   double size[3]; /* of cells; of all, if is_even */
   bool is_even;
-  double ellipse[3]; /* of the pixel at hand: (J J^T + 1)^-1: pp, pq, qq */
+  double ellipse[3]; /* of the current pixel: (J J^T + 1)^-1: pp, pq, qq */
 };
 
 /* --- Footprints ----------------------------------------------------------- */
@@ -244,9 +245,8 @@ const struct hsr_algorithm HSR_ALGORITHM(texture_convolve) = {
     .options = options,
     .taxonomy = HSR_VOLUME_SPACE,
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY}},
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
-    .makes = 1 << HSR_XRAY,
     .prepare = hsr_textures_prepare,
     .release = hsr_textures_release,
     .parts = uses,

@@ -12,6 +12,7 @@
  *
  * Invariant, ties and the rest are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 
@@ -148,9 +149,8 @@ const struct hsr_algorithm HSR_ALGORITHM(texture_mipmap) = {
     .source = "Williams, Pyramidal Parametrics, SIGGRAPH 1983",
     .taxonomy = HSR_VOLUME_SPACE,
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY}},
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
-    .makes = 1 << HSR_XRAY,
     .prepare = hsr_textures_prepare,
     .release = hsr_textures_release,
     .parts = uses,

@@ -7,6 +7,7 @@
  *
  * Notation, invariant, ties, departures and cost are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
+#include "common/answers/kinds/composited.h"
 
 static void filter(struct hsr_texture *x, const struct hsr_preimage *pre,
                    double mean[HSR_TEXTURE_CHANNELS]) {
@@ -48,9 +49,8 @@ const struct hsr_algorithm HSR_ALGORITHM(texture_point) = {
               "Surfaces, PhD thesis, University of Utah, 1974",
     .taxonomy = HSR_VOLUME_SPACE,
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY}},
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
-    .makes = 1 << HSR_XRAY,
     .prepare = hsr_textures_prepare,
     .release = hsr_textures_release,
     .parts = uses,

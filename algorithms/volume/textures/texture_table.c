@@ -15,6 +15,7 @@
  *
  * Invariant, ties, departures and the rest are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
+#include "common/answers/kinds/composited.h"
 
 #include <math.h>
 #include <string.h>
@@ -119,9 +120,8 @@ const struct hsr_algorithm HSR_ALGORITHM(texture_table) = {
     .source = "Crow, Summed-Area Tables for Texture Mapping, SIGGRAPH 1984",
     .taxonomy = HSR_VOLUME_SPACE,
     .subjects = 1 << HSR_GRID,
-    .kind = HSR_COMPOSITED,
+    .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY}},
     .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
-    .makes = 1 << HSR_XRAY,
     .prepare = hsr_textures_prepare,
     .release = hsr_textures_release,
     .parts = uses,

@@ -7,7 +7,7 @@
  * Wrong       A pixel is wrongly visible if no visible part of its face's edges
  *             is near: not within LINE_PIXELS_NEAR of its middle. It counts for
  *             the nearest edge of the face.
- *             Every visible part is walked along in steps of a pixel, but for
+ *             Every visible part is gone through in steps of a pixel, but for
  *             LINE_PIXELS_NEAR at its ends. A step is wrongly hidden if neither
  *             the pixel there nor one of the eight around it shows any line. */
 #ifndef HSR_BENCH_PEERS_LINES_LINE_PIXELS_H

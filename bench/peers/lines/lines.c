@@ -3,6 +3,7 @@
 #include "bench/modules/modules.h"
 
 #include "algorithms/setup.h"
+#include "common/answers/kinds/segments.h"
 
 #include <math.h>
 #include <stdlib.h>

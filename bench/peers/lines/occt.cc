@@ -20,6 +20,7 @@
 #include "bench/peers/lines/clipped.h"
 #include "bench/peers/lines/lines.h"
 #include "bench/peers/shared/peers.h"
+#include "common/answers/kinds/segments.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
@@ -381,7 +382,7 @@ struct hsr_algorithm flat_faces() {
   struct hsr_algorithm demands = {};
   demands.name = "flat-faces";
   demands.subjects = 1 << HSR_FACES;
-  demands.kind = HSR_SEGMENTS;
+  demands.makes[0].kind = HSR_SEGMENTS;
   demands.restrictions = HSR_PF;
   return demands;
 }

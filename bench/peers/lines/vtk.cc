@@ -13,6 +13,7 @@
 #include "bench/peers/shared/peers.h"
 #include "bench/peers/shared/vtk.h"
 #include "bench/peers/shared/vtk_window.h"
+#include "common/answers/kinds/segments.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -152,7 +153,7 @@ struct hsr_algorithm any_faces() {
   struct hsr_algorithm demands = {};
   demands.name = "faces";
   demands.subjects = 1 << HSR_FACES;
-  demands.kind = HSR_SEGMENTS;
+  demands.makes[0].kind = HSR_SEGMENTS;
   return demands;
 }
 const struct hsr_algorithm takes_faces = any_faces();

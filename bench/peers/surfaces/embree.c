@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Embree: one ray for each sample, alone or in coherent packets of sixteen.
  *
- * Packets     4 x 4 samples. On the meshes at hand these take the least time of
+ * Packets     4 x 4 samples. On our meshes these take the least time of
  *             all shapes tried; 16 x 1 takes a third more. A build of high
  *             quality changes nothing.
  * Robust      RTC_SCENE_FLAG_ROBUST: tests of boxes and triangles that are meant

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The yardsticks, which need no other library: zbuffer without its exact
+/* The yardsticks, which need no other library: zbuffer-fast without its exact
  * decisions, and memset. */
 #include "config.h"
 
@@ -13,7 +13,7 @@ static void own_version(char *text) {
   strcpy(text, PACKAGE_VERSION);
 }
 
-/* --- zbuffer, inexact ----------------------------------------------------- */
+/* --- zbuffer-fast, inexact ------------------------------------------------ */
 
 struct inexact {
   const struct hsr_setup *setup;
@@ -107,7 +107,7 @@ static void fill_release(void *state) {
 
 static const struct hsr_algorithm takes_all = {.name = "any",
                                                .subjects = 1 << HSR_FACES,
-                                               .kind = HSR_IDS,
+                                               .makes = {{HSR_IDS}},
                                                .flags = HSR_INSTANCED};
 
 const struct peer peer_memset = {

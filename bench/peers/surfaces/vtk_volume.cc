@@ -172,7 +172,7 @@ struct hsr_algorithm grids_alone() {
   struct hsr_algorithm demands = {};
   demands.name = "grids";
   demands.subjects = 1 << HSR_GRID;
-  demands.kind = HSR_IDS;
+  demands.makes[0].kind = HSR_IDS;
   demands.flags = HSR_INSTANCED; /* no faces are needed */
   return demands;
 }

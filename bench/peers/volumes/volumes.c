@@ -10,6 +10,7 @@
 #include "bench/run/crew.h"
 #include "bench/run/stage.h"
 #include "bench/run/terminate.h"
+#include "common/answers/kinds/composited.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
 #include "common/files/json/json.h"

@@ -25,9 +25,11 @@ bool hsr_cells_keep_data(const char *path) {
 enum hsr_status hsr_cells_write(const struct hsr_cells *cells, const char *path,
                                 struct hsr_error *err) {
 #if HSR_HAVE_VTK
-  const struct hsr_cells_library *library =
-      hsr_library_table("hsr-cells.so", "hsr_cells", err);
-  return library ? library->write(cells, path, err) : HSR_E_INPUT;
+  const void *table;
+  enum hsr_status status =
+      hsr_library_table("hsr-cells.so", "hsr_cells", &table, err);
+  const struct hsr_cells_library *library = table;
+  return status ? status : library->write(cells, path, err);
 #else
   (void)cells;
   return hsr_fail(err, HSR_E_INPUT,

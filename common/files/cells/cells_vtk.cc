@@ -149,7 +149,8 @@ bool is_all_there(vtkSTLWriter *, vtkPolyData *, const std::string &) {
   return true;
 }
 
-/* VTK writes these by a file's name only: that of the part of the whole file. */
+/* VTK writes these by a file's name only: that of the part of the whole
+ * file. */
 template <class Writer>
 enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
                               struct hsr_error *err) {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What other programs open.
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/cells.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/cells.c \
   %D%/cells_library.h \
   %D%/glb.c \
@@ -16,8 +16,8 @@ hsr_cells_so_SOURCES = \
   common/base/status.c \
   common/files/whole_file.c
 hsr_cells_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-hsr_cells_so_CFLAGS = $(AM_CFLAGS) -fPIC
-hsr_cells_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_cells_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
+hsr_cells_so_CXXFLAGS = $(AM_CXXFLAGS) -fvisibility=default
 hsr_cells_so_LDFLAGS = -shared
 hsr_cells_so_LDADD = $(VTK_CELLS_LIBS)
 endif

@@ -9,9 +9,10 @@
 extern "C" {
 #endif
 
-/* Appends a value and takes over the caller's reference to it. If that fails,
- * or the value is NULL, *array is freed and becomes NULL. So a failure shows in
- * the value that is printed in the end. */
+/* Appends a value to *array and takes over the caller's reference to it. If the
+ * value is NULL or memory runs out, *array is released and becomes NULL. If it
+ * is NULL already, the value is released. So a caller can append many values
+ * and check *array once, at the end. */
 void hsr_json_append(json_t **array, json_t *value);
 
 #ifdef __cplusplus

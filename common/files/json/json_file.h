@@ -9,21 +9,25 @@
 
 #include <stddef.h>
 
-/* Reads a regular file of *length bytes. The caller frees *text, also after a
- * failure; it is NULL before. HSR_E_INPUT if the file cannot be read, is no
- * regular file, or holds a NUL, which would end it for the parser, or be
- * overlooked; HSR_E_NOMEM. */
+/* Reads a regular file. *text must be NULL before the call. It becomes a
+ * malloc'ed array with the *length bytes of the file, without a NUL at the end.
+ * The caller frees it, also after a failure. HSR_E_INPUT if the file cannot be
+ * read, is not a regular file, or has a NUL byte, which the parser might take
+ * for its end; HSR_E_NOMEM. */
 enum hsr_status hsr_json_load(const char *path, char **text, size_t *length,
                               struct hsr_error *err);
 
-/* HSR_E_INPUT, "PATH: WHAT: why", by errno; HSR_E_NOMEM if that is why. */
+/* Fills *err with "PATH: WHAT: " and the reason in errno, and returns
+ * HSR_E_INPUT. If the reason is lack of memory, it is hsr_fail_nomem
+ * instead. */
 enum hsr_status hsr_json_fail_errno(const char *path, const char *what,
                                     struct hsr_error *err);
 
-/* The last part of a path that is too long to leave room for a message. */
+/* Returns the path as messages show it: all of it, or its last 180 bytes if it
+ * is longer. The result is a part of `path`. */
 const char *hsr_json_shown(const char *path);
 
-/* "an object", "a number", ... */
+/* Returns the kind of a value, for messages: "an object", "a number", ... */
 const char *hsr_json_kind(const json_t *value);
 
 #endif

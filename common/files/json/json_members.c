@@ -145,19 +145,6 @@ enum hsr_status hsr_json_whole(const struct hsr_json_node *at, int least,
 
 /* ---- Members and elements ---- */
 
-/* ": did you mean ...?", or "". */
-static void hint_at(const struct hsr_json_rule *rules, const char *word,
-                    char *hint, size_t size) {
-  struct hsr_names list = {0};
-  bool whole = true; /* there is no hint without memory */
-  for (; rules->key && whole; rules++)
-    whole = !hsr_names_add(&list, rules->key, strlen(rules->key));
-  *hint = '\0';
-  if (whole)
-    hsr_names_like(&list, word, hint, size);
-  hsr_names_free(&list);
-}
-
 static enum hsr_status check_keys(const struct hsr_json_node *at,
                                   const struct hsr_json_rule *rules) {
   const char *key;
@@ -168,8 +155,8 @@ static enum hsr_status check_keys(const struct hsr_json_node *at,
       rule++;
     if (rule->key)
       continue;
-    char hint[100];
-    hint_at(rules, key, hint, sizeof hint);
+    char hint[100] = "";
+    hsr_names_like_of(rules, sizeof *rules, key, hint, sizeof hint);
     struct hsr_json_node unknown = hsr_json_member(at, key);
     return hsr_json_refuse(&unknown, "unknown key%s", hint);
   }

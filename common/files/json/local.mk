@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/palette_json.h \
   %D%/scene_json.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/json.c \
   %D%/json.h \
   %D%/json_file.c \

@@ -211,19 +211,6 @@ enum hsr_status hsr_palette_json_read(const char *path,
   return status;
 }
 
-/* ": did you mean ...?", or "": of the palettes that are built in. */
-static void hint_at(const char *word, char *hint, size_t size) {
-  struct hsr_names list = {0};
-  bool whole = true; /* there is no hint without memory */
-  for (int k = 0; hsr_palette_names[k].name && whole; k++)
-    whole = !hsr_names_add(&list, hsr_palette_names[k].name,
-                           strlen(hsr_palette_names[k].name));
-  *hint = '\0';
-  if (whole)
-    hsr_names_like(&list, word, hint, size);
-  hsr_names_free(&list);
-}
-
 enum hsr_status hsr_palette_open(const char *name, struct hsr_palette *palette,
                                  struct hsr_error *err) {
   static const char suffix[] = ".json";
@@ -232,8 +219,9 @@ enum hsr_status hsr_palette_open(const char *name, struct hsr_palette *palette,
     return hsr_palette_json_read(name, palette, err);
   if (hsr_palette_find(name, palette))
     return HSR_OK;
-  char hint[200];
-  hint_at(name, hint, sizeof hint);
+  char hint[200] = "";
+  hsr_names_like_of(hsr_palette_names, sizeof *hsr_palette_names, name, hint,
+                    sizeof hint);
   return hsr_fail(err, HSR_E_USAGE, "there is no palette '%.100s'%s", name,
                   *hint ? hint
                         : " (see hsr list; the name of a file ends in .json)");

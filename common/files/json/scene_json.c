@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scene files. docs/scene.schema.json says what they hold; beyond it:
+/* Scene files. docs/schemas/scene.schema.json says what they hold; beyond it:
  *
  * Numbers     are doubles, rounded to nearest, however they are written: 1, 1.0
  *             and 1e0 are the same, -0 has its sign, an integer above 2^53 is
@@ -37,8 +37,8 @@ struct reader {
   struct hsr_json_input input;
   struct hsr_import import; /* n_dropped: so far */
   struct hsr_json_part lists[SCENE_LISTS];
-  struct hsr_json_part of_object[OBJECT_LISTS]; /* of the one at hand */
-  json_t *colour;                               /* of the face at hand */
+  struct hsr_json_part of_object[OBJECT_LISTS]; /* of the current one */
+  json_t *colour;                               /* of the current face */
   uint32_t *corners;                            /* of the same */
   size_t cap_corners;
   struct mesh *mesh; /* the latest that was read */
@@ -62,7 +62,7 @@ static struct reader *reader_of(const struct hsr_json_node *at) {
   return at->input->reader;
 }
 
-/* The object at hand. */
+/* The current object. */
 static struct hsr_object *latest(const struct hsr_json_node *at) {
   struct hsr_scene *scene = reader_of(at)->scene;
   return &scene->objects[scene->n_objects - 1];

@@ -1,72 +1,76 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mesh files: .off .obj .ply .stl .vtp, each with one reader. Line drawings and
- * polygons (.vtp) and voxels (.vti), written through VTK.
+/* Reading mesh files: .off .obj .ply .stl .vtp. Writing line drawings and
+ * polygons (.vtp) and voxels (.vti), through VTK.
  *
- * Polygons are kept as polygons. A mesh that is closed and consistently
- * oriented outward becomes a one-sided object, any other a two-sided one;
- * with hsr_import.two_sided, all become two-sided ones.
- *
- * A face has its own colour (.off .ply, and .vtp of hsr export), or that of its
- * material (.obj with its .mtl), or the mean of its vertices' (.ply .obj), or
- * else the object's. */
+ * Faces       polygons are kept as polygons.
+ * Sides       a mesh that is closed and consistently oriented outward becomes a
+ *             one-sided object. Any other becomes two-sided. With
+ *             hsr_import.two_sided, all become two-sided.
+ * Colours     the colour of a face is the first of these that the file has: its
+ *             own (.off .ply, and .vtp of hsr export); that of its material
+ *             (.obj with its .mtl); the mean of its vertices' colours (.ply
+ *             .obj); the object's. */
 #ifndef HSR_COMMON_EXCHANGE_H
 #define HSR_COMMON_EXCHANGE_H
 
 #include "common/lines/drawing.h"
 #include "common/lines/polygons.h"
 #include "common/scene/scene.h"
+#include "common/voxels/voxels.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* How meshes are imported, and what was left out. */
 struct hsr_import {
-  bool drop_degenerate; /* leave out, and count, faces that cannot be used,
-                           rather than refuse the file */
-  bool two_sided;       /* a mesh has the faces that turn their backs to the eye
-                           even if it is closed */
-  int threads;          /* by so many, which the scene gets, too; 0 as 1 */
-  uint64_t n_dropped;   /* out: how many were left out */
-  char notes[1000];     /* out: what else was passed over, a line for each sort;
-                           what has no room is left out */
+  bool drop_degenerate; /* faces that cannot be used are left out and counted;
+                           else the file is refused */
+  bool two_sided;       /* all objects are two-sided, even closed ones */
+  int threads;          /* how many threads import a file; 0 means 1. A scene
+                           that is opened with this gets the same number */
+  uint64_t n_dropped;   /* out: how many faces were left out */
+  char notes[1000];     /* out: what else was ignored. Lines are appended; one
+                           that does not fit is left out. "" before the first
+                           call */
 };
 
-/* Appends the mesh in `path` to the scene as one object named after the file,
+/* Appends the mesh in `path` to the scene, as one object named after the file,
  * without an instance. The format is that of the suffix, in upper or lower
- * case. Never takes more memory than a small multiple of the file's size,
- * whatever counts the file claims (for a compressed .vtp file: of the size of
- * its inflated data). `import` may be NULL: nothing is dropped. On failure the
- * scene has no new object, and *err says file, line or element, and what is
- * wrong.
- * HSR_E_INPUT: unreadable, wrong suffix, malformed, truncated, a coordinate
- * not finite, an index out of range, a face with fewer than 3 vertices, a
- * repeated one, or of no area; no face at all. HSR_E_NOMEM. */
+ * case. Memory is at most a small multiple of the file's size, whatever counts
+ * the file claims; for a compressed .vtp file, of the size of its inflated
+ * data. `import` may be NULL: no face is dropped. After a failure the scene has
+ * no new object, and *err names the file, the line or element, and the fault.
+ * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an
+ * unknown suffix; a coordinate is not finite; an index is out of range; a face
+ * has fewer than 3 vertices, a repeated vertex or no area; there is no face at
+ * all. HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import, struct hsr_error *err);
 
-/* Whether an object is closed (every edge has exactly two faces), consistently
- * oriented (they run along it in opposite directions) and outward (its signed
- * volume is positive), as so many threads find. *answer is written on HSR_OK
- * only. HSR_E_NOMEM. */
+/* Finds whether an object is closed, consistently oriented and outward. That
+ * is: every edge has exactly two faces, they run along it in opposite
+ * directions, and the signed volume is positive. `threads` threads find it.
+ * *answer is written on HSR_OK only. HSR_E_NOMEM. */
 enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
                                     int threads, bool *answer);
 
-/* Writes a drawing in world space as lines, one for each interval, in the
+/* Writes a drawing as lines in world units, one for each interval, in the
  * drawing's order. The cell data are invisibility, edge_a, edge_b, edge_part
- * and implied, as in hsr_segment. HSR_E_INPUT: it cannot be written, or this
- * build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL: VTK failed. */
+ * and implied, as in hsr_segment. HSR_E_INPUT if the file cannot be written or
+ * this build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL if VTK fails. */
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err);
 
-/* Writes visible polygons in world space, where they lie on the planes of their
- * faces: each cycle is a closed line. The cell data are face, region (its
- * number) and hole (0 or 1). Points are rounded. Fails as above. */
+/* Writes visible polygons in world units, on the planes of their faces. Each
+ * cycle is a closed line. The cell data are face, region (its number) and hole
+ * (0 or 1). Points are rounded. Errors as above. */
 enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *polygons,
                                        const struct hsr_view *view,
                                        const char *path, struct hsr_error *err);
 
-/* Writes voxels as an image, one cell for each, with the solid's number as cell
- * data "solid". Fails as above. */
+/* Writes voxels as an image with one cell for each voxel. The cell data "solid"
+ * are the numbers of their solids. Errors as above. */
 struct hsr_solid_voxels;
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
                                      const char *path, struct hsr_error *err);

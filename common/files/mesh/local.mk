@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/exchange.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/exchange.cc \
   %D%/mesh_blocks.h \
   %D%/mesh_corners.cc \

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts that threads read together: cut into blocks at starts of lines.
+// Texts that several threads read: they are cut into blocks at starts of lines.
 //
-// A reader of blocks throws Refused at the first thing that is wrong in one.
-// Then the text is read again as one block: what is said is what is first in
-// the file, and the numbers of elements in it are right.
+// A reader of blocks throws Refused at the first fault in a block. Then the
+// text is read again as one block, so that the message is about the first fault
+// in the file, with the right numbers of elements.
 #ifndef HSR_COMMON_MESH_BLOCKS_H
 #define HSR_COMMON_MESH_BLOCKS_H
 
@@ -20,9 +20,9 @@ namespace hsr {
 
 constexpr size_t TEXT_BLOCK = size_t{1} << 16; /* bytes, about */
 
-/* Cuts the text from `begin` to `end` into blocks, a type that has `begin` and
- * `end`, too. Each but the first begins with a line for which may_start(line,
- * end) is true. */
+/* Cuts the text [begin, end) into blocks of about TEXT_BLOCK bytes. Block is a
+ * type with members `begin` and `end`. Each block but the first begins with a
+ * line for which may_start(line, end) is true. */
 template <class Block, class May_start>
 std::vector<Block> cut_text(const char *begin, const char *end,
                             const May_start &may_start) {
@@ -45,9 +45,9 @@ std::vector<Block> cut_text(const char *begin, const char *end,
   return blocks;
 }
 
-/* Calls work(block) for all blocks, on so many threads. If it throws Refused
- * for one, blocks that are not begun are left out, and false is returned.
- * std::bad_alloc. */
+/* Calls work(block) for all blocks, on at most `threads` threads. If a call
+ * throws Refused, blocks that are not begun are left out, and the result is
+ * false. Throws std::bad_alloc. */
 template <class Block, class Work>
 bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
   struct Shared {
@@ -72,10 +72,10 @@ bool share_blocks(int threads, std::vector<Block> &blocks, const Work &work) {
   return shared.good;
 }
 
-/* Reads a text by so many threads: `prepare(blocks)` looks at the blocks, which
- * are to be read by work(block). If it returns false, or a block is refused,
- * the text is one block. Returns the blocks that were read. Throws Refused;
- * std::bad_alloc. */
+/* Reads a text on at most `threads` threads: cuts it into blocks, calls
+ * prepare(blocks), and then work(block) for each. If prepare returns false or a
+ * block is refused, it is done again with the text as one block. Returns the
+ * blocks that were read. Throws Refused, std::bad_alloc. */
 template <class Block, class May_start, class Prepare, class Work>
 std::vector<Block> read_blocks(int threads, const char *begin, const char *end,
                                const May_start &may_start,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers the corners of loose triangles.
 //
-// Method      corners are named by their places in the file, from 0. First, each
-//             corner looks for an equal one among those just before it. Those
-//             that find none are sorted into parts by their hash. A part's table
-//             is small enough for the cache; it tells the first of equal corners.
-//             At last, first corners are numbered in order, and the others take
-//             the number of theirs.
-// Threads     share ranges of triangles, and parts. What comes out depends on the
-//             corners alone: a vertex's number is how many first corners are before
-//             it.
+// Method      corners are named by their places in the file, from 0. First,
+//             each corner looks for an equal one among those just before it.
+//             Those that find none are sorted into parts by their hash. A
+//             part's table is small enough for the cache; it tells the first of
+//             equal corners. At last, first corners are numbered in order, and
+//             the others take the number of theirs.
+// Threads     share ranges of triangles, and parts. The result depends on the
+//             corners alone: a vertex's number is the number of first corners
+//             before it.
 // Memory      8 bytes a corner that finds none before it, beside the object
 #include "common/files/mesh/mesh_corners.h"
 #include "common/base/arena.h"
@@ -48,7 +48,8 @@ template <> float real_at<float>(const char *bytes) {
 }
 #endif
 
-/* The bits of a number, those of 0 for -0; mixed so that the low ones differ. */
+/* A hash of a number: its bits, mixed so that the low ones differ. -0 has the
+ * hash of 0. */
 uint64_t mixed_bits(float x) {
   const float no_sign_of_zero = x + 0.0f;
   uint32_t bits;
@@ -169,8 +170,9 @@ void Numbering<Real>::for_corners(uint32_t k, const Work &work) {
     work(c);
 }
 
-/* Finds most of the equal corners, since triangles that meet are near one another
- * in most files. Counts the others. */
+/* Finds equal corners that are near one another in the file. In most files
+ * these are most of them, since triangles that meet are close together. Counts
+ * the other corners. */
 template <class Real>
 void Numbering<Real>::look_back(uint32_t range, int thread) {
   Entry *recent = table_ + table_size_ * size_t(thread);
@@ -193,8 +195,8 @@ void Numbering<Real>::look_back(uint32_t range, int thread) {
   });
 }
 
-/* Room for the corners of each part, those of one range behind those of another;
- * and for tables, at most half full. */
+/* Allocates room for the corners of each part, in the order of their ranges;
+ * and for tables, which are at most half full. */
 template <class Real> void Numbering<Real>::make_parts() {
   const size_t n_parts = size_t{1} << bits_;
   size_t sum = 0, most = 0;

@@ -7,18 +7,19 @@
 
 namespace hsr {
 
-/* n triangles. Nine finite numbers of each, corner by corner, begin at first,
- * first + stride, ... Floats begin with the lowest byte, as in files; doubles are
- * the machine's. */
+/* n triangles in memory. Triangle k has nine finite numbers from first + k
+ * stride on, corner by corner. Floats have the lowest byte first, as in files.
+ * Doubles are the machine's. */
 struct Loose_triangles {
   const char *first;
   size_t stride, n;
 };
 
-/* Gives the builder all vertices and triangles. Corners with the same coordinates
- * are one vertex, which gets its number where it is met first. 0 and -0 are the
- * same. Real is float or double, as the numbers are. Throws Refused for the first
- * triangle that has a corner twice, unless such are dropped; std::bad_alloc. */
+/* Gives the builder all vertices and triangles. Corners with equal coordinates
+ * are one vertex. Vertices are numbered in the order in which they first occur.
+ * 0 and -0 are equal. Real, float or double, is the type of the numbers. Throws
+ * Refused for the first triangle with two equal corners, unless the builder
+ * drops such triangles; std::bad_alloc. */
 template <class Real>
 void give_loose_triangles(const Loose_triangles &triangles,
                           Mesh_builder &builder);

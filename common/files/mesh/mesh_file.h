@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the importers of mesh files share; only for common/files/mesh and
+// Code that the importers of mesh files share; only for common/files/mesh and
 // common/files/vtk.
 //
-// A file is read into memory once, by one reader for each format, which
-// believes nothing: it checks all that it reads, from the first to the last
-// byte. A failure is thrown as hsr::Refused and caught in hsr_mesh_read.
+// A file is read into memory once. Each format has one reader, which checks
+// every byte that it reads. A failure is thrown as hsr::Refused and caught in
+// hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
@@ -19,69 +19,79 @@
 
 namespace hsr {
 
+/* Thrown for a file that cannot be used. */
 struct Refused {
   struct hsr_error error;
 };
 
-/* A file's bytes, which may be overwritten. `path` is borrowed. */
+/* The bytes of a file, which may be overwritten. `path` is borrowed. */
 struct Mesh_file {
   const char *path;
   std::unique_ptr<char[]> memory;
-  char *begin, *end;
+  char *begin, *end; /* the bytes, in `memory` */
 
   size_t size() const { return static_cast<size_t>(end - begin); }
-  /* Throws Refused: "path:line: ...", or "path: ..." if line is 0. */
+  /* Throws Refused with HSR_E_INPUT: "path:line: ...", or "path: ..." if line
+   * is 0. */
   [[noreturn]] void refuse(size_t line, const char *format, ...) const
       __attribute__((format(printf, 3, 4)));
 };
 
-/* Throws Refused if the file cannot be read, is no regular file, or is empty;
- * std::bad_alloc. */
+/* Reads a file. Throws Refused if it cannot be read, is not a regular file, or
+ * is empty; std::bad_alloc. */
 Mesh_file load_mesh_file(const char *path);
 
-/* The last part of a path that is too long to leave room for a message. */
+/* Returns the path as messages show it: all of it, or its last part if it is
+ * too long. The result is a part of `path`. */
 const char *shown_path(const char *path);
 
-/* At most 24 printable characters of a word, for a message. */
+/* Returns at most 24 printable characters of a word, for a message. */
 std::string shown_word(std::string_view word);
 
-/* What is wrong with the vertex numbers of a face; NULL: nothing. */
+/* Returns what is wrong with the n vertex numbers of a face; NULL: nothing. */
 const char *face_fault(const uint32_t *vertices, size_t n);
 
-/* The mean of the colours of n corners, in rgb; NULL if vertices have none. */
+/* Sets rgb to the mean colour of n corners and returns it. vertex_rgb has three
+ * numbers a vertex. NULL if it is empty. */
 const float *mean_colour(const std::vector<float> &vertex_rgb,
                          const uint32_t *corners, size_t n, float rgb[3]);
 
-/* Builds one object and checks what it is given. The vertices of a face come
- * before it. */
+/* Builds one object and checks what it is given. The vertices of a face must be
+ * given before the face. Functions throw Refused and std::bad_alloc. */
 class Mesh_builder {
 public:
+  /* `object`, which is empty, and `path` are borrowed. `drop`: faces that
+   * cannot be used are dropped, not refused. */
   Mesh_builder(struct hsr_object *object, const char *path, bool drop,
                int threads)
       : object_(object), path_(path), drop_(drop), threads_(threads) {}
-  /* By so many a file may be read (common/base/share.h). */
+  /* How many threads may read the file (common/base/share.h). */
   int threads() const { return threads_; }
-  /* Room for so many; the numbers are checked by the caller. */
+  /* Makes room. The caller has checked that the file can hold so many. */
   void reserve(size_t n_vertices, size_t n_faces);
+  /* Appends a vertex. */
   void vertex(double x, double y, double z);
-  /* Room for n vertices, which are the first; and so many of them are there. */
+  /* Returns room for the first n vertices, three numbers each, for the caller
+   * to fill. Then took_vertices() says how many of them there are. */
   double *vertices(size_t n);
   void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
+  /* Appends a face of n vertices. rgb is its colour, or NULL. */
   void face(const uint32_t *vertices, size_t n, const float *rgb);
-  /* The 3 n corners of n triangles, which are the next faces, without colours.
-   * The caller writes them: vertices that are there, three different ones each;
-   * else it calls give_faces_again(), as it does if the builder drops()
-   * some. */
+  /* Appends n triangles without colours, and returns the room for their 3 n
+   * corners. The caller fills it with numbers of vertices. If a triangle does
+   * not have three different vertices that are there, or if drops() is true, it
+   * then calls give_faces_again(). */
   uint32_t *triangles(size_t n);
-  /* Takes all faces away, and looks at each as if it were given by face(). None
-   * has a colour. */
+  /* Removes all faces, which have no colours, and gives each of them to
+   * face(). */
   void give_faces_again();
   bool drops() const { return drop_; }
-  /* Takes away all that was given. */
+  /* Removes everything that was given. */
   void forget();
-  /* Keeps a line about what was passed over in the file. */
+  /* Adds a line about something in the file that was ignored. */
   void note(const std::string &text) { notes_.push_back(text); }
   const std::vector<std::string> &notes() const { return notes_; }
+  /* The numbers of faces that were dropped, and that were given in all. */
   uint64_t n_dropped() const { return n_dropped_; }
   uint64_t n_given() const { return n_given_; }
 
@@ -96,8 +106,8 @@ private:
   std::vector<std::string> notes_;
 };
 
-/* Each reads a file of its kind, and throws Refused; std::bad_alloc. In a build
- * without VTK, vtp_read refuses all (no_vtk.cc). */
+/* The readers, one for each format. They throw Refused and std::bad_alloc. In a
+ * build without VTK, vtp_read refuses every file (no_vtk.cc). */
 void obj_read(Mesh_file &file, Mesh_builder &builder);
 void off_read(Mesh_file &file, Mesh_builder &builder);
 void ply_read(Mesh_file &file, Mesh_builder &builder);

@@ -14,26 +14,29 @@ namespace hsr {
 
 using Rgb = std::array<float, 3>; /* linear, 0..1 */
 
-/* A colour of a file. Files hold sRGB, 0..1; what is beyond is clamped. */
+/* Decodes a colour of a file, which is sRGB-encoded. Values outside of 0..1 are
+ * clamped. */
 Rgb rgb_of_file(const double encoded[3]);
 
 /* The diffuse colours (Kd) of materials, by name.
  *
  * Source      Wavefront Advanced Visualizer manual, appendix B1 and "Material
  *             library file"
- * Departures  Kd is taken for sRGB, as it is written by most programs. Spectral
- *             and CIE XYZ colours, and all else, are passed over. */
+ * Departures  Kd is taken as sRGB, since most programs write it so. Spectral
+ *             and CIE XYZ colours, and all other statements, are ignored. */
 class Materials {
 public:
-  /* Reads the files that a mtllib statement names; their paths are relative to
-   * that of the .obj file. A file that is not there is passed over: meshes are
-   * often handed on without. Throws Refused for one that is malformed. */
+  /* Reads the files that a mtllib statement names. Their paths are relative to
+   * that of the .obj file. A file that does not exist is only noted, since
+   * meshes are often passed on without it. Throws Refused for a malformed
+   * file. */
   void read(const char *obj_path, const std::string &names);
 
-  /* NULL: there is no such material, or it has no colour. */
+  /* Returns the colour of a material. NULL: there is no such material, which is
+   * noted, or it has no colour. */
   const Rgb *find(const std::string &name);
 
-  /* What is missing, a line for each sort. */
+  /* Lines about missing files and about missing materials. */
   std::vector<std::string> notes() const;
 
 private:

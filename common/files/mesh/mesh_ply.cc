@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads .ply files, text and binary: those that mesh_ply_plain.cc does not read.
+// Reads the .ply files, text and binary, that mesh_ply_plain.cc does not read.
 //
 // Source      see mesh_ply_header.h
 // Departures  a text has one element a line. Colours are bytes, red, green and
@@ -177,7 +177,7 @@ private:
   const ply::Header &header_;
   Source source_;
   Mesh_builder &builder_;
-  std::vector<double> value_;     /* of the element at hand, by property */
+  std::vector<double> value_;     /* of the current element, by property */
   std::vector<uint32_t> corners_; /* of faces that are not given yet */
   std::vector<size_t> ends_;      /* where each of these ends in corners_ */
   std::vector<float> face_rgb_;   /* of each of these; or empty */

@@ -28,12 +28,12 @@ struct Element {
 
 enum class Format { text, little_endian, big_endian };
 
-/* NULL: there is none. */
+/* Returns the property of an element with this name; NULL: there is none. */
 const Property *find_property(const Element &element, Word name);
 
-/* Reads the header of a file and checks it; throws Refused. A header claims no
- * more than the file can hold, and has vertices with coordinates, and faces with
- * one list of vertex numbers. */
+/* Reads and checks the header of a file. A good header claims no more than the
+ * file can hold, has vertices with coordinates, and has faces with one list of
+ * vertex numbers. Any other is refused: read() throws Refused. */
 class Header {
 public:
   explicit Header(const Mesh_file &file)
@@ -42,9 +42,9 @@ public:
 
   Format format = Format::text;
   std::vector<Element> elements;
-  size_t vertices = NONE, faces = NONE; /* which of elements[] */
-  Word index_list;                      /* the property of a face */
-  /* At what follows the header. */
+  size_t vertices = NONE, faces = NONE; /* their indices in elements[] */
+  Word index_list; /* the name of a face's list of vertex numbers */
+  /* The text, which is behind the header once that is read. */
   Text &text() { return text_; }
 
 private:
@@ -65,9 +65,9 @@ private:
   Text text_;
 };
 
-/* Reads what follows the header of a binary file, if it is plain
- * (mesh_ply_plain.cc) and nothing in it is to be refused or dropped. If not,
- * returns false, and nothing is given. std::bad_alloc. */
+/* Reads the bytes [begin, end) behind the header of a binary file, if they are
+ * plain (mesh_ply_plain.cc) and no face has to be refused or dropped. Otherwise
+ * returns false, and the builder is given nothing. Throws std::bad_alloc. */
 bool read_plain(const Header &header, const char *begin, const char *end,
                 Mesh_builder &builder);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the .ply files that most programs write for large meshes: binary, of two
-// elements, vertices whose properties are all real numbers, and triangles with
-// nothing but their vertex numbers. All records of an element have one size, so
-// threads share them.
+// Reads the .ply files that most programs write for large meshes: binary, of
+// two elements, vertices whose properties are all real numbers, and triangles
+// with nothing but their vertex numbers. All records of an element have one
+// size, so threads share them.
 #include "common/base/share.h"
 #include "common/files/mesh/mesh_ply_header.h"
 

@@ -16,8 +16,8 @@ namespace {
 constexpr uint32_t RANGE = 4096; /* faces or vertices for a thread at a time */
 
 /* Whether a vertex has one corner. Then no face leads back along the edge that
- * leaves it: the object is open. Of loose triangles all are so, and much need not
- * be asked. */
+ * leaves it: the object is open. Of loose triangles all are so, and much need
+ * not be asked. */
 bool has_lone_corner(const struct hsr_object &object) {
   std::vector<unsigned char> corners(object.n_vertices);
   for (uint32_t c = 0; c < object.start[object.n_faces]; c++) {
@@ -75,8 +75,8 @@ size_t Edges::runs(uint32_t a, uint32_t b) const {
   return static_cast<size_t>(range.second - range.first);
 }
 
-/* The first vertex that leads to one from which no edge, or more than one, leads
- * back. */
+/* The first vertex with an edge to another vertex from which not exactly one
+ * edge leads back. */
 uint32_t Edges::find_open(void *context, uint32_t from, uint32_t to) {
   const Edges &edges = *static_cast<const Edges *>(context);
   for (uint32_t v = from; v < to; v++)
@@ -97,9 +97,9 @@ template <class Number> struct Volume {
   Number magnitude = 0; /* the products that were added, all made positive */
 };
 
-/* Of faces from .. to - 1 of a closed object: the sum, over the triangles a b c of
- * a fan in each face, of det(a - o, b - o, c - o). Over all faces it does not
- * depend on o. */
+/* Of faces from .. to - 1 of a closed object: the sum, over the triangles a b c
+ * of a fan in each face, of det(a - o, b - o, c - o). Over all faces it does
+ * not depend on o. */
 template <class Number, class Size>
 Volume<Number> volume(const struct hsr_object &object, uint32_t from,
                       uint32_t to, Size size) {

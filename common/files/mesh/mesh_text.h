@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words, lines and numbers of mesh files, and texts that threads read together.
+// Words, lines and numbers of mesh files.
 #ifndef HSR_COMMON_MESH_TEXT_H
 #define HSR_COMMON_MESH_TEXT_H
 
@@ -17,30 +17,32 @@ namespace hsr {
 
 using Word = std::string_view;
 
-/* hsr counts the elements of a file in 32 bits, with room for its own. */
+/* The most elements of a file. They are counted in 32 bits, with room to
+ * spare. */
 constexpr long long MOST_ELEMENTS = INT_MAX / 4;
 
-/* White space within a line. */
+/* Whether c is white space within a line. */
 inline bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/* The first byte from `at` that is no such space. */
+/* Returns the first byte of [at, end) that is not such a space, or `end`. */
 inline const char *past_spaces(const char *at, const char *end) {
   while (at < end && is_space(*at))
     at++;
   return at;
 }
 
+/* Reads a word that is an integer as a whole. False if it is not. */
 bool read_integer(Word word, long long &number);
 
-/* A text may start with a byte order mark: moves file.begin past it. */
+/* Moves file.begin past a byte order mark, if the text starts with one. */
 void skip_byte_order_mark(Mesh_file &file);
 
-/* Reads numbers as an istream does, to the last bit: no "nan", "inf",
- * hexadecimal or overflow. Nearly all are read by from_chars, which rounds
- * alike and is faster; whatever it does not take whole is put to an istream's
- * own reader. */
+/* Reads numbers as an istream does, to the last bit: "nan", "inf", hexadecimal
+ * numbers and overflow are refused. from_chars, which rounds alike and is
+ * faster, reads nearly all. A word that it does not accept as a whole is given
+ * to an istream's own reader. Returns false if the word is not a number. */
 class Number_reader {
 public:
   template <class Number> bool operator()(Word word, Number &number) {
@@ -62,25 +64,25 @@ private:
   Classic ios_;
 };
 
-/* A type of numbers, as binary files hold them. */
+/* A type of numbers in binary files. */
 struct Number_type {
   size_t size; /* bytes, at most 8 */
   bool is_real;
-  double least, most; /* of an integer */
+  double least, most; /* the range of an integer type */
 
+  /* Returns the number in `size` bytes. */
   double of_bytes(const void *bytes, bool big_endian) const;
 };
 
-/* What is special in a text. */
+/* The syntax of a text. */
 struct Text_style {
-  char comment;   /* starts one; 0: there are none */
-  bool continued; /* a line that ends in '\' goes on in the next, unless the '\'
-                     is in a comment */
+  char comment;   /* the character that starts a comment; 0: none does */
+  bool continued; /* a line that ends in '\' continues in the next line, unless
+                     the '\' is in a comment */
 };
 
 /* A place in a text, which moves from line to line and from word to word. Lines
- * without a word are passed over. A line that goes on in the next is one with
- * it. */
+ * without a word are skipped. A line and its continuation are one line. */
 class Text {
 public:
   Text(const Mesh_file &file, Text_style style)
@@ -92,7 +94,7 @@ public:
 
   /* Goes to the first word of the next line that has one; false at the end. */
   bool next_line();
-  /* Whether next_line() passed lines without a word. */
+  /* Whether the last next_line() skipped lines without a word. */
   bool passed_empty_lines() const { return passed_empty_; }
   /* Goes to the next word of the line; false at its end. */
   bool more() {
@@ -107,17 +109,19 @@ public:
         return false;
     return true;
   }
-  /* Takes the next word of the line, empty at its end. */
+  /* Returns the next word of the line and moves past it; empty at the line's
+   * end. */
   Word word();
-  /* Takes the rest of the line, without spaces at its ends. Other white space,
-   * and what makes the line go on, is spaces. */
+  /* Returns the rest of the line and moves past it. Spaces at its ends are left
+   * out. Other white space, and marks of continuation, become spaces. */
   std::string rest();
   /* Goes to the start of the next line. */
   void pass_line();
 
-  /* Take the next word of the line, which is there, as a number. If it is no
-   * integer, `word` is it. If it is no finite number, real() refuses: "vertex
-   * 3: 'x' is not a finite number". */
+  /* Read the next word of the line, which must exist, as a number. integer()
+   * returns false if it is not an integer, and sets `word` to it. real()
+   * refuses a word that is not a finite number: "vertex 3: 'x' is not a finite
+   * number". real_of() does so with a word that was taken before. */
   bool integer(long long &number, Word &word);
   template <class Number = double>
   Number real(const char *kind, size_t element) {

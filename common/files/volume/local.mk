@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/volume.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/volume.c \
   %D%/volume_check.c \
   %D%/volume_data.h \

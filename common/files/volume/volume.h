@@ -1,25 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Volumes and height maps from files, as scenes of a grid.
+/* Reading volumes and height maps as grid scenes.
  *
- * Read through VTK: .nii .nii.gz (NIfTI), .mhd .mha (MetaImage), .vtk
- * (structured points and rectilinear grids), .vti (images) and .vtr
- * (rectilinear grids), the samples being data of points. Through OpenImageIO:
- * height maps, as "heights-of:" and any picture that it reads. By itself: bytes
- * without a header. A sample that is not a finite number is not kept.
+ * VTK reads .nii .nii.gz (NIfTI), .mhd .mha (MetaImage), .vtk (structured
+ * points and rectilinear grids), .vti (images) and .vtr (rectilinear grids);
+ * samples are their point data. OpenImageIO reads height maps: "heights-of:"
+ * and the name of any picture that it reads. hsr itself reads bytes without a
+ * header. A sample that is not a finite number is not kept.
  *
- * Words follow the name, each after a colon:
+ * Words may follow the name, each after a colon.
  *
- *   least=X most=X  a sample is kept if its density lies within; standard: from
- *                   half way between the least and the greatest of the file
- *   gradient=X      and if the density's gradient has this size at least
- *   sides=all       the sides between two kept cells are faces, too
- *   size=NXxNYxNZ   of bytes without a header, which have this word, and may
- *   type=T          have these: u8, i8, u16, i16, f32 with -le or -be behind
- *                   those of more bytes (standard: u8);
- *   offset=N        bytes before the first sample (standard: 0);
- *   spacing=XxYxZ   of samples (standard: 1x1x1)
- *   levels=N        of a height map: how many cells its greatest height has
- *                   (standard: 64) */
+ * For all volumes:
+ *   least=X most=X  a sample is kept if its density is in this range. Default:
+ *                   from half-way between the least and the greatest density of
+ *                   the file, without an upper limit
+ *   gradient=X a sample is kept if its gradient has at least this size, too
+ *   sides=all sides between two kept cells are faces, too
+ * For bytes without a header:
+ *   size=NXxNYxNZ   the numbers of samples. This word must be there
+ *   type=T          u8, i8, u16-le, u16-be, i16-le, i16-be, f32-le or f32-be.
+ *                   Default: u8
+ *   offset=N        bytes before the first sample. Default: 0
+ *   spacing=XxYxZ   distances of samples. Default: 1x1x1
+ * For height maps:
+ *   levels=N        how many cells the greatest height has. Default: 64 */
 #ifndef HSR_COMMON_FILES_VOLUME_H
 #define HSR_COMMON_FILES_VOLUME_H
 
@@ -29,15 +32,15 @@
 extern "C" {
 #endif
 
-/* Whether this names a volume or a height map, with its words. */
+/* Whether a name, perhaps with words, is that of a volume or a height map. */
 bool hsr_is_volume_name(const char *name);
 
-/* Fills an empty scene. Never takes more memory than a small multiple of the
- * file's size, whatever its header claims (of a compressed one: of what it can
- * hold at best), and what the grid takes.
- * HSR_E_INPUT: unreadable, malformed, truncated; unknown words; no sample is
- * kept; this build has no VTK. HSR_E_REFUSED: more faces than can be named.
- * HSR_E_NOMEM; HSR_E_INTERNAL. */
+/* Fills an empty scene from a file. `name` has words as above. Memory is at
+ * most that of the grid and a small multiple of the file's size, whatever its
+ * header claims; for a compressed file, of the most that it can hold.
+ * HSR_E_INPUT: the file is unreadable, malformed or truncated; a word is
+ * unknown; no sample is kept; this build has no VTK. HSR_E_REFUSED: there are
+ * more faces than ids. HSR_E_NOMEM. HSR_E_INTERNAL: a library fails. */
 enum hsr_status hsr_volume_read(struct hsr_scene *scene, const char *name,
                                 struct hsr_error *err);
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The formats of VTK. VTK itself is in hsr-vtk.so, which hsr loads when such a
 # file is read or written.
-libhsr_a_SOURCES += %D%/vtk_library.h
+libcore_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/mesh_vtp.cc \
   %D%/volume_scan_xml.cc \
   %D%/vtk.cc \
@@ -27,10 +27,10 @@ hsr_vtk_so_SOURCES = \
   common/base/status.c \
   common/files/whole_file.c
 hsr_vtk_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-hsr_vtk_so_CFLAGS = $(AM_CFLAGS) -fPIC
-hsr_vtk_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_vtk_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
+hsr_vtk_so_CXXFLAGS = $(AM_CXXFLAGS) -fvisibility=default
 hsr_vtk_so_LDFLAGS = -shared
 hsr_vtk_so_LDADD = $(VTK_LIBS)
 else
-libhsr_a_SOURCES += %D%/no_vtk.cc
+libcore_a_SOURCES += %D%/no_vtk.cc
 endif

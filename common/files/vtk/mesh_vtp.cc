@@ -57,7 +57,7 @@ private:
   size_t n_faces_ = 0, n_vertices_ = 0; /* n_vertices_: given so far */
   const Array_type *type_of_points_ = nullptr;
   std::vector<Piece> pieces_;
-  std::vector<uint32_t> corners_; /* of the cell at hand */
+  std::vector<uint32_t> corners_; /* of the current cell */
 };
 
 void Vtp_reader::scan_data(Tag &tag) {

@@ -3,6 +3,8 @@
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
 #include "common/files/volume/volume_data.h"
+#include "common/lines/polygons.h"
+#include "common/voxels/voxels.h"
 
 bool hsr_exchange_has_vtk(void) {
   return false;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Visible polygons as .vtp files, for ParaView and the like. VTK's polygons have
-// no holes, so cycles are written as closed lines.
+// Visible polygons as .vtp files, for ParaView and the like. VTK's polygons
+// have no holes, so cycles are written as closed lines.
 #include "common/files/vtk/vtk_parts.h"
 #include "common/files/vtk/vtk_text.h"
+#include "common/lines/polygons.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

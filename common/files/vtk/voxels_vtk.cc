@@ -2,6 +2,7 @@
 // Voxels as .vti files, for ParaView and the like.
 #include "common/files/vtk/vtk_parts.h"
 #include "common/files/vtk/vtk_text.h"
+#include "common/voxels/voxels.h"
 
 #include <vtkCellData.h>
 #include <vtkImageData.h>

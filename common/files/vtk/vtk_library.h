@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-// What hsr-vtk.so offers; only for common/files/vtk.
+/* The functions of hsr-vtk.so; only for common/files/vtk. */
 #ifndef HSR_COMMON_VTK_LIBRARY_H
 #define HSR_COMMON_VTK_LIBRARY_H
 
 #include "common/files/mesh/exchange.h"
 #include "common/files/volume/volume_data.h"
+#include "common/lines/polygons.h"
 #include "common/voxels/voxels.h"
 
-/* As in exchange.h and volume_data.h. */
+/* As the functions of exchange.h and volume_data.h. */
 struct hsr_vtk_library {
   enum hsr_status (*write_vtp)(const struct hsr_drawing *drawing,
                                const char *path, struct hsr_error *err);
-  /* point: three coordinates a side, where it begins */
+  /* point: where each side begins, as of hsr_polygon_points */
   enum hsr_status (*write_polygons)(const struct hsr_polygons *polygons,
                                     const double *point, const char *path,
                                     struct hsr_error *err);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of hsr-vtk.so, a file each: see vtk_library.h.
+// The functions of hsr-vtk.so, each in a file of its own. They are as in
+// vtk_library.h.
 #ifndef HSR_COMMON_VTK_PARTS_H
 #define HSR_COMMON_VTK_PARTS_H
 
 #include "common/files/vtk/vtk_library.h"
+#include "common/lines/polygons.h"
+#include "common/voxels/voxels.h"
 
 namespace hsr {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of VTK's XML formats, made whole in memory: all is written, or nothing.
+// Writing files of VTK's XML formats. The text is made in memory first, so that
+// all of it is written, or nothing.
 #ifndef HSR_COMMON_VTK_TEXT_H
 #define HSR_COMMON_VTK_TEXT_H
 
@@ -13,7 +14,8 @@
 
 namespace hsr {
 
-// What a writer makes of some data; empty if VTK cannot make it.
+// Returns the text that a writer of VTK makes from some data; empty if it
+// fails.
 template <class Writer, class Data> std::string vtk_text(Data *data) {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
@@ -22,8 +24,8 @@ template <class Writer, class Data> std::string vtk_text(Data *data) {
                                                     : std::string();
 }
 
-// Writes a file of the text that make() returns. HSR_E_NOMEM; HSR_E_INPUT if it
-// cannot be written; HSR_E_INTERNAL if VTK fails.
+// Writes the text that make() returns to a file. HSR_E_INPUT if it cannot be
+// written; HSR_E_INTERNAL if VTK fails or the text is empty; HSR_E_NOMEM.
 template <class Make>
 enum hsr_status write_vtk_text(const char *path, const Make &make,
                                struct hsr_error *err) {

@@ -8,39 +8,43 @@
 
 namespace hsr {
 
-/* VTK counts the values of a text in int, and doubles the room for them. */
+/* The most values of an array. VTK counts the values of a text in int, and
+ * doubles the room for them. */
 constexpr size_t MOST_VALUES = size_t{1} << 30;
 
 struct Array_type : Number_type {
   Word name;
 };
 
-/* By its name in a file, "Int8" to "Float64"; NULL if there is none. */
+/* Returns the type with this name in files, "Int8" to "Float64"; NULL: none. */
 const Array_type *find_array_type(Word name);
 
+/* An array of a file: what is expected of it, and what is found. */
 struct Array {
   static constexpr size_t ANY = SIZE_MAX;
-  /* RISING: none may be less than the one before. ASCENDING: nor as large. */
+  /* RISING: no value is less than the one before. ASCENDING: each value is
+   * greater than the one before. */
   enum Order { ANY_ORDER, RISING, ASCENDING };
 
   const char *what;   /* "points", "connectivity", "offsets" */
   const char *place;  /* where its tag is, for messages */
-  size_t n_expected;  /* values, or ANY number of them but 0 */
-  double least, most; /* that a value may be */
+  size_t n_expected;  /* the number of values; ANY: any number but 0 */
+  double least, most; /* the range of values */
   Order order;
 
-  bool can_be_nan = false; /* that is, values that are not numbers */
+  bool can_be_nan = false; /* values may be NaN */
   const Array_type *type = nullptr;
   enum { TEXT, BINARY, APPENDED } format = TEXT;
-  bool is_base64 = true; /* unless TEXT */
-  size_t offset = 0;     /* if APPENDED */
-  Word data = {};
-  size_t n = 0; /* values found; unless ANY_ORDER, `least` follows them */
-  bool is_kept = false;
-  std::vector<double> values = {}; /* if is_kept */
+  bool is_base64 = true; /* of formats that are not TEXT */
+  size_t offset = 0;     /* of APPENDED */
+  Word data = {};        /* its bytes in the file */
+  size_t n = 0; /* values found so far. Unless ANY_ORDER, `least` follows the
+                   last one */
+  bool is_kept = false;            /* the values are kept */
+  std::vector<double> values = {}; /* the values, if is_kept */
 };
 
-/* How a file writes arrays that are not TEXT. */
+/* How a file encodes arrays that are not TEXT. */
 struct Array_encoding {
   bool is_compressed = false;
   bool is_big_endian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
@@ -52,9 +56,9 @@ public:
   Array_checker(const Markup &markup, const Array_encoding &encoding)
       : markup_(markup), encoding_(encoding) {}
 
-  /* Decodes the whole of an array, and throws Refused at the first thing that
-   * is wrong with it. Returns where its data end. Takes no memory but zlib's.
-   */
+  /* Decodes and checks all of an array, and returns where its data end. Throws
+   * Refused at the first fault. Only zlib takes memory, and `values` if they
+   * are kept. */
   const char *check(Array &array);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's XML readers, for bytes in memory. Only for hsr-vtk.so.
+// Making VTK's XML readers read bytes in memory. Only for hsr-vtk.so.
 #ifndef HSR_COMMON_XML_READER_H
 #define HSR_COMMON_XML_READER_H
 
@@ -35,8 +35,8 @@ protected:
   }
 };
 
-/* A reader of VTK's that makes no copy of the bytes that it reads. They are
- * borrowed, and must outlive it. */
+/* A reader of VTK that reads bytes in memory without a copy. They are borrowed,
+ * and must outlive it. */
 template <class Reader> class Memory_reader : public Reader {
 public:
   vtkTypeMacro(Memory_reader, Reader);
@@ -53,7 +53,7 @@ protected:
     this->Stream = &stream_;
     return 1;
   }
-  /* Or VTK would keep a second copy of all arrays that are text. */
+  /* Without this, VTK would keep a second copy of all arrays that are text. */
   void CreateXMLParser() override {
     this->Superclass::CreateXMLParser();
     this->XMLParser->SetIgnoreCharacterData(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the grammars of VTK's XML formats have in common: the root, arrays, and
-// data that are appended. Those of the formats are classes derived from this.
+// The part of the grammar that VTK's XML formats share: the root element,
+// arrays, and appended data. Each format has a class derived from this.
 #ifndef HSR_COMMON_XML_SCAN_H
 #define HSR_COMMON_XML_SCAN_H
 
@@ -14,29 +14,32 @@ public:
   Xml_scan &operator=(const Xml_scan &) = delete;
 
 protected:
-  /* What a file holds: the type that its root names, which is also the name of
-   * the element with the data; and words for it in a message. */
+  /* The kind of a file. */
   struct Kind {
-    Word name;
-    const char *words;
+    Word name;         /* the type in its root, which is also the name of the
+                          element with the data */
+    const char *words; /* what it is called in messages */
   };
 
   Xml_scan(Mesh_file &file, const Kind &kind)
       : file_(file), markup_(file), kind_(kind) {}
   ~Xml_scan() = default;
 
-  /* Goes over the whole file, and blanks what is not known. file.begin becomes
-   * the start of the root. This and all below throw Refused. */
+  /* These functions throw Refused. */
+
+  /* Scans the whole file, and blanks elements and attributes that are not
+   * known. file.begin becomes the start of the root. */
   void scan_root();
-  /* Goes over the element of the data. Called once at most. */
+  /* Scans the element with the data. It is called at most once. */
   virtual void scan_data(Tag &tag) = 0;
-  /* Decodes and checks the arrays, once the whole file was gone over. */
+  /* Decodes and checks the arrays, after the whole file was scanned. */
   void check_arrays();
 
-  /* The value of an attribute, 0 if there is none. */
+  /* Returns the value of an attribute, a whole number of at most `most`; 0 if
+   * there is no such attribute. */
   size_t count(Tag &tag, const char *name, size_t most) const;
-  /* Goes over an array of which `what` to `can_be_nan` are set; it becomes the
-   * last of arrays_. */
+  /* Scans an array, whose members `what` to `can_be_nan` are set, and appends
+   * it to arrays_. */
   void add_array(Tag &tag, Array array);
 
   Mesh_file &file_;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-nobase_pkginclude_HEADERS += \
+libcore_a_SOURCES += \
   %D%/sight.h
-libhsr_a_SOURCES += \
+libcore_a_SOURCES += \
   %D%/sight.c \
   %D%/sight_cgal.cc \
   %D%/sight_events.cc \

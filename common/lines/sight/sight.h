@@ -1,26 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Edges against faces, as one eye sees them: the exact services by which the
- * hidden-line algorithms make their comparisons.
+/* Edges against faces in one view: the exact services that the hidden-line
+ * algorithms use for their comparisons.
  *
  * Source      Sutherland et al. 1974, "Edge Intersections", "Object-Space
  *             Algorithms"; docs/correct-drawing.md.
  * Displaced   the edge that may be hidden is displaced as a whole, by the
- *             infinitesimal of the definition: P' is point P displaced, A'B'
- *             the edge. The faces and edges that hide it stay where they are.
- *             So two images never touch, and there are no special cases: where
- *             figure 17 shows one, the next sign of the same determinant
- *             decides.
+ *             infinitesimal of the definition. P' is the displaced point P, and
+ *             A'B' the displaced edge AB. The faces and edges that may hide it
+ *             are not displaced. So two images never touch, and there are no
+ *             special cases. Where figure 17 shows a special case, the next
+ *             sign of the same determinant decides.
  * Together    events are compared by their places on AB. Events at one place of
  *             AB happen at once, even if their places on A'B' differ.
- * Exact       a filter in doubles decides, with a bound that is proved in
- *             sight.c; else intervals; else exact numbers, which tally->exact
- *             counts.
- * Regular     a face that exists, is simple (common/lines/edges.h) and lies
- *             wholly beyond near. The images of its edges and its plane tell
- *             all about it. Any other face that exists is loose: hsr_sight_face
- *             handles it, for one edge at a time.
+ * Exact       a filter in doubles decides first, with an error bound that is
+ *             proved in sight.c. Intervals are next. Exact numbers decide the
+ *             rest, which tally->exact counts.
+ * Regular     a face is regular if it exists, is simple (common/lines/edges.h)
+ *             and lies wholly beyond near. The images of its edges and its
+ *             plane are then enough to answer every question about it. Any
+ *             other face that exists is loose. hsr_sight_face handles it, for
+ *             one edge at a time.
+ * Errors      if memory runs out, tally->out_of_memory is set and the result is
+ *             meaningless.
  *
- * A sight belongs to one view and one thread, and does not move in memory. */
+ * A sight is for one view and one thread. It must not be copied or moved. */
 #ifndef HSR_COMMON_SIGHT_H
 #define HSR_COMMON_SIGHT_H
 
@@ -33,53 +36,58 @@
 extern "C" {
 #endif
 
-/* A line of the scene: through points a and b or, if of_planes, where the
- * planes of faces a and b meet. */
+/* A line of the scene. It passes through points a and b or, if of_planes, it is
+ * the line where the planes of faces a and b meet. */
 struct hsr_sight_line {
   bool of_planes;
   uint32_t a, b;
 };
 
 struct hsr_sight {
-  const struct hsr_edges *edges;
+  const struct hsr_edges *edges; /* borrowed, as the next three */
   const struct hsr_world *world;
   const struct hsr_view *view;
   struct hsr_tally *tally;
 
-  const struct hsr_sight_line *line; /* of HSR_AT_LINE; borrowed, or NULL */
+  const struct hsr_sight_line *line; /* the lines of HSR_AT_LINE, set by the
+                                        caller; borrowed; NULL: none */
 
-  /* Points. */
-  double *sx,
-      *sy;   /* as in common/exact/screen.h; NaN where not known so well */
-  double *q; /* 1/w, within 2^-42 of itself where sx is not NaN; in parallel -t,
-                  within q_error */
+  /* By point of `edges`. */
+  double *sx, *sy; /* as in common/exact/screen.h: pixels; NaN if not known well
+                      enough */
+  double *q;       /* 1/w, with a relative error of 2^-42 if sx is not NaN; in
+                      parallel projection -t, with an error of q_error */
   double q_error;
-  bool *ahead; /* w > near */
+  bool *ahead; /* the depth of the point is above near */
 
-  /* Faces. */
+  /* By face. */
   bool *exists;
-  signed char *facing; /* +1 the eye is in front, -1 behind; 0: the face does
-                          not exist, or its plane holds the eye, so that it
-                          hides nothing */
+  signed char *facing; /* +1: the eye is in front; -1: behind; 0: the face does
+                          not exist, or its plane holds the eye. Then it hides
+                          nothing */
   bool *regular;
-  uint32_t *faces, n_faces; /* the regular ones */
-  uint32_t *loose, n_loose;
 
-  struct hsr_sight_numbers *numbers; /* of the exact services */
+  uint32_t *faces, n_faces; /* the regular faces, ascending */
+  uint32_t *loose, n_loose; /* the loose faces, ascending */
+
+  struct hsr_sight_numbers *numbers; /* for the exact services; owned */
 };
 
-/* Sets up all of the above, with arrays in the arena. Freed with
- * hsr_sight_free, also after a failure. `edges`, `view` and `tally` are
- * borrowed until then. HSR_E_NOMEM. */
+/* Sets up a sight for all edges and faces. Its arrays are in the arena.
+ * `edges`, `view`, `tally` and the arena are borrowed and must outlive it. It
+ * is freed with hsr_sight_free also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_sight_init(struct hsr_sight *sight,
                                const struct hsr_edges *edges,
                                const struct hsr_view *view,
                                struct hsr_arena *arena,
                                struct hsr_tally *tally);
+
+/* Frees what is not in the arena. */
 void hsr_sight_free(struct hsr_sight *sight);
 
-/* Edge e and point p as subjects of a step. An edge of faces is named without a
- * face. An end of an implied edge is no vertex: it is HSR_NOTHING. */
+/* Return edge e or point p as a subject of a step (common/base/count.h). The
+ * subject of an edge of faces has no face. The end of an implied edge is not a
+ * vertex, so its subject is HSR_NOTHING. */
 static inline struct hsr_subject hsr_edge_subject(const struct hsr_edges *edges,
                                                   uint32_t e) {
   const struct hsr_edge_name *name = &edges->name[e];
@@ -93,7 +101,8 @@ hsr_point_subject(const struct hsr_edges *edges, uint32_t p) {
 
 /* --- Where images lie ----------------------------------------------------- */
 
-/* What the filters below fall back to; call the filters instead. */
+/* The exact parts of the filters below, which call them if in doubt. Call the
+ * filters instead. */
 int hsr_sight_side_exact(const struct hsr_sight *sight, uint32_t c, uint32_t d,
                          uint32_t p);
 int hsr_sight_line_side_exact(const struct hsr_sight *sight, uint32_t a,
@@ -101,8 +110,9 @@ int hsr_sight_line_side_exact(const struct hsr_sight *sight, uint32_t a,
 int hsr_sight_row_side_exact(const struct hsr_sight *sight, uint32_t p,
                              uint32_t q);
 
-/* The side of the line c d that point p is on, on the screen: a determinant,
- * and in *bound a bound of its error. NaN if not all three points are known. */
+/* Returns a determinant whose sign is the side of the line from c to d on which
+ * point p lies on the screen. *bound becomes a bound of its error. Both are NaN
+ * if one of the three points has no screen coordinates. */
 static inline double hsr_sight_turn(const struct hsr_sight *sight, uint32_t c,
                                     uint32_t d, uint32_t p, double *bound) {
   double dx = sight->sx[d] - sight->sx[c], dy = sight->sy[d] - sight->sy[c];
@@ -112,8 +122,9 @@ static inline double hsr_sight_turn(const struct hsr_sight *sight, uint32_t c,
   return dx * hy - dy * hx;
 }
 
-/* The side of the line from point c to point d that P' is on: the sign of
- * det(C - E, D - E, P' - E). 0 only if c, d and the eye are on a line. */
+/* Returns the side of the line from point c to point d on which P' lies: the
+ * sign of det(C - E, D - E, P' - E). 0 only if c, d and the eye are on one
+ * line. */
 static inline int hsr_sight_side(const struct hsr_sight *sight, uint32_t c,
                                  uint32_t d, uint32_t p) {
   double bound, turn = hsr_sight_turn(sight, c, d, p, &bound);
@@ -124,8 +135,9 @@ static inline int hsr_sight_side(const struct hsr_sight *sight, uint32_t c,
   return hsr_sight_side_exact(sight, c, d, p);
 }
 
-/* The side of the displaced line from A' to B' that point P is on: the sign of
- * det(A' - E, B' - E, P - E). 0 only if a, b and the eye are on a line. */
+/* Returns the side of the displaced line from A' to B' on which point P lies:
+ * the sign of det(A' - E, B' - E, P - E). 0 only if a, b and the eye are on one
+ * line. */
 static inline int hsr_sight_line_side(const struct hsr_sight *sight, uint32_t a,
                                       uint32_t b, uint32_t p) {
   double bound, turn = hsr_sight_turn(sight, a, b, p, &bound);
@@ -136,7 +148,8 @@ static inline int hsr_sight_line_side(const struct hsr_sight *sight, uint32_t a,
   return hsr_sight_line_side_exact(sight, a, b, p);
 }
 
-/* On the screen, is point q below P' (+1) or above (-1)? Both are ahead. */
+/* Returns +1 if point q is below P' on the screen, -1 if it is above. Both are
+ * ahead. */
 static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
                                      uint32_t q) {
   double below = sight->sy[q] - sight->sy[p];
@@ -147,108 +160,115 @@ static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
   return hsr_sight_row_side_exact(sight, p, q);
 }
 
-/* Bounds of the image of a box, in pixels, and of q in the box. They are
- * unlimited where the image is not known. hsr_sight_enclose: lo and hi are
- * opposite corners of the box. */
+/* Bounds of the image of a box, in pixels, and of q in it. They are infinite if
+ * the image is not known. */
 struct hsr_extent {
   double x0, y0, x1, y1;
-  double farthest, nearest;
+  double farthest, nearest; /* the least and the greatest q */
 };
+
+/* Returns the bounds of the box with the corners lo and hi, in world units. */
 struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
                                     const double lo[3], const double hi[3]);
 
 /* --- What lies before what ------------------------------------------------ */
 
-/* Is P' strictly beyond the plane of face f, as the eye sees it? f can hide. */
+/* Whether P' is strictly on the far side of the plane of face f, as seen from
+ * the eye. The facing of f is not 0. */
 bool hsr_sight_behind(const struct hsr_sight *sight, uint32_t f, uint32_t p);
 
-/* Does regular face f cover the direction of P'? p is ahead. */
+/* Whether regular face f covers the direction of P'. p is ahead. */
 bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p);
 
-/* Is edge c strictly nearer than A'B', the displaced edge e, where their images
- * cross? They do cross. */
+/* Whether edge c is strictly nearer than A'B', the displaced edge e, where
+ * their images cross. The images must cross. */
 bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c);
 
-/* A corner of a regular face is at the end p of edge e, which is not a side of
- * the face. Does the face hide e, both taken close to p? If e lies in the plane
- * of the face, its displacement puts it before the face or behind. */
+/* Whether a face hides edge e close to the end p of e. `corner` is a corner of
+ * the face at p. The face is regular and not a side of e. If e lies in the
+ * plane of the face, its displacement puts it before or behind the face. */
 bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
                             uint32_t p, struct hsr_corner corner);
 
 /* --- Events along an edge ------------------------------------------------- */
 
+/* What defines the place of an event along an edge. */
 enum hsr_event_at {
-  HSR_AT_START, /* t = 0 */
-  HSR_AT_END,   /* t = 1 */
-  HSR_AT_EDGE,  /* crosses the image of edge `subject` */
-  HSR_AT_SIDE,  /* crosses the image of the side of a face that ends in corner
-                   `subject` of world->vertex */
-  HSR_AT_LINE,  /* crosses the image of line `subject` of sight->line */
-  HSR_AT_ROW,   /* is at the height of the image of vertex `subject` */
-  HSR_AT_PLANE, /* meets the plane of face `subject` */
-  HSR_AT_NEAR,  /* is where the plane of face `subject` meets that of near */
-  HSR_AT_BORDER /* is at border `subject` of what is in the picture */
+  HSR_AT_START, /* the edge begins, t = 0 */
+  HSR_AT_END,   /* the edge ends, t = 1 */
+  HSR_AT_EDGE,  /* the edge crosses the image of edge `subject` */
+  HSR_AT_SIDE,  /* it crosses the image of a face's edge, the one that ends in
+                   corner `subject`, an index into world->mesh.vertex */
+  HSR_AT_LINE,  /* it crosses the image of line[subject] of the sight */
+  HSR_AT_ROW,   /* it is at the height of the image of vertex `subject` */
+  HSR_AT_PLANE, /* it meets the plane of face `subject` */
+  HSR_AT_NEAR,  /* the plane of face `subject` has depth near there */
+  HSR_AT_BORDER /* it crosses border `subject` of the visible space: near or a
+                   side of the picture (sight_numbers.h) */
 };
 
 /* Something that happens at a place of an edge. */
 struct hsr_sight_event {
-  double t;     /* in [0, 1] */
-  double error; /* of t, at most; 1e-13 of it or less */
+  double t;     /* the place, in [0, 1] */
+  double error; /* a bound of the error of t, at most 1e-13 t */
   enum hsr_event_at at;
   uint32_t subject;
   int change;    /* of the number of hiding faces, as t grows */
-  uint32_t face; /* that begins or ceases to hide the edge, if it is one face:
-                    by hsr_sight_face or hsr_sight_pierces */
+  uint32_t face; /* the face that begins or ceases to hide the edge. Set by
+                    hsr_sight_face and hsr_sight_pierces only */
 };
 
-/* Fills t and error of an event, whose place is on edge e. */
+/* Fills t and error of an event on edge e from its `at` and `subject`. */
 void hsr_sight_locate(const struct hsr_sight *sight, uint32_t e,
                       struct hsr_sight_event *event);
 
-/* The order of two events along edge e: -1, 0 (one place) or +1. */
+/* Compares the places of two events along edge e. Returns -1 if a comes first,
+ * 0 if both are at one place, +1 if b comes first. */
 int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
                       const struct hsr_sight_event *a,
                       const struct hsr_sight_event *b);
 
-/* Finds the part of edge e that is in the picture, between *from and *to. False
- * if there is none, or e has no image. */
+/* Finds the part of edge e that is in the picture, and sets *from and *to to
+ * its ends. False if no part is, or if the eye is on the line of e, so that e
+ * has no image. */
 bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
                        struct hsr_sight_event *from,
                        struct hsr_sight_event *to);
 
-/* Does the plane of face f hold edge e? */
+/* Whether edge e lies in the plane of face f. */
 bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
 
-/* The side of the plane of face f that the eye is on: +1 in front, -1 behind, 0
- * on it. The face need not exist. */
+/* Returns the side of the plane of face f that the eye is on: +1 in front, -1
+ * behind, 0 on it. The face need not exist. */
 int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
 /* Narrows the part of edge e between *from and *to, which is in the picture, to
- * one side of a plane or of a line's image: in front of it (+1) or behind it
- * (-1). False if nothing is left.
+ * one side of a plane or of the image of a line: +1 or -1. False if nothing is
+ * left; *from and *to are then meaningless.
  *
- * HSR_AT_PLANE: the plane of face `subject`. An edge in that plane is on
- * neither side of it.
- * HSR_AT_LINE: the image of line `subject`. The side of a line through two
- * points is that of hsr_sight_side. The side of the line in which the planes of
- * faces a and b meet is the sign of h_a(E) s_b(P) - h_b(E) s_a(P), where h is
- * the height of the eye above a plane and s is the height of P minus that of
- * the eye. An edge whose image lies on that of the line is displaced, and so is
- * on one side. */
+ * HSR_AT_PLANE: the plane of face `subject`; +1 is in front of it. An edge in
+ * the plane is on neither side.
+ * HSR_AT_LINE: the image of line `subject`. If the line passes through two
+ * points, the side is that of hsr_sight_side. If it is where the planes of
+ * faces a and b meet, the side is the sign of h_a(E) s_b(P) - h_b(E) s_a(P).
+ * Here h is the height of the eye above a plane, and s is the height of P minus
+ * that of the eye. An edge whose image lies on that of the line is on one side,
+ * since it is displaced. */
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);
 
 /* Finds where A'B', the displaced edge e, pierces regular face f. False if it
- * does not. e may touch f, but is no side of f, and neither end is a corner of
- * f. */
+ * does not. e may touch f, but f must not be a side of e, and neither end of e
+ * may be a corner of f. */
 bool hsr_sight_pierces(const struct hsr_sight *sight, uint32_t e, uint32_t f,
                        struct hsr_sight_event *event);
 
-/* Where does face f hide edge e? f is any face that can hide: e may be a side
- * of it or lie in its plane. Sets *hidden to whether f hides e where e begins
- * to be ahead. Appends the events where that changes, with changes +1 and -1,
- * to `events`, an array of struct hsr_sight_event in the arena. HSR_E_NOMEM. */
+/* Finds where face f hides edge e. f is any face whose facing is not 0; it may
+ * be a side of e, and e may lie in its plane. Sets *hidden to whether f hides e
+ * at the place where e begins to be ahead. Appends the events at which that
+ * changes, with changes +1 and -1, to `events`, an array of struct
+ * hsr_sight_event in the arena. HSR_E_NOMEM. */
 enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
                                uint32_t f, struct hsr_arena *arena,
                                struct hsr_growing *events, bool *hidden);

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers behind common/lines/sight/sight.h, over CGAL's number types: for
-// the core's own C++ files.
+// The exact arithmetic behind common/lines/sight/sight.h, over CGAL's number
+// types. For the core's own C++ files.
 //
-// Notation    a point P is (p, d) with P - E = p / d, d > 0, so that ends of
+// Notation    a point P is (p, d) with P - E = p / d and d > 0, so that ends of
 //             implied edges need no division. w(p) is its depth times d and a
 //             positive constant. v = e R - e^2 U is the displacement of a
-//             direction, e infinitesimal; a displaced point is p' = p + w(p) v.
-// Parallel    The eye is at infinity. A projective transformation takes it to
+//             direction, with e infinitesimal. A displaced point is p' = p +
+//             w(p) v.
+// Parallel    the eye is at infinity. A projective transformation takes it to
 //             the origin and leaves the screen as it is: a point t F + x R + y
 //             U becomes p = F + x R + y U with d = -t. So w is the same for all
-//             points, and d tells the depth. In perspective d is positive and w
-//             has any sign; here w is positive and d has any sign. Two things
-//             differ below: the test against near, and the weights by which
-//             points are averaged.
-// Method      Every question is the sign of a function that is linear in v, but
-//             for coverage where an edge pierces a plane. The sign is that of
-//             its value; if that is zero, of its change along R; if that is
-//             zero too, along -U. Each of these is a polynomial in the input
-//             doubles. Each is evaluated in intervals and, if its interval
-//             holds zero, in exact numbers.
+//             points, and d is the negative depth. In perspective d is positive
+//             and w has any sign; here w is positive and d has any sign. So two
+//             things differ below: the test against near, and the weights of
+//             points in an average.
+// Method      every question but one is the sign of a function that is linear
+//             in v. (The exception is whether a face covers the place where an
+//             edge pierces its plane.) The sign is that of the function's
+//             value. If that is zero, it is the sign of the change along R; if
+//             that is zero too, of the change along -U. Each of these is a
+//             polynomial in the input doubles. It is evaluated in intervals
+//             and, if the interval holds zero, in exact numbers.
 #ifndef HSR_COMMON_SIGHT_NUMBERS_H
 #define HSR_COMMON_SIGHT_NUMBERS_H
 
@@ -33,6 +35,7 @@
 namespace hsr {
 namespace sight {
 
+// Vectors of three numbers of type T, with their usual operations.
 template <class T> struct vec { T x, y, z; };
 template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -56,25 +59,27 @@ template <class T> vec<T> lift(const double v[3]) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 
-// A point as (p, d), and its w(p).
+// A point as (p, d), and w(p).
 template <class T> struct Point {
   vec<T> p;
   T d, w;
 };
 
-// A plane: kN . p - c d is positive in front of it. Its value at the eye is -c.
+// A plane. kN . p - c d is positive in front of it, and -c at the eye.
 template <class T> struct Plane {
   vec<T> kN;
   T c;
   T height(const Point<T> &P) const { return dot(kN, P.p) - c * P.d; }
 };
 
-// The eye: w(p) = s det(p, R, U), and likewise x w and y w, all times `scale`.
+// The eye. W . p is w(p), X . p is x w and Y . p is y w, each times the same
+// positive factor; `scale` is W . F.
 template <class T> struct Eye {
   vec<T> E, F, R, U, W, X, Y;
   T scale, near;
   bool parallel;
 
+  // s is the sign of det(R, U, F).
   void set(const hsr_view &view, int s) {
     const T sign = T(double(s));
     parallel = view.parallel;
@@ -93,8 +98,8 @@ template <class T> struct Eye {
     return {p, d, dot(W, p)};
   }
 
-  // The point P of the world with P - E = v / d, and the plane that has the
-  // value kN . (P - E) - c there.
+  // The point P of the world with P - E = v / d, and the plane whose value at a
+  // point P of the world is kN . (P - E) - c.
   Point<T> seen_point(const vec<T> &v, const T &d) const {
     if (!parallel)
       return point(v, d);
@@ -108,11 +113,11 @@ template <class T> struct Eye {
     return {scale * kN - (along + c) * W, scale * along};
   }
 
-  // The same positive multiple of the denominator of every point.
+  // The denominator of a point, times a positive factor that all points share.
   const T &weight(const Point<T> &P) const { return parallel ? P.w : P.d; }
 
-  // The sign of t - near, of a point; and times c of a plane, of where the
-  // point's ray meets it.
+  // Numbers with the sign of t - near at a point; and, times the sign of c, at
+  // the place where the ray of p meets a plane. w is w(p).
   T past_near(const Point<T> &P) const {
     return parallel ? -(scale * P.d) - near * P.w : P.w - near * scale * P.d;
   }
@@ -129,6 +134,7 @@ struct Numbers {
   Eye<Interval> rough;
   Eye<Exact> exact;
 
+  // The eye, point p and the plane of face f, in intervals or in exact numbers.
   template <class T> const Eye<T> &eye() const;
   template <class T> Point<T> point(uint32_t p) const {
     if constexpr (std::is_same<T, Exact>::value)
@@ -155,10 +161,10 @@ struct Numbers {
   }
 
 private:
-  // N exact points and N planes are kept. Of numbers that are equal modulo N, the
-  // one asked for last is. They take long to find where coordinates are of very
-  // different scales: an exact number then has as many digits as there are
-  // between its first and its last.
+  // A cache of N items by their numbers. Of numbers that are equal modulo N,
+  // the one that was asked for last is kept. Exact points and planes take long
+  // to compute if coordinates have very different scales, since an exact number
+  // has all digits from its first to its last.
   template <class Item> class Kept {
   public:
     template <class Find> Item get(uint32_t number, const Find &find) const {
@@ -194,7 +200,7 @@ template <> inline const Eye<Exact> &Numbers::eye<Exact>() const {
   return exact;
 }
 
-// What is known of a point that is no vertex.
+// Point n_vertices + k, which is not a vertex.
 template <class T>
 const auto &given_point(const hsr_exact_points &given, uint32_t k) {
   if constexpr (std::is_same<T, Exact>::value)
@@ -244,8 +250,9 @@ inline void count_exact(const Numbers &n, enum hsr_question question) {
   n.sight->tally->exact[question]++;
 }
 
-// The sign of value(T(), along), which is linear in the displacement. 0 if the
-// value and both changes are zero.
+// Returns the sign of value(T(), along), a function that is linear in the
+// displacement. `along` is VALUE for its value, or else asks for its change. 0
+// if the value and both changes are zero.
 template <class Value>
 int displaced_sign(const Numbers &n, enum hsr_question question,
                    const Value &value) noexcept {
@@ -272,7 +279,7 @@ int displaced_sign(const Numbers &n, enum hsr_question question,
   }
 }
 
-// The sign of value(T()).
+// Returns the sign of value(T()), which does not depend on the displacement.
 template <class Value>
 int sign_of(const Numbers &n, enum hsr_question question,
             const Value &value) noexcept {
@@ -282,8 +289,8 @@ int sign_of(const Numbers &n, enum hsr_question question,
   });
 }
 
-// det(c, d, p'), or its change. w is that of p, or of the end from where p is
-// looked for.
+// det(c, d, p'), or its change. w is w(p), or that of the end from which p is
+// found.
 template <class T>
 T side_value(const Numbers &n, const Point<T> &c, const Point<T> &d,
              const Point<T> &p, const T &w, int along) {
@@ -310,6 +317,7 @@ T row_value(const Numbers &n, const Point<T> &p, const Point<T> &q, int along) {
   return p.w * det(change<T>(n, along), R, q.p);
 }
 
+// The sign of the height of the displaced point p over the plane of face f.
 inline int height_sign(const Numbers &n, uint32_t f, uint32_t p) {
   return displaced_sign(n, HSR_ASK_VERTEX, [&](auto t, int along) {
     using T = decltype(t);
@@ -318,6 +326,7 @@ inline int height_sign(const Numbers &n, uint32_t f, uint32_t p) {
   });
 }
 
+// +1 if the eye is in front of the plane of face f, -1 behind, 0 on it.
 inline int facing_sign(const Numbers &n, uint32_t f) {
   return -sign_of(n, HSR_ASK_FACING, [&](auto t) {
     using T = decltype(t);
@@ -347,7 +356,8 @@ bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
   return odd;
 }
 
-// Whether the line through a and b has an image: it misses the eye.
+// Whether the line through a and b has an image, which it has unless it passes
+// through the eye.
 inline bool has_image(const Numbers &n, uint32_t a, uint32_t b) {
   const hsr_sight *sight = n.sight;
   const double dx = sight->sx[a] - sight->sx[b];
@@ -365,9 +375,10 @@ inline bool has_image(const Numbers &n, uint32_t a, uint32_t b) {
 
 // --- Places of events --------------------------------------------------------
 
-// The borders of what is in the picture.
+// The borders of the visible space: the subjects of HSR_AT_BORDER.
 enum { NEAR, LEFT, RIGHT, BOTTOM, TOP, N_BORDERS };
 
+// A number that is positive if P is inside the border.
 template <class T>
 T border_value(const Eye<T> &eye, uint32_t border, const Point<T> &P) {
   switch (border) {
@@ -384,6 +395,7 @@ T border_value(const Eye<T> &eye, uint32_t border, const Point<T> &P) {
   }
 }
 
+// The vertex at which the edge of a face begins that ends in corner k.
 inline uint32_t side_begins(const hsr_world *w, uint32_t k) {
   // The face of the corner: the last that starts at or before it.
   const uint32_t *face =
@@ -391,8 +403,8 @@ inline uint32_t side_begins(const hsr_world *w, uint32_t k) {
   return w->mesh.vertex[k == face[0] ? face[1] - 1 : k - 1];
 }
 
-// The normal of the plane through the eye and a line. The eye's height over a
-// plane is -c.
+// The normal of the plane through the eye and a line. For two planes it follows
+// from the eye's height over each, which is -c.
 template <class T>
 vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
   if (!line.of_planes)
@@ -401,8 +413,9 @@ vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
   return b.c * a.kN - a.c * b.kN;
 }
 
-// The place of an event: t = from / (from - to). `from` and `to` are the
-// values, at both ends of the edge, of a function that is zero at the event.
+// The place of an event is t = from / (from - to). `from` and `to` are the
+// values of a function at the two ends of the edge. The function is zero at the
+// event.
 template <class T> struct Place { T from, to; };
 
 template <class T>

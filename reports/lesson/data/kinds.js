@@ -32,3 +32,9 @@ export function kindColour(kind) {
   const { hue, light } = kindLook(kind);
   return onPaper ? light : colourOf(`--hue-${hue}`);
 }
+
+// "#rrggbb" as a pixel has it.
+export function packed(colour) {
+  const [r, g, b] = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
+  return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
+}

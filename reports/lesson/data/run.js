@@ -2,8 +2,8 @@
 // One algorithm's run, to be looked at after any number of steps k, from 0. Step
 // k is event k - 1. If the page does not have all events, one more step stands
 // for all that were left out: it leads to the end.
-import { painting } from "./painting.js";
-import { storyOf } from "./story.js";
+import { kindNamed } from "../kinds/all.js";
+import { sampleStory } from "./story.js";
 import { structureOf } from "./structure.js";
 
 export const NONE = -1; // no id; as a face: the background
@@ -24,8 +24,11 @@ export function runOf(trace) {
     trace, n, header, accepts, units,
     name: header.algorithm.variant, title: header.algorithm.title,
     width: header.view.width, height: header.view.height,
-    kind: header.algorithm.answer,
+    kind: kindNamed(header.algorithm.answer),
     leftOut: events - kept,
+
+    // The place of the counter of that key; -1: this run has none.
+    counterOf: (key) => counters.findIndex((c) => c.key === key),
 
     // What event k is about.
     event: (k) => {
@@ -86,8 +89,8 @@ export function runOf(trace) {
   }
 
   Object.assign(run, structureOf(run));
-  run.painting = painting(run);
-  run.story = (place) => storyOf(run, place);
+  run.painting = run.kind.painting(run);
+  run.story = (place) => (run.kind.story ?? sampleStory)(run, place);
   run.facesOf = (k) => [...facesOf(subject("a", k)), ...facesOf(subject("b", k))];
   return run;
 }

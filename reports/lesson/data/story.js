@@ -5,16 +5,10 @@
 // sample. So do comparisons elsewhere in a span that holds the sample, if they
 // decided the span, and what led to the division of a piece over the sample.
 // `own` are those of them that are about the sample itself: not those that sort
-// edges of its whole row or of the picture. In a line drawing, it is the story of
-// the edge that passes closest.
+// edges of its whole row or of the picture.
 import { facesOf, NONE } from "./run.js";
 
-export function storyOf(run, place) {
-  return run.kind === "segments" ? edgeStory(run, place)
-    : sampleStory(run, place);
-}
-
-function sampleStory(run, place) {
+export function sampleStory(run, place) {
   const { trace, width: m, height: n } = run;
   const { x, y, width, height, counter } = trace;
   const { i, j } = place;
@@ -38,12 +32,7 @@ function sampleStory(run, place) {
           isOver(run, k, over, false, true)) own.push(k);
     }
   }
-  const face = run.kind === "ids"
-    ? Math.max(run.painting.at(run.n)[j * m + i], NONE) : NONE;
-  return { events, own, place: `column ${i}, row ${j}`,
-    end: run.kind !== "ids" ? "" : face === NONE
-      ? "Nothing is seen here but the background."
-      : `Seen here in the end: ${run.faceName(face)}.`, face };
+  return { events, own, place: `column ${i}, row ${j}`, end: "" };
 }
 
 const holdsSample = ({ x, y, width, height }, k, { i, j }) =>
@@ -133,52 +122,4 @@ function isInside(polygon, x, y) {
       inside = !inside;
   }
   return inside;
-}
-
-// --- Edges ---
-
-const keyOf = ({ kind, ids }) => kind === "edge" && ids[0] >= 0
-  ? `${Math.min(ids[0], ids[1])},${Math.max(ids[0], ids[1])}`
-  : kind === "implied edge" ? `implied ${ids}` : null;
-
-function distance([px, py], [ax, ay], [bx, by]) {
-  const dx = bx - ax, dy = by - ay;
-  const t = Math.max(0, Math.min(1,
-    ((px - ax) * dx + (py - ay) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(px - ax - t * dx, py - ay - t * dy);
-}
-
-// The edge, of those that were drawn or asked about, closest to the sample.
-function closestEdge(run, point) {
-  let best = null, least = Infinity;
-  const offer = (key, from, to, k) => {
-    if (!key || !from || !to) return;
-    const d = distance(point, from, to);
-    if (d < least) { least = d; best = key; }
-  };
-  const known = new Set();
-  for (let k = 0; k < run.trace.kept; k++) {
-    const { a } = run.event(k);
-    const key = keyOf(a);
-    if (!key || known.has(key) || a.kind !== "edge") continue;
-    known.add(key);
-    offer(key, run.header.vertices[a.ids[0]], run.header.vertices[a.ids[1]]);
-  }
-  return best;
-}
-
-function edgeStory(run, { i, j }) {
-  const edge = closestEdge(run, [i + 0.5, j + 0.5]);
-  const events = [];
-  let drawn = 0;
-  for (let k = 0; edge && k < run.trace.kept; k++) {
-    const e = run.event(k);
-    if (keyOf(e.a) !== edge) continue;
-    events.push(k);
-    if (e.kind === "accept" && e.part?.[1] === 0) drawn += 1;
-  }
-  return { events, own: events,
-    place: edge ? `edge ${edge.replace(",", "–")}` : "no edge",
-    end: drawn ? `Of this edge, ${drawn === 1 ? "one interval is"
-      : `${drawn} intervals are`} visible.` : "No part of this edge is visible." };
 }

@@ -4,8 +4,8 @@
 // 1974, in the order of its taxonomy, and two later ones. `bench/lesson` says
 // which scene each is on.
 //
-// see: [words, { counter, outcome, nth }]: a step worth seeing, the nth (from 1)
-// of that counter, with that outcome. ask: what a reader can find out.
+// see: [words, { key, outcome, nth }]: a step worth seeing, the nth (from 1) of the
+// counter of that key, with that outcome. ask: what a reader can find out.
 
 export const LESSONS = {
   roberts: {
@@ -18,11 +18,11 @@ export const LESSONS = {
       "whole objects are left out at once. The count of box tests grows with " +
       "edges times objects all the same."],
     see: [["an edge that no front face has is culled",
-      { counter: "back-edge cull", outcome: "does not exist" }],
+      { key: "back-edge-cull", outcome: "does not exist" }],
     ["an edge is put to a volume that hides all of it",
-      { counter: "edge/volume test", outcome: "hidden whole" }],
-    ["a volume leaves one piece", { counter: "one piece left" }],
-    ["the first interval is drawn", { counter: "intervals drawn" }]],
+      { key: "edge-volume", outcome: "hidden whole" }],
+    ["a volume leaves one piece", { key: "one-left" }],
+    ["the first interval is drawn", { key: "interval-drawn" }]],
     ask: "How many box tests are there for each edge/volume test?",
     source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   },
@@ -36,11 +36,11 @@ export const LESSONS = {
       "share a vertex share it there, but for the faces at that corner. Only one " +
       "vertex of each cluster is put to all faces."],
     see: [["one vertex is put to a face that hides it",
-      { counter: "initial visibility", outcome: "hides" }],
+      { key: "initial-visibility", outcome: "hides" }],
     ["the edge passes behind a contour edge",
-      { counter: "edge intersection", outcome: "nearer" }],
-    ["the number is promoted to the other end", { counter: "promoted" }],
-    ["a hidden interval is found on the way", { counter: "intervals drawn", nth: 3 }]],
+      { key: "edge-intersection", outcome: "nearer" }],
+    ["the number is promoted to the other end", { key: "promoted" }],
+    ["a hidden interval is found on the way", { key: "interval-drawn", nth: 3 }]],
     ask: "Below the picture is the edge from end to end. Where does its " +
       "number change, and by how much at a time?",
     source: "The survey, chapter III, edge intersection, figures 14 to " +
@@ -54,8 +54,8 @@ export const LESSONS = {
     "Beside Appel’s, the same picture comes of more comparisons: that is the " +
       "price of knowing who hides, and not only how many."],
     see: [["an edge is crossed by a nearer one",
-      { counter: "edge intersection", outcome: "nearer" }],
-    ["the set changes", { counter: "nature changes" }]],
+      { key: "edge-intersection", outcome: "nearer" }],
+    ["the set changes", { key: "nature-change" }]],
     ask: "Put it beside appel. Which counter differs most?",
     source: "The survey, chapter III, edge intersection; Galimberti and " +
       "Montanari 1969",
@@ -65,10 +65,10 @@ export const LESSONS = {
     text: ["Loutrel keeps Appel’s number, but finds a crossing in two steps: do " +
       "the images of the edges cross in the picture plane, and is the contour " +
       "edge nearer there? Boxes of the images are compared before that."],
-    see: [["the boxes of two edges overlap", { counter: "boxes overlap" }],
+    see: [["the boxes of two edges overlap", { key: "boxes-overlap" }],
       ["their images cross, but the other one is farther",
-        { counter: "plane intersections", outcome: "farther" }],
-      ["and here it is nearer", { counter: "plane intersections",
+        { key: "plane-intersection", outcome: "farther" }],
+      ["and here it is nearer", { key: "plane-intersection",
         outcome: "nearer" }]],
     ask: "What share of all pairs is settled by their boxes?",
     source: "The survey, chapter III, edge intersection; Loutrel 1967",
@@ -83,10 +83,10 @@ export const LESSONS = {
       "the scan line to where it begins and ends. At each sample the first pair " +
       "that is inside shows its face."],
     see: [["the eye is compared with a separating plane",
-      { counter: "inter-cluster priority" }],
-    ["a back face is left out", { counter: "back-face cull", outcome: "back" }],
+      { key: "inter-cluster" }],
+    ["a back face is left out", { key: "back-face-cull", outcome: "back" }],
     ["counters find the highest priority at a sample",
-      { counter: "priority search", outcome: "there, with the highest priority" }]],
+      { key: "priority-search", outcome: "there, with the highest priority" }]],
     ask: "Which counters grow with the samples, and which do not?",
     source: "The survey, chapter III, list priority, figures 18 to 20; " +
       "Schumacker, Brand, Gilliland and Sharp 1969",
@@ -99,14 +99,14 @@ export const LESSONS = {
       "first.",
     "Three bars, each over the next, have no order. A marker notices that one " +
       "is to be moved twice, and then it is divided by the plane of the other."],
-    see: [["two pieces are apart in X", { counter: "Newell special",
+    see: [["two pieces are apart in X", { key: "list-test",
       outcome: "test 2: apart in X" }],
-    ["one may obscure the other", { counter: "Newell special",
+    ["one may obscure the other", { key: "list-test",
       outcome: "P may obscure Q" }],
-    ["the list is changed", { counter: "interchanges" }],
-    ["a circle: the piece is divided", { counter: "divisions" }],
+    ["the list is changed", { key: "list-move" }],
+    ["a circle: the piece is divided", { key: "list-division" }],
     ["the first run of samples is written, when all is in order",
-      { counter: "spans written" }]],
+      { key: "span-written" }]],
     ask: "Which of the six tests decides most often?",
     source: "The survey, chapter III, list priority, figures 21 to 23; " +
       "Newell, Newell and Sancha 1972",
@@ -119,13 +119,13 @@ export const LESSONS = {
     "A face is disjoint from a window, intersects it or surrounds it. What " +
       "surrounds or misses a window does so for its quarters too, and is not " +
       "tested again."],
-    see: [["the picture is divided into four", { counter: "subdivisions" }],
-      ["a face surrounds a window", { counter: "Warnock special",
+    see: [["the picture is divided into four", { key: "subdivision" }],
+      ["a face surrounds a window", { key: "window-test",
         outcome: "surrounder" }],
-      ["an empty window is shown", { counter: "empty windows" }],
+      ["an empty window is shown", { key: "empty-window" }],
       ["a surround hides the rest: the window is shown",
-        { counter: "homogeneous windows" }],
-      ["a window of one sample", { counter: "samples" }]],
+        { key: "homogeneous-window" }],
+      ["a window of one sample", { key: "sample" }]],
     ask: "Move by rows or windows. Where are the smallest windows?",
     source: "The survey, chapter III, depth priority, figures 25 and 26; " +
       "Warnock 1969",
@@ -138,11 +138,11 @@ export const LESSONS = {
       "searched where that changes.",
     "If the ends come in the same order as on the line before, so do the " +
       "visible faces, and no depth is compared."],
-    see: [["a bucket with ends in it", { counter: "X priority search",
+    see: [["a bucket with ends in it", { key: "x-bucket",
       outcome: "holds intercepts" }],
-    ["a depth search", { counter: "depth search" }],
-    ["a span is shown as on the line before", { counter: "spans reused" }],
-    ["a whole line needed no search", { counter: "lines reused" }]],
+    ["a depth search", { key: "depth-search" }],
+    ["a span is shown as on the line before", { key: "span-reused" }],
+    ["a whole line needed no search", { key: "line-reused" }]],
     ask: "How many lines are drawn without a depth search?",
     source: "The survey, chapter III, scan lines; Wylie, Romney, Evans " +
       "and Erdahl 1967",
@@ -154,10 +154,10 @@ export const LESSONS = {
       "edge and the next, one span: which face is nearest at both its ends?",
     "If two different faces are, they penetrate, and the span is divided there."],
     see: [["two neighbours in the list change places",
-      { counter: "X interchanges" }],
-    ["the nearest face of a span is searched", { counter: "depth search" }],
-    ["two faces penetrate: the span is divided", { counter: "span divisions" }],
-    ["a span is shown", { counter: "spans" }]],
+      { key: "interchange" }],
+    ["the nearest face of a span is searched", { key: "depth-search" }],
+    ["two faces penetrate: the span is divided", { key: "span-division" }],
+    ["a span is shown", { key: "span" }]],
     ask: "Put it beside watkins. Which of them shows more spans?",
     source: "The survey, chapter III, scan lines, figure 27a; Bouknight 1969",
   },
@@ -168,11 +168,11 @@ export const LESSONS = {
       "view. So there are fewer spans, and fewer comparisons in depth.",
     "Two segments are compared by the depths of their ends; where that does " +
       "not tell, one is divided at its midpoint, as a logarithmic search."],
-    see: [["a segment lies outside of the span", { counter: "span cull",
+    see: [["a segment lies outside of the span", { key: "span-cull",
       outcome: "outside" }],
-    ["two segments are compared", { counter: "depth search" }],
-    ["their ends do not tell: one is divided", { counter: "depth divisions" }],
-    ["a span is shown", { counter: "spans" }]],
+    ["two segments are compared", { key: "depth-search" }],
+    ["their ends do not tell: one is divided", { key: "depth-division" }],
+    ["a span is shown", { key: "span" }]],
     ask: "Click a sample where faces penetrate. How often was a segment divided?",
     source: "The survey, chapter III, scan lines, figures 12, 27b and " +
       "28; Watkins 1970",
@@ -182,12 +182,12 @@ export const LESSONS = {
     text: ["Greene, Kass and Miller ask of a whole cube of an octree whether any of " +
       "it can be seen. A pyramid keeps the farthest depth of each square of " +
       "samples, so that one comparison may hide a cube with all that is in it."],
-    see: [["a cube is asked about", { counter: "cubes tested" }],
-      ["a cube is hidden, with all its faces", { counter: "cubes tested",
+    see: [["a cube is asked about", { key: "cube-tested" }],
+      ["a cube is hidden, with all its faces", { key: "cube-tested",
         outcome: "hidden" }],
-      ["an entry of the pyramid decides", { counter: "cube reads",
+      ["an entry of the pyramid decides", { key: "cube-read",
         outcome: "decides" }],
-      ["a sample is written", { counter: "writes" }]],
+      ["a sample is written", { key: "write" }]],
     ask: "How many of the cubes that were asked about were hidden?",
     source: "Greene, Kass and Miller 1993",
   },
@@ -196,19 +196,19 @@ export const LESSONS = {
     text: ["Greene’s tiling goes from front to back, and writes each sample once. It " +
       "is Warnock’s division again, with masks of 8 × 8 cells in place of windows: " +
       "a few words tell which cells a polygon covers, touches or misses."],
-    see: [["a cube’s silhouette is looked at", { counter: "cubes tested" }],
-      ["a cell that has to be divided", { counter: "polygon cells",
+    see: [["a cube’s silhouette is looked at", { key: "cube-tested" }],
+      ["a cell that has to be divided", { key: "polygon-cell",
         outcome: "active" }],
-      ["a cell of the finest level", { counter: "finest cells" }],
-      ["samples are shown by a mask", { counter: "samples" }]],
+      ["a cell of the finest level", { key: "finest-cell" }],
+      ["samples are shown by a mask", { key: "sample" }]],
     ask: "Put it beside warnock. What does Warnock compare that this does not?",
     source: "Greene 1996",
   },
 };
 
 // Step k at which the mark is reached; null: there is none in this run.
-export function stepOf(run, { counter, outcome, nth = 1 }) {
-  const c = run.header.counters.findIndex(({ name }) => name === counter);
+export function stepOf(run, { key, outcome, nth = 1 }) {
+  const c = run.counterOf(key);
   const word = outcome === undefined ? -1
     : run.header.counters[c]?.outcomes?.indexOf(outcome);
   const { counter: counters, outcome: outcomes, kept } = run.trace;

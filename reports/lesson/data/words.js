@@ -41,14 +41,12 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
 export const whereWords = (run, window) =>
   window && !isWhole(run, window) ? windowWords(window) : "";
 
-// Of the list of priority, an interchange puts the second piece before the first;
-// others are of neighbours.
-function sortWords(e, a, b) {
-  const name = e.counter.name.replace(/^.*: /, "");
-  if (name === "interchanges")
+// What becomes of two things that are sorted.
+function sortWords({ counter: { key } }, a, b) {
+  if (key === "list-move")
     return `${b} is moved to the far end of the list, before ${a}, with a marker`;
-  if (/interchange/.test(name)) return `${a} and ${b} change places`;
-  return name === "insertions" ? `${a} goes past ${b}`
+  if (key === "interchange") return `${a} and ${b} change places`;
+  return key === "list-insertion" ? `${a} goes past ${b}`
     : `${a} is put into its place, with ${b}`;
 }
 
@@ -103,15 +101,13 @@ export function eventWords(run, e) {
   else if (e.kind === "split" || e.kind === "subdivide")
     text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   else if (e.kind === "accept")
-    text += ` is ${run.kind === "segments" ? "drawn" : verb}${
+    text += ` is ${run.kind.verb ?? verb}${
       second && e.b.kind !== "window"
         ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   if (e.outcome) text += `: ${e.outcome}`;
   text += timesWords(run, e);
-  if (e.part && run.kind === "segments")
-    text += e.part[1] ? `: hidden by ${e.part[1] === 1 ? "one face"
-      : `${e.part[1]} faces`}` : ": visible";
+  if (e.part) text += run.kind.partWords?.(e.part) ?? "";
   const shown = e.a.kind === "window" || e.b.kind === "window";
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;

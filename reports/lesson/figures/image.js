@@ -135,8 +135,8 @@ export function logarithmic(run) {
 function* oneDivision(run) {
   const near = closeness(run);
   const { counter, width } = run.trace;
-  const c = (name) => run.header.counters.findIndex((x) => x.name === name);
-  const [search, divide] = [c("depth search"), c("depth divisions")];
+  const search = run.counterOf("depth-search");
+  const divide = run.counterOf("depth-division");
   for (let k = 1; k + 2 < run.trace.kept; k++) {
     if (counter[k] !== search || counter[k + 1] !== divide || width[k] < 6 ||
         counter[k + 2] !== search || counter[k - 1] === divide) continue;
@@ -199,7 +199,7 @@ export function pyramid(run) {
 export function cubesVisited(run) {
   const unit = 420 / run.width;
   const drawn = { visible: [], hidden: [] };
-  for (const { a, outcome } of eventsOf(run, "cubes tested"))
+  for (const { a, outcome } of eventsOf(run, "cube-tested"))
     drawn[outcome].push(run.cubes.get(`${a.ids[0]},${a.ids[1]}`));
   const wires = (cubes) => cubes.map((at) => [0, 1, 2, 3, 4, 5, 6, 7].map((c) =>
     [1, 2, 4].filter((bit) => !(c & bit)).map((bit) => at?.[c] && at[c | bit]
@@ -216,7 +216,7 @@ export function cubesVisited(run) {
 // The cell of 8 × 8 samples in which a face covers some, and finds some covered.
 export function masks(run) {
   const { trace } = run;
-  const cells = [...eventsOf(run, "finest cells")];
+  const cells = [...eventsOf(run, "finest-cell")];
   const m = run.width;
   const written = new Int32Array(m * run.height).fill(-1); // by which event
   for (const k of run.accepts)

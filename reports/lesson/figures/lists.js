@@ -5,10 +5,9 @@ import { closeness, segmentsOn } from "../data/projection.js";
 import { board, colourOf, line, middle, pathOf, round, s, section,
   text } from "./drawing.js";
 
-const counterNamed = (run, name) =>
-  run.header.counters.findIndex((c) => c.name === name);
-export function* eventsOf(run, name) {
-  const c = counterNamed(run, name);
+// The events of the counter of that key.
+export function* eventsOf(run, key) {
+  const c = run.counterOf(key);
   for (let k = 0; k < run.trace.kept; k++)
     if (run.trace.counter[k] === c) yield run.event(k);
 }
@@ -36,7 +35,7 @@ const corners = (run, f) => run.header.faces[f][3].map((v) => run.trace.points[v
 
 export function facePriority(run) {
   const { clusters } = run.trace.structure;
-  const culls = [...eventsOf(run, "back-face cull")];
+  const culls = [...eventsOf(run, "back-face-cull")];
   const best = clusters.reduce((x, y) => new Set(y).size > new Set(x).size ? y : x);
   const faces = [...new Set(best)];
   const { place, dropped } = planOf(run, faces.flatMap((f) => corners(run, f)), 240);
@@ -143,7 +142,7 @@ const letter = (k) => k < 24 ? String.fromCodePoint(0x3b1 + k + (k > 16 ? 1 : 0)
 // --- 20: the intercepts of a face ---
 
 export function intercepts(run) {
-  const pairs = [...eventsOf(run, "counter pairs")].filter((e) =>
+  const pairs = [...eventsOf(run, "counter-pair")].filter((e) =>
     run.header.faces[e.a.ids[0]][4].length >= 3);
   const slope = (e) => leaning(run.header.faces[e.a.ids[0]][4]);
   const best = pairs.reduce((x, y) => slope(y) * y.window.width >
@@ -207,7 +206,7 @@ export function wrongOrder(run) {
   const farthest = (f) => Math.min(...run.header.faces[f][4].map(
     ([x, y]) => near(f)(x, y)));
   let best = null;
-  for (const { a, b } of eventsOf(run, "interchanges")) {
+  for (const { a, b } of eventsOf(run, "list-move")) {
     const both = [a.ids[0], b.ids[0]];
     const far = both.map(farthest);
     for (const j of overlapOf(run, both)) {
@@ -264,7 +263,7 @@ function overlapOf(run, [f, g]) {
 // --- 23: a division ---
 
 export function division(run) {
-  for (const e of eventsOf(run, "divisions")) {
+  for (const e of eventsOf(run, "list-division")) {
     const halves = run.children(e.k, e.a.ids[1]).filter(Boolean);
     if (halves.length < 2) continue;
     const other = run.header.faces[e.b.ids[0]][4];

@@ -45,8 +45,8 @@ function listStrip(run) {
   const { element, draw, say, width } = board("The list",
     `${run.list.title}${run.list.ofPieces ? "; numbers of pieces" : ""}`);
   const same = (item, s) => s && (s.kind === "piece"
-    ? item.piece === s.ids[1] && item.face === s.ids[0] : s.kind === "face" && item.piece === null &&
-      item.face === s.ids[0]);
+    ? item.piece === s.ids[1] && item.face === s.ids[0]
+    : s.kind === "face" && item.piece === null && item.face === s.ids[0]);
 
   const show = (k, e) => {
     const { painted, order, marked, sorting } = run.list.at(k);
@@ -55,9 +55,10 @@ function listStrip(run) {
     const across = Math.max(1, Math.floor(width() / w));
     const rows = Math.max(1, Math.ceil(items.length / across));
     say(sorting ? "It is being sorted." : !items.length ? "It is still empty."
-      : order.length ? `${whole(painted.length)} done (without colour), ${whole(order.length)
-      } to come; next: ${nameOf(run, order[0])}${marked.size
-        ? "; a filled corner is a marker" : ""}` : `${whole(painted.length)} in the order in which they come`);
+      : !order.length ? `${whole(painted.length)} in the order in which they come`
+        : `${whole(painted.length)} done (without colour), ${whole(order.length)
+        } to come; next: ${nameOf(run, order[0])}${marked.size
+          ? "; a filled corner is a marker" : ""}`);
     draw(rows * (high + 2), (context, wide) => {
       const fit = Math.max(1, Math.floor(wide / w));
       context.font = "11px system-ui, sans-serif";

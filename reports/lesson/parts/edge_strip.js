@@ -6,7 +6,6 @@ import { h } from "../../page/parts/dom.js";
 const MOST = 60; // letters are left out of what is narrower than 1/60
 
 export function edgeStrip(run) {
-  if (run.kind !== "segments") return { element: null, show: () => {} };
   const of = new Map(); // edge -> numbers of its parts
   run.trace.parts.forEach(([[kind, ...ids]], k) => {
     const key = keyOf(run.header.subjects[kind].name, ids);

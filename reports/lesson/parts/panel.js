@@ -7,7 +7,6 @@ import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { formula } from "../../page/parts/symbols.js";
 import { beside } from "./beside.js";
-import { edgeStrip } from "./edge_strip.js";
 import { picture } from "./picture.js";
 import { storyList } from "./story_list.js";
 import { timeline } from "./timeline.js";
@@ -37,7 +36,7 @@ export function panel(run, act) {
   const lines = [...outline.children];
   const counters = counterTable(run);
   const costs = costTable(run);
-  const strip = edgeStrip(run);
+  const strip = run.kind.strip?.(run);
   const around = beside(run);
   const story = storyList(run, act.go);
   let current = null;
@@ -63,14 +62,12 @@ export function panel(run, act) {
     line.draw(k);
     const e = k > 0 && k <= trace.kept ? run.event(k - 1) : null;
     where.textContent = `Step ${whole(k)} of ${whole(trace.events)} · ${
-      Math.floor(100 * run.painting.decided(k))} % ${
-      /^(ids|composited|area|filtered|transparent|shadowed)$/.test(run.kind) ? "of the samples painted"
-        : "of the answer drawn"}`;
+      Math.floor(100 * run.painting.decided(k))} % ${run.kind.progress}`;
     if (k > trace.kept)
       where.textContent = `The end, after all ${whole(trace.events)} steps`;
     tell(k, e);
     mark(e?.counter.line ?? null);
-    strip.show(k, e);
+    strip?.show(k, e);
     around.show(k, e);
     counters.show(k, e?.number);
     costs.show(k);
@@ -111,7 +108,7 @@ export function panel(run, act) {
       adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
       .filter(Boolean).join(" · ")),
     h("div", { class: "left" },
-      h("div", { class: "seen" }, canvas, line.element, strip.element),
+      h("div", { class: "seen" }, canvas, line.element, strip?.element),
       around.element, story.element),
     h("div", { class: "right" }, words,
       h("div", { class: "told" }, h("h3", {}, "What it does"), outline,

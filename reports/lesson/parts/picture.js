@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture of a run: what is painted so far, the images of all faces, and
 // over them what the algorithm does now.
-import { colourOf, kindColour } from "../data/kinds.js";
-import { cubesOf, UNDECIDED } from "../data/painting.js";
-import { projection } from "../data/projection.js";
+import { colourOf, kindColour, packed } from "../data/kinds.js";
 import { facesOf } from "../data/run.js";
 
 const DASH = [6, 4];
@@ -49,104 +47,15 @@ export function picture(canvas, run) {
     context.setLineDash([]);
   };
 
-  const drawIds = (ids) => {
-    for (let k = 0; k < ids.length; k++)
-      pixels[k] = ids[k] >= 0 ? colours[ids[k]]
-        : ids[k] === UNDECIDED ? 0 : background;
+  // The picture, of a pixel for each sample k; 0: nothing.
+  const put = (pixel) => {
+    for (let k = 0; k < pixels.length; k++) pixels[k] = pixel(k);
     smallContext.putImageData(image, 0, 0);
     context.imageSmoothingEnabled = false;
     context.drawImage(small, 0, 0, m, n);
   };
-
-  const dark = (colour) => (colour & 0xff000000 | colour >> 1 & 0x7f7f7f) >>> 0;
-  const drawShadowed = (values) => {
-    for (let k = 0; k < values.length; k++)
-      pixels[k] = values[k] >= 0
-        ? (values[k] & 1 ? (c) => c : dark)(colours[values[k] >> 1])
-        : values[k] === UNDECIDED ? 0 : background;
-    smallContext.putImageData(image, 0, 0);
-    context.imageSmoothingEnabled = false;
-    context.drawImage(small, 0, 0, m, n);
-  };
-
-  const encoded = (c) => Math.round(255 * (c <= 0.0031308 ? 12.92 * c
-    : 1.055 * c ** (1 / 2.4) - 0.055));
-  // What is written; and before that, the more opaque the more often touched.
-  const drawComposited = (values, k) => {
-    const touches = run.painting.touches(k);
-    const grey = packed(colourOf("--faint"));
-    for (let s = 0; s < values.length; s++) {
-      const rgba = run.painting.colour(values[s], k);
-      const [r, g, b] = rgba?.map((c) => encoded(c / 65535)) ?? [];
-      pixels[s] = rgba ? (255 << 24 | b << 16 | g << 8 | r) >>> 0
-        : ((Math.min(200, 26 * Math.log2(1 + touches[s])) << 24) |
-          (grey & 0xffffff)) >>> 0;
-    }
-    smallContext.putImageData(image, 0, 0);
-    context.imageSmoothingEnabled = false;
-    context.drawImage(small, 0, 0, m, n);
-  };
-
-  const drawSegments = (parts) => {
-    const visible = new Path2D(), hidden = new Path2D();
-    for (const [, invisibility, , , , , from, to] of parts) {
-      if (!from || !to) continue;
-      const path = invisibility ? hidden : visible;
-      path.moveTo(...from);
-      path.lineTo(...to);
-    }
-    context.strokeStyle = colourOf("--faint");
-    context.globalAlpha = 0.5;
-    context.setLineDash([2, 3].map(line));
-    context.lineWidth = line(1);
-    context.stroke(hidden);
-    context.setLineDash([]);
-    context.globalAlpha = 1;
-    context.strokeStyle = colourOf("--ink");
-    context.lineWidth = line(1.8);
-    context.stroke(visible);
-  };
-
-  // A region is filled but for its holes.
-  const drawPolygons = (parts) => {
-    for (const [face, cycles] of parts) {
-      const path = new Path2D();
-      for (const sides of cycles) {
-        sides.forEach(([, , , x, y], k) =>
-          k ? path.lineTo(x, y) : path.moveTo(x, y));
-        path.closePath();
-      }
-      context.fillStyle = header.faces[face][2];
-      context.fill(path, "evenodd");
-      context.strokeStyle = colourOf("--paper");
-      context.lineWidth = line(0.5);
-      context.stroke(path);
-    }
-  };
-
-  const project = projection(header.view);
-  const drawVoxels = (parts) => {
-    const { lo, size } = run.trace.answer;
-    const dots = [];
-    for (const part of parts)
-      for (const cube of cubesOf(part)) {
-        const half = part[2] / 2;
-        const at = project(cube.map((x, k) => lo[k] + (x + half) * size));
-        if (!at) continue;
-        const [x, y, depth, unit] = at;
-        dots.push({ x, y, depth, solid: part[0],
-          r: Math.max(0.6, 0.6 * unit * part[2] * size) });
-      }
-    dots.sort((a, b) => b.depth - a.depth);
-    for (const { x, y, r, solid } of dots) {
-      context.fillStyle = `hsl(${solid * 137 % 360} 45% 55%)`;
-      context.fillRect(x - r, y - r, 2 * r, 2 * r);
-    }
-  };
-
-  const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
-    filtered: drawComposited, transparent: drawComposited, shadowed: drawShadowed,
-    segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
+  // What a kind of answer draws with: in samples; line(width) is of so many pixels.
+  const easel = { run, context, line, put, colours, background };
 
   // --- what is done now ---
 
@@ -161,7 +70,8 @@ export function picture(canvas, run) {
 
   // Of a piece, what is left of its face.
   const mark = (subject, colour, dashed, fill, k) => {
-    const left = subject.kind === "piece" ? run.outline(k, subject.ids[1], subject.ids[0]) : null;
+    const left = subject.kind === "piece"
+      ? run.outline(k, subject.ids[1], subject.ids[0]) : null;
     for (const f of facesOf(subject)) {
       if (!paths[f]) continue;
       const path = left ? pathOf(left) : paths[f];
@@ -225,22 +135,18 @@ export function picture(canvas, run) {
     stroke(box, colour, kind === "accept" ? 3 : 2, kind === "retire");
   };
 
-  const markPart = (part, colour) => {
-    if (run.kind !== "segments" || !part[6] || !part[7]) return;
-    stroke(pathOf([part[6], part[7]]), colour, 3.5, part[1] > 0);
-  };
-
   const markEvent = (e) => {
     const colour = kindColour(e.kind);
     const window = e.window && (e.window.width < m || e.window.height < n ||
       e.a.kind === "window" || e.b.kind === "window") ? e.window : null;
     const fill = e.kind !== "accept";
     mark(e.b, colour, true, fill, e.k);
-    if (e.kind !== "accept" || run.kind === "segments")
+    if (e.kind !== "accept" || run.kind.partLine)
       mark(e.a, colour, false, fill, e.k);
     if (e.kind === "split" && e.a.kind === "piece") markHalves(e, colour);
     if (window) markWindow(window, colour, e.kind);
-    if (e.part) markPart(e.part, colour);
+    const part = e.part && run.kind.partLine?.(e.part);
+    if (part) stroke(pathOf(part.points), colour, 3.5, part.dashed);
   };
 
   const markPixel = ({ i, j }) => {
@@ -260,7 +166,7 @@ export function picture(canvas, run) {
     context.fillStyle = colourOf("--paper");
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.setTransform(scale, 0, 0, scale, 0, 0);
-    drawn[run.kind](run.painting.at(k), k);
+    run.kind.draw(easel, run.painting.at(k), k);
     if (outlines) {
       context.strokeStyle = colourOf("--ink");
       context.globalAlpha = 0.22;
@@ -282,11 +188,6 @@ export function picture(canvas, run) {
       j: place(clientY, box.top, box.height, n) };
   };
   return { draw, at };
-}
-
-function packed(colour) {
-  const [r, g, b] = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
-  return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
 }
 
 function pathOf(points) {

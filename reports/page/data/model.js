@@ -62,7 +62,7 @@ export function model(data) {
     environments: tables.environments ?? [],
     algorithms, cells, tables,
     kind: (name) => kinds.get(name) ?? null,
-    draws: (name) => byName.get(name)?.kind !== "none" && name !== "null",
+    draws: (name) => byName.get(name)?.draws !== false,
     algorithm: (name) => byName.get(name) ?? { name, title: name },
     cell: (record, name) => byKey.get(cellKey(record, name)) ?? null,
     cellsOf: (name) => ofAlgorithm.get(name) ?? [],
@@ -100,9 +100,11 @@ function grouped(cells) {
   return groups;
 }
 
-// A peer, or an algorithm that has numbers but no description.
+// A peer, or an algorithm that has numbers but no description. "none" is no kind: it
+// draws nothing.
 function stranger([name, [{ peer, kind }]]) {
-  return { name, title: name, taxonomy: peer ? PEER : null, kind };
+  return { name, title: name, taxonomy: peer ? PEER : null, kind,
+    draws: kind !== "none" };
 }
 
 function cellKey(record, name) {

@@ -49,8 +49,10 @@ export function timeColumns(report, rows) {
 function ratio({ ratio: r, algorithm }) {
   if (!r) return "–";
   if (r.to === algorithm) return "1";
-  return [interval(r.value, r.low, r.high), distinguishable(r) ? null
-    : h("span", { class: "note" }, " not distinguishable")];
+  const note = r.low === null ? " too few starts"
+    : distinguishable(r) ? null : " not distinguishable";
+  return [interval(r.value, r.low, r.high),
+    note && h("span", { class: "note" }, note)];
 }
 
 export function outcomeColumns(rows) {

@@ -27,11 +27,6 @@ struct hand_picture {
   struct hsr_view view;
 };
 
-static inline void hand_stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 /* Appends a vertex of a picture of m x n to an object. */
 static inline uint32_t hand_add(struct hsr_object *object,
                                 const struct hand_vertex *at, int m, int n) {
@@ -47,10 +42,11 @@ static inline void hand_finish(struct hand_picture *p, int m, int n) {
   struct hsr_error err = {.text = "out of memory"};
   const struct hsr_camera camera = {
       .at = {0, 0, -1}, .up = {0, 1, 0}, .fov = 90};
-  if (hsr_scene_view(p->scene, &camera) || hsr_scene_finish(p->scene, &err) ||
-      hsr_world_init(&p->world, p->scene, &err) ||
-      hsr_view_init(&p->view, &camera, m, n, &err))
-    hand_stop(err.text);
+  if (hsr_scene_view(p->scene, &camera))
+    bail("%s", err.text);
+  must_finish(p->scene);
+  must_world(&p->world, p->scene);
+  must_view(&p->view, &camera, m, n);
 }
 
 static inline void hand_close(struct hand_picture *p) {
@@ -87,7 +83,7 @@ static inline int hand_outcome(const struct hsr_counter *counter,
       return k;
     at = end ? end + 1 : NULL;
   }
-  hand_stop(outcome);
+  bail("%s", outcome);
   return 0;
 }
 
@@ -106,8 +102,8 @@ static inline bool hand_check_one(const struct hsr_algorithm *a, int k,
 }
 
 /* Draws the picture by an algorithm, or a variant of proposals.def. Prints the
- * counters that differ from the derived values
- * and, if `all`, those that have none; true if there are no such counters. */
+ * counters that differ from the derived values; true if there are none. If
+ * `all`, a counter that is not listed must be 0. */
 static inline bool hand_compare(const struct hand_picture *p, const char *name,
                                 const struct hand_count *derived, bool all) {
   const struct hsr_algorithm *a = find_counting(name);
@@ -128,8 +124,9 @@ static inline bool hand_compare(const struct hand_picture *p, const char *name,
         found |= !d->outcome;
         good &= hand_check_one(a, k, &tally, &heard, d);
       }
-    if (!found && all) {
-      printf("# %s: %s: not derived\n", name, a->counters[k].name);
+    if (!found && all && tally.count[k]) {
+      printf("# %s: %s: counted %" PRIu64 ", not derived\n", name,
+             a->counters[k].name, tally.count[k]);
       good = false;
     }
   }

@@ -19,22 +19,8 @@ struct hand_object {
   struct hand_face face[6];
 };
 
-/* An object that is one rectangle at one depth. Its vertices are numbered
- * clockwise from the upper left corner. */
-#define HAND_RECTANGLE(x0, y0, x1, y1, depth)                                  \
-  {                                                                            \
-    4, 1,                                                                      \
-        {{x0, y0, depth}, {x1, y0, depth}, {x1, y1, depth}, {x0, y1, depth}},  \
-    {                                                                          \
-      {                                                                        \
-        4, {                                                                   \
-          0, 1, 2, 3                                                           \
-        }                                                                      \
-      }                                                                        \
-    }                                                                          \
-  }
-
-/* The same, at one depth on its left and at another on its right. */
+/* An object that is one rectangle, at one depth on its left and at another on
+ * its right. Its vertices are numbered clockwise from the upper left corner. */
 #define HAND_SLANT(x0, y0, x1, y1, left, right)                                \
   {                                                                            \
     4, 1, {{x0, y0, left}, {x1, y0, right}, {x1, y1, right}, {x0, y1, left}},  \
@@ -46,6 +32,10 @@ struct hand_object {
       }                                                                        \
     }                                                                          \
   }
+
+/* The same at one depth. */
+#define HAND_RECTANGLE(x0, y0, x1, y1, depth)                                  \
+  HAND_SLANT(x0, y0, x1, y1, depth, depth)
 
 static inline void hand_open(struct hand_picture *p,
                              const struct hand_object *object, int n) {
@@ -66,7 +56,7 @@ static inline void hand_open(struct hand_picture *p,
 }
 
 /* Draws the objects. Prints the counters that differ from the derived values,
- * or have none; true if there are no such counters. */
+ * or from 0 if they are not listed; true if there are none. */
 static inline bool hand_check(const char *name,
                               const struct hand_object *object, int n,
                               const struct hand_count *derived) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes whose counts can be derived by hand: faces whose corners are given in
- * pixels of the picture, each with a depth. See hand.h. */
+ * pixels of the picture, each with a depth; two of them, which several tests
+ * draw. See hand.h. */
 #ifndef HSR_TESTS_COUNTS_PIXELS_H
 #define HSR_TESTS_COUNTS_PIXELS_H
 
@@ -22,6 +23,23 @@ struct pixel_face {
     }                                                                          \
   }
 
+/* A is far, B and C are near. Rows 1 to 5, columns:
+ *  1   A 2-12
+ *  2   A 2-12, B 6-9
+ *  3   A 2-12, B 6-9, C 10-14
+ *  4   A 2-12,        C 10-14
+ *  5                  C 10-14 */
+static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
+                                         PIXEL_RECTANGLE(6, 2, 9, 4, 4),
+                                         PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
+
+/* On row 3 both have the columns 4-12. With q = 1/depth in units of 1/128, S
+ * has q = 8 + (x - 4) at x, and P has 13 everywhere: S comes to the front at x
+ * = 9. Column c is at x = c + 0.5. */
+static const struct pixel_face crossing[] = {
+    {4, {{4, 3, 16}, {12, 3, 8}, {12, 4, 8}, {4, 4, 16}}},
+    PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};
+
 static inline void pixel_open(struct hand_picture *p,
                               const struct pixel_face *face, int n_faces, int m,
                               int n) {
@@ -34,6 +52,18 @@ static inline void pixel_open(struct hand_picture *p,
     hsr_object_face(object, v, (size_t)face[f].n, NULL);
   }
   hand_finish(p, m, n);
+}
+
+/* Draws the faces in a picture of 16 x 8. Prints the counters that differ from
+ * the derived values, or from 0 if they are not listed; true if there are none.
+ */
+static inline bool pixel_check(const char *name, const struct pixel_face *face,
+                               int n_faces, const struct hand_count *derived) {
+  struct hand_picture p;
+  pixel_open(&p, face, n_faces, 16, 8);
+  bool good = hand_compare(&p, name, derived, true);
+  hand_close(&p);
+  return good;
 }
 
 #endif

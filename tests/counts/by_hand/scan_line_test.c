@@ -11,17 +11,14 @@ enum { M = 16, N = 8 };
 
 /* --- Edges that enter between others -------------------------------------- */
 
-/* Rows 1 to 5:            list after the row's merge
+/* deck, rows 1 to 5:      list after the row's merge
  *  1   2.........12        2 12
  *  2   2..6==9...12        2 6 9 12
  *  3   2..6==9.10====14    2 6 9 10 12 14
  *  4   2......10====14     2 10 12 14
- *  5          10====14     10 14 */
-static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
-                                         PIXEL_RECTANGLE(6, 2, 9, 4, 4),
-                                         PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
-
-/* Y sort: two edges of each rectangle are not horizontal: 6.
+ *  5          10====14     10 14
+ *
+ * Y sort: two edges of each rectangle are not horizontal: 6.
  *
  * X merge: first the bucket is ordered, last in first out: a right edge, then
  * the left one, which is compared with it: 1 a bucket. Then it is merged, from

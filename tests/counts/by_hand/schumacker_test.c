@@ -41,9 +41,7 @@ static const struct hand_count of_deck[] = {
     {"priority search", 14 * 16},
     {"priority search", 8, "there"},
     {"priority search", 32 + 12 + 12 - 8, "there, with the highest priority"},
-    {"thickness checks", 0},
     {"samples shown", 48},
-    /* No face is transparent. */ {"combined", 0},
     {NULL}};
 
 /* A triangle. On each of the rows 1 to 3 it has two intercepts:
@@ -53,8 +51,6 @@ static const struct hand_count of_deck[] = {
 static const struct hand_object triangle[] = {
     {3, 1, {{8, 1, 4}, {14, 4, 4}, {2, 4, 4}}, {{3, {0, 1, 2}}}}};
 static const struct hand_count of_triangle[] = {
-    {"intra-cluster priority", 0},
-    {"inter-cluster priority", 0},
     {"back-face cull", 2},
     {"back-face cull", 1, "front"},
     {"Y cull", 3 * 8},
@@ -63,9 +59,7 @@ static const struct hand_count of_triangle[] = {
     {"priority search", 3 * 16},
     {"priority search", 0, "there"},
     {"priority search", 2 + 6 + 10, "there, with the highest priority"},
-    {"thickness checks", 0},
     {"samples shown", 18},
-    /* No face is transparent. */ {"combined", 0},
     {NULL}};
 
 int main(void) {

@@ -77,13 +77,6 @@ static const struct hand_count derived[] = {
     {"one in front", 3},
     {"samples", 4},
     {"runs", 6},
-    {"raster sort", 0},
-    {"raster merge", 0},
-    {"raster rows", 0},
-    {"ranges", 0},
-    {"entered", 0},
-    {"left", 0},
-    {"region sort", 0},
     {NULL}};
 
 /* As a raster. 13 windows are decided, and put into buckets twice. In rows:

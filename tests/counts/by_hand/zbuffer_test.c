@@ -33,29 +33,13 @@ static const struct hand_count derived[] = {{"depth tests", 55},
 /* A and B are tiled in floats. C has 1/t from 1/16 to 1/2. This range is longer
  * than its lower end, so C goes the general way. All edges keep a distance from
  * the samples, and 1/t of A and B differ by a factor of two. */
-static const struct hand_count fast[] = {
-    {"depth tests", 55},
-    {"depth tests", 55, "nearer"},
-    {"writes", 55},
-    {"overwrites", 9},
-    {"fast triangles", 2},
-    {"general faces", 1},
-    {"unsure covers", 0},
-    {"unsure depths", 0},
-    /* No face is transparent. */ {"layer tests", 0},
-    {"farthest tests", 0},
-    {"layers", 0},
-    {"combined", 0},
-    /* No shadows are asked for. */ {"light facings", 0},
-    {"shadow tests", 0},
-    {"lit", 0},
-    {"light cells", 0},
-    {"wide faces", 0},
-    /* No groups are asked for. */ {"groups tested", 0},
-    {"groups away", 0},
-    {"groups out", 0},
-    {"triangles left out", 0},
-    {NULL}};
+static const struct hand_count fast[] = {{"depth tests", 55},
+                                         {"depth tests", 55, "nearer"},
+                                         {"writes", 55},
+                                         {"overwrites", 9},
+                                         {"fast triangles", 2},
+                                         {"general faces", 1},
+                                         {NULL}};
 
 /* The three are one group. They have two sides, so none turns away, and the group
  * is in the picture. */

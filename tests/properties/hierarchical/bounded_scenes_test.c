@@ -14,27 +14,23 @@
 #include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void stop(const char *name, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", name, err->text);
-  exit(99);
-}
 
 static void draw(const char *name, const struct hsr_world *world,
                  const struct hsr_view *view, struct hsr_answer *answer) {
   struct hsr_variant variant;
   struct hsr_error err;
   if (hsr_variant_parse(name, &variant, &err))
-    stop(name, &err);
+    bail("%s: %s", name, err.text);
   if (draw_chosen(variant.listed->plain, &variant.choice, world, view, answer,
                   NULL))
     return;
-  printf("Bail out! %s refuses the scene\n", name);
-  exit(99);
+  bail("%s refuses the scene", name);
 }
 
 /* How many intervals do not hold the value or are too wide, and how many values
@@ -164,10 +160,11 @@ static void check_medians(struct tap *tap) {
   add_wall(scene, -14, green);
   add_mark(scene, blue);
   add_rest(scene);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, WHOLE, WHOLE, &err))
-    stop("medians", &err);
+  if (hsr_scene_view(scene, &camera))
+    bail("medians: %s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &camera, WHOLE, WHOLE);
   view.window = hsr_window_make(6, 134, 6 + SIDE, 134 + SIDE);
   look(&world, &view, &found);
   tell(tap, &found, "walls cut at medians");
@@ -191,14 +188,14 @@ static void check_bent(struct tap *tap) {
   struct found found = {0};
   add_face(scene, bent, 4, red);
   add_face(scene, wall, 4, green);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err))
-    stop("bent", &err);
+  if (hsr_scene_view(scene, &camera))
+    bail("bent: %s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
   for (int k = 1; k <= 8; k++) {
     struct hsr_view view;
     camera.eye[1] = camera.at[1] = k / 16.0;
-    if (hsr_view_init(&view, &camera, 64, 64, &err))
-      stop("bent", &err);
+    must_view(&view, &camera, 64, 64);
     look(&world, &view, &found);
   }
   tell(tap, &found, "a bent face seen edge-on");
@@ -224,10 +221,11 @@ static void check_near(struct tap *tap) {
   struct hsr_error err = {.text = "out of memory"};
   struct found found = {0};
   add_face(scene, corner, 3, red);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, 64, 64, &err))
-    stop("near", &err);
+  if (hsr_scene_view(scene, &camera))
+    bail("near: %s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &camera, 64, 64);
   look(&world, &view, &found);
   tell(tap, &found, "a plane along F, cut by near");
   hsr_world_free(&world);

@@ -19,6 +19,7 @@
 #include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/area.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -78,16 +79,11 @@ static void look(void *whom, const struct hsr_answer *answer, int pass) {
   watch->passes++;
 }
 
-static void stop(const char *name, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", name, err->text);
-  exit(99);
-}
-
 static enum hsr_area_filter filter_of(const char *name) {
   struct hsr_variant variant;
   struct hsr_error err;
   if (hsr_variant_parse(name, &variant, &err))
-    stop(name, &err);
+    bail("%s: %s", name, err.text);
   return hsr_form_area(&variant.choice.form).filter;
 }
 
@@ -103,7 +99,7 @@ static bool draw(const char *name, const struct hsr_world *world,
   struct hsr_setup setup;
   struct hsr_variant variant;
   if (hsr_variant_parse(name, &variant, &err))
-    stop(name, &err);
+    bail("%s: %s", name, err.text);
   enum hsr_status status = hsr_setup_init(&setup, variant.listed->plain,
                                           &variant.choice, world, &err);
   if (status == HSR_E_REFUSED && !strncmp(err.text, "CF:", 3)) {
@@ -112,7 +108,7 @@ static bool draw(const char *name, const struct hsr_world *world,
   }
   if (status ||
       hsr_answer_make(answer, &variant.choice.form, view, false, &err))
-    stop(name, &err);
+    bail("%s: %s", name, err.text);
   int side = variant.choice.window ? (int)variant.choice.window : m;
   for (int y = 0; y < n; y += side)
     for (int x = 0; x < m; x += side) {
@@ -126,7 +122,7 @@ static bool draw(const char *name, const struct hsr_world *world,
                             .passes = side == m ? passes : NULL};
       hsr_arena_reset(&scratch);
       if (hsr_setup_render(&setup, &job, &err))
-        stop(name, &err);
+        bail("%s: %s", name, err.text);
     }
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
@@ -369,10 +365,8 @@ static bool take_size(const char *text) {
 static void make_room(void) {
   channels = 3 * m * n;
   last = malloc((size_t)channels * sizeof *last);
-  if (!last) {
-    printf("Bail out! out of memory\n");
-    exit(99);
-  }
+  if (!last)
+    bail("out of memory");
 }
 
 static void check_usual_scenes(struct tap *tap) {

@@ -11,6 +11,7 @@
 // there should be none, neither on random input nor among small integers, where
 // everything is exact and there are many ties.
 #include "common/trees/box.h"
+#include "tests/properties/splitmix64.h"
 #include "tests/tap.h"
 
 #include <CGAL/Exact_rational.h>
@@ -30,22 +31,6 @@ using Rational = CGAL::Exact_rational;
 template <class T> using Point = std::array<T, 3>;
 template <class T> using Polygon = std::vector<Point<T>>;
 
-// ---- Random numbers: splitmix64 ----
-
-uint64_t state;
-
-uint64_t bits() {
-  uint64_t z = state += 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return z ^ z >> 31;
-}
-int integer(int lo, int hi) {
-  return lo + int(bits() % uint64_t(hi - lo + 1));
-}
-double real(double lo, double hi) {
-  return lo + (hi - lo) * (double(bits() >> 11) * 0x1p-53);
-}
 // A coordinate in [-size, size]: an integer on the lattice, otherwise a
 // multiple of 2^-12. So a few sums and products of coordinates are exact.
 double coordinate(int size, bool lattice) {

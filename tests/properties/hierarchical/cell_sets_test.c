@@ -74,7 +74,6 @@ static struct hsr_scene *random_building(uint64_t *seed) {
   struct hsr_object *o = hsr_scene_object(scene, "building");
   struct hsr_camera camera = {
       .eye = {4, 2, 4}, .at = {5, 2, 4}, .up = {0, 1, 0}, .fov = 90};
-  struct hsr_error err = {.text = "out of memory"};
   for (int i = 0; i <= ROOMS; i++)
     for (int j = 0; j < ROOMS; j++)
       for (int axis = 0; axis < 3; axis += 2) {
@@ -87,23 +86,22 @@ static struct hsr_scene *random_building(uint64_t *seed) {
     const double lo[3] = {0, 4 * level, 0}, hi[3] = {8 * ROOMS, 0, 8 * ROOMS};
     draw_rectangle(o, lo, hi, 1);
   }
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
+  if (hsr_scene_view(scene, &camera))
     abort();
+  must_finish(scene);
   return scene;
 }
 
 /* A named scene; NULL: a random building. */
 static void open_building(struct building *b, const char *name,
                           uint64_t *seed) {
-  struct hsr_error err = {.text = "out of memory"};
   memset(b, 0, sizeof *b);
   if (name) {
     claim_open(&b->scene, name, 0, M, N);
   } else {
     b->scene.worlds.scene = random_building(seed);
-    if (hsr_world_init(&b->scene.worlds.world, b->scene.worlds.scene, &err) ||
-        hsr_world_roster(&b->scene.worlds.roster, b->scene.worlds.scene, &err))
-      abort();
+    must_world(&b->scene.worlds.world, b->scene.worlds.scene);
+    must_roster(&b->scene.worlds.roster, b->scene.worlds.scene);
   }
   const struct hsr_world *world = &b->scene.worlds.world;
   const double *at[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
@@ -181,10 +179,8 @@ static void add_cell(void *context, uint32_t cell) {
 }
 
 static void open_oracle(struct building *b) {
-  struct hsr_error err;
-  if (hsr_setup_init(&b->oracle, hsr_algorithm_find("oracle")->plain, NULL,
-                     &b->scene.worlds.roster, &err))
-    abort();
+  must_setup(&b->oracle, hsr_algorithm_find("oracle")->plain, NULL,
+             &b->scene.worlds.roster);
 }
 
 static void ask_oracle(const struct building *b, const struct hsr_view *view,

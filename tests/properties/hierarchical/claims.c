@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/hierarchical/claims.h"
+#include "tests/tap.h"
 
 #include "bench/modules/variant.h"
 
@@ -7,18 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 void claim_open(struct claim_scene *scene, const char *name, uint32_t number,
                 int m, int n) {
-  struct hsr_error err;
   open_worlds(&scene->worlds, name);
   const struct hsr_scene *s = scene->worlds.scene;
-  if (hsr_view_init(&scene->view, &s->views[number % s->n_views], m, n, &err))
-    stop(name, err.text);
+  must_view(&scene->view, &s->views[number % s->n_views], m, n);
 }
 
 void claim_close(struct claim_scene *scene) {
@@ -38,7 +32,7 @@ void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
   size_t size = (size_t)view->m * (size_t)view->n * sizeof *counts->ids;
   *counts = (struct claim_counts){.ids = malloc(size)};
   if (!counts->ids)
-    stop(algorithm, "out of memory");
+    bail("%s: out of memory", algorithm);
   memset(counts->ids, 0xfe, size);
   counts->tally.trace = listen ? &trace : NULL;
   struct hsr_answer answer = hsr_answer_of_ids(counts->ids, view->m, view->n);
@@ -47,15 +41,15 @@ void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
                         .tally = &counts->tally,
                         .answer = &answer};
   if (hsr_variant_parse(algorithm, &variant, &err))
-    stop(algorithm, err.text);
+    bail("%s: %s", algorithm, err.text);
   counts->algorithm = variant.listed->counting;
   const struct hsr_world *world =
       hsr_most_laid_out(counts->algorithm, &variant.choice)
           ? &scene->worlds.world
           : &scene->worlds.roster;
-  if (hsr_setup_init(&setup, counts->algorithm, &variant.choice, world, &err) ||
-      hsr_setup_render(&setup, &job, &err))
-    stop(algorithm, err.text);
+  must_setup(&setup, counts->algorithm, &variant.choice, world);
+  if (hsr_setup_render(&setup, &job, &err))
+    bail("%s: %s", algorithm, err.text);
   counts->tally.trace = NULL;
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);

@@ -20,11 +20,6 @@
 
 enum { M = 48, N = 36, VIEWS = 2, FRAMES = 4, THREADS = 4, RANDOM_SCENES = 60 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* A scene and its right pictures. */
 struct known {
   struct hsr_scene *scene;
@@ -34,16 +29,13 @@ struct known {
 };
 
 static void know(struct known *k) {
-  struct hsr_error err = {.text = "out of memory"};
   const struct hsr_algorithm *zbuffer =
       hsr_algorithm_find("zbuffer-fast")->plain;
-  if (hsr_world_init(&k->world, k->scene, &err) ||
-      hsr_world_roster(&k->outline, k->scene, &err))
-    stop(k->scene->name, err.text);
+  must_world(&k->world, k->scene);
+  must_roster(&k->outline, k->scene);
   for (uint32_t v = 0; v < VIEWS; v++) {
     uint32_t of = v < k->scene->n_views ? v : 0;
-    if (hsr_view_init(&k->view[v], &k->scene->views[of], M, N, &err))
-      stop(k->scene->name, err.text);
+    must_view(&k->view[v], &k->scene->views[of], M, N);
     draw_ids(zbuffer, &k->world, &k->view[v], k->right[v], NULL);
   }
 }
@@ -56,9 +48,7 @@ static void forget(struct known *k) {
 
 static struct known *open_known(const char *name) {
   static struct known k;
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &k.scene, &err))
-    stop(name, err.text);
+  k.scene = must_open(name);
   know(&k);
   return &k;
 }
@@ -87,8 +77,7 @@ static long try_choice(const struct known *k, const struct hsr_algorithm *a,
   struct hsr_setup setup;
   uint32_t ids[M * N];
   long wrong = 0;
-  if (hsr_setup_init(&setup, a, choice, &k->outline, &err))
-    stop(k->scene->name, err.text);
+  must_setup(&setup, a, choice, &k->outline);
   for (int f = 0; f < (setup.flags & HSR_FRAME_STATE ? FRAMES : VIEWS); f++) {
     int v = f % VIEWS;
     struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
@@ -99,7 +88,7 @@ static long try_choice(const struct known *k, const struct hsr_algorithm *a,
     memset(ids, 0xfe, sizeof ids);
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
-      stop(k->scene->name, err.text);
+      bail("%s: %s", k->scene->name, err.text);
     wrong += count_differences(&k->view[v], ids, k->right[v]);
   }
   hsr_setup_free(&setup);
@@ -188,7 +177,6 @@ static void fill_module(struct hsr_object *object, const double *size,
  * and a view from inside or from nearby. */
 static struct hsr_scene *random_modules(uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("modules");
-  struct hsr_error err = {.text = "out of memory"};
   int n_objects = (int)draw_integer(seed, 1, 3);
   for (int o = 0; o < n_objects; o++) {
     struct hsr_object *object = hsr_scene_object(scene, "module");
@@ -213,10 +201,9 @@ static struct hsr_scene *random_modules(uint64_t *seed) {
       camera.at[k] = (double)draw_integer(seed, 100, 500) / 10;
     }
     if (hsr_scene_view(scene, &camera))
-      stop("modules", "no view");
+      bail("modules: no view");
   }
-  if (hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -238,7 +225,7 @@ static long try_choices(const struct known *k) {
     struct hsr_variant variant;
     struct hsr_error err;
     if (hsr_variant_parse(choices[c], &variant, &err))
-      stop(choices[c], err.text);
+      bail("%s: %s", choices[c], err.text);
     long bad = try_choice(k, variant.listed->counting, &variant.choice);
     if (bad)
       printf("# %s: %s: %ld samples differ\n", k->scene->name, choices[c], bad);
@@ -327,7 +314,6 @@ static struct hsr_scene *overhang(void) {
   static const double y[2] = {1, 3.875}, z[2] = {17, 18};
   static const double bent_y[2] = {0.5, 7.5}, bent_z[2] = {16.5, 23.5};
   struct hsr_scene *scene = hsr_scene_new("overhang");
-  struct hsr_error err = {.text = "out of memory"};
   add_triangle(scene, cell);
   add_triangle(scene, beam);
   add_screen(scene, 4, y, z, 0);
@@ -339,10 +325,9 @@ static struct hsr_scene *overhang(void) {
                                 .up = {0, 1, 0.01},
                                 .fov = 4};
     if (hsr_scene_view(scene, &camera))
-      stop("overhang", "no view");
+      bail("overhang: no view");
   }
-  if (hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -364,7 +349,6 @@ static void test_overhang(struct tap *tap) {
 static struct hsr_scene *rooms(int axis, double aside) {
   struct hsr_scene *scene = hsr_scene_new("rooms");
   struct hsr_object *room = hsr_scene_object(scene, "room");
-  struct hsr_error err = {.text = "out of memory"};
   int b = (axis + 1) % 3, c = (axis + 2) % 3;
   for (int wall = 0; wall < 2; wall++) {
     uint32_t vertex[4];
@@ -393,10 +377,9 @@ static struct hsr_scene *rooms(int axis, double aside) {
     camera.at[axis] = v ? 0 : 64;
     camera.up[c] = 1;
     if (hsr_scene_view(scene, &camera))
-      stop("rooms", "no view");
+      bail("rooms: no view");
   }
-  if (hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -429,10 +412,9 @@ static void test_windows(struct tap *tap, const char *name) {
     struct hsr_setup setup;
     struct hsr_error err = {.text = "out of memory"};
     uint32_t ids[M * N];
-    if (hsr_variant_parse(in_windows[c], &variant, &err) ||
-        hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                       &k->outline, &err))
-      stop(name, err.text);
+    if (hsr_variant_parse(in_windows[c], &variant, &err))
+      bail("%s: %s", name, err.text);
+    must_setup(&setup, variant.listed->plain, &variant.choice, &k->outline);
     for (int s = 0; s < 4; s++) {
       int threads = s % 2 ? THREADS : 1;
       draw_in_windows(&setup, &k->view[1], sizes[s], threads, ids);

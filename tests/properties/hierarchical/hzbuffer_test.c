@@ -34,11 +34,6 @@
 
 enum { M = 64, N = 48, SAMPLES = M * N };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* --- Pictures ------------------------------------------------------------- */
 
 /* One prepared object and the memory of its frames. The choice is what the
@@ -75,10 +70,9 @@ static void begin_run(struct run *r, const struct both_worlds *s,
   struct hsr_error err;
   memset(r, 0, sizeof *r);
   r->choice = choice_of(text);
-  if (hsr_variant_parse(text, &variant, &err) ||
-      hsr_setup_init(&r->setup, variant.listed->counting, &variant.choice,
-                     &s->roster, &err))
-    stop(text, err.text);
+  if (hsr_variant_parse(text, &variant, &err))
+    bail("%s: %s", text, err.text);
+  must_setup(&r->setup, variant.listed->counting, &variant.choice, &s->roster);
 }
 
 static void end_run(struct run *r) {
@@ -89,9 +83,7 @@ static void end_run(struct run *r) {
 /* Prepares the job of a view. */
 static void set_view(struct run *r, const struct both_worlds *s,
                      uint32_t view) {
-  struct hsr_error err;
-  if (hsr_view_init(&r->view, &s->scene->views[view], M, N, &err))
-    stop(s->scene->name, err.text);
+  must_view(&r->view, &s->scene->views[view], M, N);
   hsr_arena_reset(&r->scratch);
   memset(&r->tally, 0, sizeof r->tally);
   hsr_tally_begin(&r->tally, r->setup.algorithm);
@@ -109,14 +101,13 @@ static void set_view(struct run *r, const struct both_worlds *s,
 static void draw_run(struct run *r) {
   struct hsr_error err;
   if (hsr_setup_render(&r->setup, &r->job, &err))
-    stop(r->setup.algorithm->name, err.text);
+    bail("%s: %s", r->setup.algorithm->name, err.text);
 }
 
 /* Draws the scene, laid out, with the z-buffer. */
 static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
                        uint32_t *ids) {
-  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->world, view, ids,
-           NULL);
+  draw_plain("zbuffer-fast", &s->world, view, ids);
 }
 
 /* --- A walk that takes notes ---------------------------------------------- */
@@ -163,7 +154,7 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
     ns->room = 2 * ns->room + 1000;
     ns->note = realloc(ns->note, ns->room * sizeof *ns->note);
     if (!ns->note)
-      stop("notes", "out of memory");
+      bail("notes: out of memory");
   }
   ns->note[ns->n++] = (struct note){instance, k, said};
   if (visible)
@@ -210,7 +201,7 @@ static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
 static void take_notes(struct notes *ns, struct run *r) {
   memset(ns, 0, sizeof *ns);
   if (hsr_hz_begin(&ns->walk, &r->job, r->setup.prepared, &r->choice))
-    stop("notes", "out of memory");
+    bail("notes: out of memory");
   visit_instances(ns, 0, false);
 }
 
@@ -262,7 +253,7 @@ static uint64_t count_families(const struct notes *ns) {
        *met = calloc(cubes->scene->n_instances, sizeof *met);
   uint64_t n = 0;
   if (!reached || !met)
-    stop("nodes", "out of memory");
+    bail("nodes: out of memory");
   reached[0] = true;
   for (uint32_t k = 0; k < octree->n_nodes; k++) { /* parents come first */
     const struct hsr_octree_node *node = &octree->node[k];
@@ -354,7 +345,7 @@ static void find_depths(const struct both_worlds *st, struct run *r,
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_screen screen;
   if (hsr_screen_make(&screen, &st->world, &r->view, &arena, &r->tally))
-    stop("depths", "out of memory");
+    bail("depths: out of memory");
   for (int j = 0; j < N; j++)
     for (int i = 0; i < M; i++) {
       uint32_t id = r->ids[j * M + i];
@@ -510,7 +501,7 @@ static void watch(void *context, const struct hsr_event *event) {
     w->room = 2 * w->room + 1000;
     w->compared = realloc(w->compared, w->room * sizeof *w->compared);
     if (!w->compared)
-      stop("events", "out of memory");
+      bail("events: out of memory");
   }
   w->compared[w->n++] = (uint64_t)event->a.id[0] << 32 |
                         (uint64_t)(event->window.y0 * M + event->window.x0);
@@ -604,7 +595,7 @@ static void try_view(const struct both_worlds *s, struct run *r,
   struct watched watched = {NULL, 0, 0, calloc(s->world.n_faces, sizeof(bool))};
   bool *in = calloc(s->world.n_faces, sizeof *in);
   if (!watched.written || !in)
-    stop(s->scene->name, "out of memory");
+    bail("%s: out of memory", s->scene->name);
   set_view(r, s, view);
   struct hsr_trace trace = {.listen = watch, .context = &watched};
   r->tally.trace = &trace;
@@ -702,13 +693,13 @@ static struct passes draw_in_passes(struct run *r) {
   const struct hsr_tally *tally = &r->tally;
   struct passes p = {0, 0, 0, 0};
   if (hsr_hz_begin(&w, &r->job, r->setup.prepared, &r->choice))
-    stop("passes", "out of memory");
+    bail("passes: out of memory");
   p.first = hsr_tally_count(tally, HSR_HZ_FACES_TILED);
   p.again = hsr_tally_count(tally, HSR_HZ_CUBES_AGAIN);
   hsr_hz_process_instances(&w, 0, false);
   p.second = hsr_tally_count(tally, HSR_HZ_FACES_TILED) - p.first;
   if (hsr_hz_end(&w))
-    stop("passes", "out of memory");
+    bail("passes: out of memory");
   const struct hsr_hz_prepared *prepared = r->setup.prepared;
   p.listed = prepared->list[prepared->last].cube.n;
   return p;

@@ -83,10 +83,10 @@ static uint64_t divided_again(const struct claim_scene *scene,
   struct hsr_setup setup;
   struct hsr_tally tally;
   static uint32_t ids[M * N];
-  if (hsr_variant_parse("hzbuffer:octree=lazy", &variant, &err) ||
-      hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
-                     &scene->worlds.roster, &err))
+  if (hsr_variant_parse("hzbuffer:octree=lazy", &variant, &err))
     abort();
+  must_setup(&setup, variant.listed->counting, &variant.choice,
+             &scene->worlds.roster);
   for (int k = 0; k < 2; k++) {
     struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
     struct hsr_job job = {.view = &scene->view,
@@ -109,7 +109,6 @@ static uint64_t divided_again(const struct claim_scene *scene,
 
 /* The office of 3 x 3 x 3 modules as one object, whose faces share nothing. */
 static void open_flat(struct claim_scene *scene) {
-  struct hsr_error err = {.text = "out of memory"};
   struct both_worlds office;
   open_worlds(&office, "office:3");
   const struct hsr_world *world = &office.world;
@@ -123,12 +122,12 @@ static void open_flat(struct claim_scene *scene) {
     good =
         !hsr_object_face(object, world->mesh.vertex + world->mesh.start[f],
                          world->mesh.start[f + 1] - world->mesh.start[f], NULL);
-  if (!good || hsr_scene_view(flat, &office.scene->views[0]) ||
-      hsr_scene_finish(flat, &err) ||
-      hsr_world_init(&scene->worlds.world, flat, &err) ||
-      hsr_world_roster(&scene->worlds.roster, flat, &err) ||
-      hsr_view_init(&scene->view, &flat->views[0], M, N, &err))
+  if (!good || hsr_scene_view(flat, &office.scene->views[0]))
     abort();
+  must_finish(flat);
+  must_world(&scene->worlds.world, flat);
+  must_roster(&scene->worlds.roster, flat);
+  must_view(&scene->view, &flat->views[0], M, N);
   scene->worlds.scene = flat;
   close_worlds(&office);
 }
@@ -177,20 +176,17 @@ static void check_walk(struct tap *tap, const char *way) {
   struct both_worlds worlds;
   long wrong = 0, views = 0;
   open_worlds(&worlds, "office:2");
-  if (hsr_variant_parse(way, &variant, &err) ||
-      hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                     &worlds.roster, &err))
+  if (hsr_variant_parse(way, &variant, &err))
     abort();
+  must_setup(&setup, variant.listed->plain, &variant.choice, &worlds.roster);
   for (uint32_t v = 0; v < 40; v += 2, views++) {
     struct hsr_view view;
     struct hsr_tally tally = {.work = NULL};
     struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
     struct hsr_job job = {
         .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
-    if (hsr_view_init(&view, &worlds.scene->views[v], M, N, &err))
-      abort();
-    draw_ids(hsr_algorithm_find("clark")->plain, &worlds.roster, &view, right,
-             NULL);
+    must_view(&view, &worlds.scene->views[v], M, N);
+    draw_plain("clark", &worlds.roster, &view, right);
     memset(ids, 0xfe, sizeof ids);
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))

@@ -39,18 +39,10 @@ static const char *const variants[] = {
     "hzbuffer:octree=off"};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 static struct hsr_scene *open_scene(int per_cent, int frame) {
   char name[40];
-  struct hsr_scene *scene;
-  struct hsr_error err = {.text = "out of memory"};
   snprintf(name, sizeof name, "traffic:%d:%d", per_cent, frame);
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    stop(err.text);
+  struct hsr_scene *scene = must_open(name);
   return scene;
 }
 
@@ -88,7 +80,7 @@ static void draw(struct ready *r, const struct hsr_view *view,
                         .answer = &answer};
   memset(ids, 0xfe, sizeof ids);
   if (hsr_setup_render(&r->setup, &job, &err))
-    stop(err.text);
+    bail("%s", err.text);
   r->wrong += count_differences(view, ids, right);
 }
 
@@ -110,22 +102,20 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
   struct hsr_world outline;
   struct hsr_view view;
   long carts = 0;
-  if (hsr_world_roster(&outline, scene, &err) ||
-      hsr_view_init(&view, &scene->views[of], M, N, &err))
-    stop(err.text);
+  must_roster(&outline, scene);
+  must_view(&view, &scene->views[of], M, N);
   for (int k = 0; k < VARIANTS; k++) {
     struct ready *r = &ready[k];
     *r = (struct ready){.wrong = 0};
-    if (hsr_variant_parse(variants[k], &r->variant, &err) ||
-        hsr_setup_init(&r->setup, r->variant.listed->counting,
-                       &r->variant.choice, &outline, &err))
-      stop(err.text);
+    if (hsr_variant_parse(variants[k], &r->variant, &err))
+      bail("%s", err.text);
+    must_setup(&r->setup, r->variant.listed->counting, &r->variant.choice,
+               &outline);
   }
   for (int frame = 0; frame < FRAMES; frame++) {
     struct hsr_world world;
     move_to(scene, per_cent, frame);
-    if (hsr_world_init(&world, scene, &err))
-      stop(err.text);
+    must_world(&world, scene);
     draw_ids(zbuffer, &world, &view, right, NULL);
     carts += carts_in(&world, right);
     for (int k = 0; k < VARIANTS; k++)
@@ -163,10 +153,10 @@ static void begin(struct ready *r, const char *way,
                   const struct hsr_world *outline) {
   struct hsr_error err = {.text = "out of memory"};
   *r = (struct ready){.wrong = 0};
-  if (hsr_variant_parse(way, &r->variant, &err) ||
-      hsr_setup_init(&r->setup, r->variant.listed->counting, &r->variant.choice,
-                     outline, &err))
-    stop(err.text);
+  if (hsr_variant_parse(way, &r->variant, &err))
+    bail("%s", err.text);
+  must_setup(&r->setup, r->variant.listed->counting, &r->variant.choice,
+             outline);
 }
 
 static void end(struct ready *r) {
@@ -180,11 +170,8 @@ static uint64_t count_of(const struct ready *r, const char *name) {
 
 static struct hsr_scene *open_way(int per_cent, int frame, int way) {
   char name[60];
-  struct hsr_scene *scene;
-  struct hsr_error err = {.text = "out of memory"};
   snprintf(name, sizeof name, "traffic:%d:%d:%d", per_cent, frame, way);
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    stop(err.text);
+  struct hsr_scene *scene = must_open(name);
   return scene;
 }
 
@@ -193,7 +180,7 @@ static void follow(struct hsr_scene *scene, int per_cent, int frame, int way) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *then = open_way(per_cent, frame, way);
   if (hsr_scene_follow(scene, then, &err))
-    stop(err.text);
+    bail("%s", err.text);
   hsr_scene_delete(then);
 }
 
@@ -203,23 +190,19 @@ static void check_knowing(struct tap *tap, int per_cent, int way, uint32_t of) {
                            500, 501, 499, 15, 1030, 1031, 1500, 3};
   static struct ready ready[KNOWING];
   static uint32_t right[M * N];
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = open_way(per_cent, 0, way);
   struct hsr_world outline;
   struct hsr_view view;
   long carts = 0, frames = sizeof at / sizeof *at;
-  if (hsr_world_roster(&outline, scene, &err) ||
-      hsr_view_init(&view, &scene->views[of], M, N, &err))
-    stop(err.text);
+  must_roster(&outline, scene);
+  must_view(&view, &scene->views[of], M, N);
   for (int k = 0; k < KNOWING; k++)
     begin(&ready[k], knowing[k], &outline);
   for (long f = 0; f < frames; f++) {
     struct hsr_world world;
     follow(scene, per_cent, at[f], way);
-    if (hsr_world_init(&world, scene, &err))
-      stop(err.text);
-    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &world, &view, right,
-             NULL);
+    must_world(&world, scene);
+    draw_plain("zbuffer-fast", &world, &view, right);
     carts += carts_in(&world, right);
     for (int k = 0; k < KNOWING; k++)
       draw(&ready[k], &view, right);
@@ -243,11 +226,11 @@ static void add_screen(struct hsr_object *object, const double lo[2],
   uint32_t vertex[4];
   for (int k = 0; k < 4; k++)
     if (hsr_object_vertex(object, x[k], y[k], z, &vertex[k]))
-      stop("out of memory");
+      bail("out of memory");
   const uint32_t other[3] = {vertex[0], vertex[2], vertex[3]};
   if (hsr_object_face(object, vertex, 3, NULL) ||
       hsr_object_face(object, other, 3, NULL))
-    stop("out of memory");
+    bail("out of memory");
 }
 
 /* A shuttle, the first instance, comes out from behind a wall, a unit a frame.
@@ -261,7 +244,7 @@ static struct hsr_scene *open_emerging(long frame) {
   struct hsr_motion motion = hsr_motion_unknown();
   struct hsr_scene *scene = hsr_scene_new("emerging");
   if (!scene)
-    stop(err.text);
+    bail("%s", err.text);
   struct hsr_object *shuttle = hsr_scene_object(scene, "shuttle");
   shuttle->moves = true;
   add_screen(shuttle, (double[]){-3.75, 2.625}, (double[]){-2.75, 3.625},
@@ -273,9 +256,9 @@ static struct hsr_scene *open_emerging(long frame) {
   if (hsr_scene_instance(scene, 0, moved) ||
       hsr_scene_set_motion(scene, &motion, NULL, 0) ||
       hsr_scene_instance(scene, 1, still) ||
-      hsr_scene_set_frame(scene, frame) || hsr_scene_view(scene, &camera) ||
-      hsr_scene_finish(scene, &err))
-    stop(err.text);
+      hsr_scene_set_frame(scene, frame) || hsr_scene_view(scene, &camera))
+    bail("%s", err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -288,19 +271,17 @@ static void check_emerging(struct tap *tap) {
   struct hsr_world outline;
   struct hsr_view view;
   long seen[8] = {0};
-  if (hsr_world_roster(&outline, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], M, N, &err))
-    stop(err.text);
+  must_roster(&outline, scene);
+  must_view(&view, &scene->views[0], M, N);
   begin(&ready, "hzbuffer-moving:movers=bounded:interval=8:octree=lazy",
         &outline);
   for (long frame = 0; frame < 8; frame++) {
     struct hsr_scene *then = open_emerging(frame);
     struct hsr_world world;
-    if (hsr_scene_follow(scene, then, &err) ||
-        hsr_world_init(&world, scene, &err))
-      stop(err.text);
-    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &world, &view, right,
-             NULL);
+    if (hsr_scene_follow(scene, then, &err))
+      bail("%s", err.text);
+    must_world(&world, scene);
+    draw_plain("zbuffer-fast", &world, &view, right);
     seen[frame] = carts_in(&world, right);
     draw(&ready, &view, right);
     hsr_world_free(&world);
@@ -348,14 +329,12 @@ static void measure(int per_cent, int way, struct cost cost[WAYS]) {
       "hzbuffer-moving:movers=space-time:interval=32"};
   static struct ready ready[WAYS];
   static uint32_t ids[M * N];
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = open_way(per_cent, 0, way);
   struct hsr_world outline;
   struct hsr_view view;
   struct cost first[WAYS];
-  if (hsr_world_roster(&outline, scene, &err) ||
-      hsr_view_init(&view, &scene->views[60], M, N, &err))
-    stop(err.text);
+  must_roster(&outline, scene);
+  must_view(&view, &scene->views[60], M, N);
   for (int k = 0; k < WAYS; k++)
     begin(&ready[k], ways[k], &outline);
   for (int frame = 0; frame < RUN; frame++) {
@@ -431,17 +410,16 @@ static void check_update(struct tap *tap) {
   struct hsr_world outline;
   struct hsr_view view;
   uint64_t first = 0, movers = 0;
-  if (hsr_world_roster(&outline, scene, &err) ||
-      hsr_view_init(&view, &scene->views[60], M, N, &err))
-    stop(err.text);
+  must_roster(&outline, scene);
+  must_view(&view, &scene->views[60], M, N);
   for (uint32_t i = 0; i < scene->n_instances; i++)
     movers += scene->objects[scene->instances[i].object].moves;
   for (int k = 0; k < 3; k++) {
     ready[k] = (struct ready){.wrong = 0};
-    if (hsr_variant_parse(ways[k], &ready[k].variant, &err) ||
-        hsr_setup_init(&ready[k].setup, ready[k].variant.listed->counting,
-                       &ready[k].variant.choice, &outline, &err))
-      stop(err.text);
+    if (hsr_variant_parse(ways[k], &ready[k].variant, &err))
+      bail("%s", err.text);
+    must_setup(&ready[k].setup, ready[k].variant.listed->counting,
+               &ready[k].variant.choice, &outline);
   }
   for (int frame = 0; frame < LONG; frame++) {
     struct hsr_scene *then = open_scene(20, frame);
@@ -491,7 +469,7 @@ static uint64_t moved_down_at(struct single *a, double x) {
   a->instance =
       (struct hsr_instance){.m = {1, 0, 0, x, 0, 1, 0, x, 0, 0, 1, x}};
   if (hsr_movers_update(&a->movers, &a->cubes, &a->tally, &a->arena))
-    stop("out of memory");
+    bail("out of memory");
   return a->tally.count[HSR_MOVERS_DOWN] - before;
 }
 

@@ -17,11 +17,6 @@
 
 enum { M = 96, N = 72, SIDE = 5 };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static void add_face(struct hsr_object *object, const double corner[4][3]) {
   uint32_t v[4];
   for (int k = 0; k < 4; k++)
@@ -75,12 +70,12 @@ static struct result draw_wall(int n, const char *algorithm) {
   scene.worlds.scene = hsr_scene_new("wall");
   add_wall(scene.worlds.scene, n);
   add_block(scene.worlds.scene);
-  if (hsr_scene_view(scene.worlds.scene, &camera) ||
-      hsr_scene_finish(scene.worlds.scene, &err) ||
-      hsr_world_init(&scene.worlds.world, scene.worlds.scene, &err) ||
-      hsr_world_roster(&scene.worlds.roster, scene.worlds.scene, &err) ||
-      hsr_view_init(&scene.view, &camera, M, N, &err))
-    fail(&err);
+  if (hsr_scene_view(scene.worlds.scene, &camera))
+    bail("%s", err.text);
+  must_finish(scene.worlds.scene);
+  must_world(&scene.worlds.world, scene.worlds.scene);
+  must_roster(&scene.worlds.roster, scene.worlds.scene);
+  must_view(&scene.view, &camera, M, N);
   claim_draw(&counts, &scene, algorithm, NULL, NULL);
   claim_draw(&right, &scene, "oracle", NULL, NULL);
   struct result result = {

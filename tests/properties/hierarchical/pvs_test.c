@@ -129,7 +129,6 @@ static void check_partition(struct tap *tap, bool halves) {
   static const double middle[4][3] = {
       {0, 0, 4}, {8, 0, 4}, {8, 8, 4}, {0, 8, 4}};
   static const double board[3][3] = {{2, 2, 1}, {7.5, 2, 1.5}, {7.5, 6, 1}};
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_camera camera = {
       .eye = {4, 4, 7.5}, .at = {4, 4, 0}, .up = {0, 1, 0}, .fov = 90};
   struct hsr_scene *scene = hsr_scene_new("partition");
@@ -154,14 +153,13 @@ static void check_partition(struct tap *tap, bool halves) {
   const uint32_t behind[3] = {v[12], v[13], v[14]};
   if (hsr_object_face(o, first, 3, NULL) ||
       hsr_object_face(o, halves ? half : other, 3, NULL) ||
-      hsr_object_face(o, behind, 3, NULL) || hsr_scene_view(scene, &camera) ||
-      hsr_scene_finish(scene, &err))
+      hsr_object_face(o, behind, 3, NULL) || hsr_scene_view(scene, &camera))
     abort();
+  must_finish(scene);
   drawn.worlds.scene = scene;
-  if (hsr_world_init(&drawn.worlds.world, scene, &err) ||
-      hsr_world_roster(&drawn.worlds.roster, scene, &err) ||
-      hsr_view_init(&drawn.view, &camera, M, N, &err))
-    abort();
+  must_world(&drawn.worlds.world, scene);
+  must_roster(&drawn.worlds.roster, scene);
+  must_view(&drawn.view, &camera, M, N);
   claim_draw(&right, &drawn, "oracle", NULL, NULL);
   bool shows = false;
   for (int k = 0; k < M * N; k++)

@@ -20,6 +20,7 @@
  *
  * usage: steps_test [WORD...]    only variants whose names begin with a WORD */
 #include "bench/modules/variant.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/exact/screen.h"
 #include "common/scene/motion.h"
 #include "tests/draw.h"
@@ -29,11 +30,6 @@
 #include <string.h>
 
 enum { M = 45, N = 27, VIEWS = 3, SUB = 8 };
-
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
 
 /* --- The events of one frame ---------------------------------------------- */
 
@@ -57,7 +53,7 @@ static void listen(void *context, const struct hsr_event *event) {
     f->room = 2 * f->room + 4096;
     f->event = realloc(f->event, f->room * sizeof *f->event);
     if (!f->event)
-      stop("events", "out of memory");
+      bail("events: out of memory");
   }
   f->event[f->n_events++] = *event;
 }
@@ -125,7 +121,7 @@ static void check_depths(struct frame *f) {
                     counter(f, "samples compared"),
                     counter(f, "thickness checks")};
   if (hsr_screen_make(&screen, f->world, &f->view, &arena, &tally))
-    stop("depths", "out of memory");
+    bail("depths: out of memory");
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     if (e->counter != of[0] && e->counter != of[1] && e->counter != of[2] &&
@@ -217,7 +213,7 @@ static void check_writing(struct frame *f) {
   unsigned char *written = calloc(all, 1);
   const struct hsr_event *cell = NULL;
   if (!written)
-    stop("samples", "out of memory");
+    bail("samples: out of memory");
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     const struct hsr_window *w = &e->window;
@@ -268,7 +264,7 @@ static void check_lazy(struct frame *f) {
   unsigned char *state = calloc(n, 1); /* of each pixel; 1: demoted */
   columns = (size_t)((f->m + 7) / 8);
   if (!state)
-    stop("pixels", "out of memory");
+    bail("pixels: out of memory");
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     const struct hsr_subject *pixel = e->counter == fragments ? &e->b : &e->a;
@@ -379,7 +375,7 @@ static void check_faces(struct frame *f, bool fast) {
   } *of = calloc(f->world->n_faces, sizeof *of);
   struct hsr_subject cube = HSR_NOTHING;
   if (!of)
-    stop("faces", "out of memory");
+    bail("faces: out of memory");
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     if (e->counter == visible)
@@ -426,7 +422,7 @@ static void promise(struct hsr_scene *scene, const double at[3]) {
   motion.lo[0] -= 4;
   motion.hi[0] += 4;
   if (hsr_scene_set_motion(scene, &motion, key, 2))
-    stop("bodies", "their motion is refused");
+    bail("bodies: their motion is refused");
 }
 
 /* Six boxes that move and meet, and one that stands still. It stands among
@@ -463,9 +459,9 @@ static struct hsr_scene *make_bodies(bool behind) {
   const struct hsr_camera camera[2] = {
       {.eye = {3, 4, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50},
       {.eye = {4, 3, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50}};
-  if (hsr_scene_view(scene, &camera[0]) || hsr_scene_view(scene, &camera[1]) ||
-      hsr_scene_finish(scene, &err))
-    stop("bodies", err.text);
+  if (hsr_scene_view(scene, &camera[0]) || hsr_scene_view(scene, &camera[1]))
+    bail("bodies: %s", err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -610,8 +606,7 @@ static void check_frame(struct frame *f, const char *text, bool again) {
 /* The picture equals the z-buffer's. */
 static void check_truth(struct frame *f) {
   static uint32_t right[M * N];
-  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, f->world, &f->view, right,
-           NULL);
+  draw_plain("zbuffer-fast", f->world, &f->view, right);
   expect(f, !memcmp(right, f->ids, sizeof right), "the picture is wrong");
 }
 
@@ -623,17 +618,15 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
   struct hsr_setup setup;
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   size_t events = 0;
-  if (hsr_variant_parse(text, &variant, &err) ||
-      hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
-                     &worlds->world, &err))
-    stop(text, err.text);
+  if (hsr_variant_parse(text, &variant, &err))
+    bail("%s: %s", text, err.text);
+  must_setup(&setup, variant.listed->counting, &variant.choice, &worlds->world);
   f = (struct frame){.algorithm = setup.algorithm, .world = &worlds->world};
   f.filtered = strstr(text, "filter");
   f.m = f.filtered ? SUB * M : M;
   f.n = f.filtered ? SUB * N : N;
   for (uint32_t v = 0; v < VIEWS && v < worlds->scene->n_views; v++) {
-    if (hsr_view_init(&f.view, &worlds->scene->views[v], M, N, &err))
-      stop(text, err.text);
+    must_view(&f.view, &worlds->scene->views[v], M, N);
     struct hsr_trace trace = {.listen = listen, .context = &f};
     f.tally = (struct hsr_tally){.trace = &trace};
     f.n_events = 0;
@@ -641,14 +634,14 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
     struct hsr_answer answer = hsr_answer_of_ids(f.ids, M, N);
     if (f.filtered &&
         hsr_answer_make(&answer, &variant.choice.form, &f.view, false, &err))
-      stop(text, err.text);
+      bail("%s: %s", text, err.text);
     struct hsr_job job = {.view = &f.view,
                           .scratch = &scratch,
                           .tally = &f.tally,
                           .answer = &answer};
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
-      stop(text, err.text);
+      bail("%s: %s", text, err.text);
     if (f.filtered) {
       memcpy(f.sums, hsr_answer_sums_of(&answer), sizeof f.sums);
       hsr_answer_free(&answer);
@@ -724,7 +717,6 @@ static bool is_variant_asked(const char *variant, int argc, char **argv) {
 int main(int argc, char **argv) {
   static const char *name[SCENES];
   struct both_worlds worlds[SCENES];
-  struct hsr_error err = {.text = "out of memory"};
   int n = 0;
   for (int k = 0; k < VARIANTS; k++)
     n += is_variant_asked(variants[k], argc, argv);
@@ -736,9 +728,8 @@ int main(int argc, char **argv) {
   for (int s = NAMED; s < SCENES; s++) {
     name[s] = s == NAMED ? "bodies" : "bodies outside";
     worlds[s] = (struct both_worlds){.scene = make_bodies(s > NAMED)};
-    if (hsr_world_init(&worlds[s].world, worlds[s].scene, &err) ||
-        hsr_world_roster(&worlds[s].roster, worlds[s].scene, &err))
-      stop("bodies", err.text);
+    must_world(&worlds[s].world, worlds[s].scene);
+    must_roster(&worlds[s].roster, worlds[s].scene);
   }
   for (int k = 0; k < VARIANTS; k++) {
     if (!is_variant_asked(variants[k], argc, argv))

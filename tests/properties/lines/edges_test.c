@@ -30,11 +30,6 @@
 
 enum { VIEWS = 2, M = 97, N = 61, MOST_SOLIDS = 12 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* What an algorithm counts as it draws. */
 struct count {
   const struct hsr_algorithm *algorithm;
@@ -85,8 +80,9 @@ static struct hsr_scene *solids_apart(int n, uint64_t *seed) {
                    (double)draw_integer(seed, -2, 2), 12};
   double at[3] = {eye[0], eye[1], 0};
   hsr_pen_view(&pen, eye, at, 90, 0);
-  if (pen.status || hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  if (pen.status)
+    bail("%s: %s", scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -118,10 +114,8 @@ static void try_promotion(struct tap *tap) {
     struct hsr_scene *scene = solids_apart(n, &seed);
     struct hsr_world world;
     struct hsr_view view;
-    struct hsr_error err;
-    if (hsr_world_init(&world, scene, &err) ||
-        hsr_view_init(&view, &scene->views[0], M, M, &err))
-      stop(scene->name, err.text);
+    must_world(&world, scene);
+    must_view(&view, &scene->views[0], M, M);
     s.world = &world;
     s.view = &view;
     s.wanted = (uint64_t)n;
@@ -159,20 +153,16 @@ static void add_saving(struct totals *totals, uint64_t contour_pairs,
 
 static void try_scene(struct tap *tap, const char *name,
                       struct totals *totals) {
-  struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_drawing numbers = {.n = 0}, sets = {.n = 0}, other = {.n = 0};
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_init(&world, scene, &err))
-    stop(name, err.text);
+  struct hsr_scene *scene = must_open(name);
+  must_world(&world, scene);
   bool same_sizes = true, same_crossings = true;
   uint64_t crossings = 0, vertices = 0, hiding = 0;
   for (uint32_t v = 0; v < VIEWS && v < scene->n_views; v++) {
     struct hsr_view view;
     struct hsr_drawing_difference difference;
-    if (hsr_view_init(&view, &scene->views[v], M, N, &err))
-      stop(name, err.text);
+    must_view(&view, &scene->views[v], M, N);
     struct count a = draw("appel", &world, &view, &numbers);
     struct count g = draw("galimberti", &world, &view, &sets);
     struct count l = draw("loutrel", &world, &view, &other);
@@ -245,15 +235,12 @@ struct effort {
 };
 
 static struct effort effort_at(const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_drawing drawing = {.n = 0};
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], M, N, &err))
-    stop(name, err.text);
+  struct hsr_scene *scene = must_open(name);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], M, N);
   struct count a = draw("appel", &world, &view, &drawing);
   struct count w = draw("warnock-edges", &world, &view, &drawing);
   struct effort effort = {.edges = (double)of(&w, "bucket sort") / 2,

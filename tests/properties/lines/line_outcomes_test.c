@@ -176,8 +176,8 @@ static void watch_scene(struct watch *w, const char *name) {
   struct hsr_tally own = {.out_of_memory = false};
   struct hsr_drawing drawing = {.n = 0};
   open_worlds(&worlds, name);
-  if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
-      hsr_edges_init(&edges, &worlds.world, &err) ||
+  must_view(&view, &worlds.scene->views[0], M, N);
+  if (hsr_edges_init(&edges, &worlds.world, &err) ||
       hsr_sight_init(&sight, &edges, &view, &arena, &own))
     abort();
   w->edges = &edges;

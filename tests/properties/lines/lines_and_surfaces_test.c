@@ -15,6 +15,7 @@
  *
  * usage: lines_and_surfaces_test [SCENE...] */
 #include "bench/modules/modules.h"
+#include "common/answers/kinds/segments.h"
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -73,10 +74,8 @@ static uint32_t look(struct asked *q, double sx, double sy) {
                         .scratch = &q->scratch,
                         .tally = &q->tally,
                         .answer = &answer};
-  if (hsr_setup_render(q->oracle, &job, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_setup_render(q->oracle, &job, &err))
+    bail("%s", err.text);
   return q->ids[(size_t)j * M + (size_t)i];
 }
 
@@ -186,10 +185,8 @@ static void ask_view(struct asked *q, const struct hsr_setup *lines) {
                         .scratch = &scratch,
                         .tally = &q->tally,
                         .answer = &answer};
-  if (hsr_setup_render(lines, &job, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_setup_render(lines, &job, &err))
+    bail("%s", err.text);
   for (size_t k = 0; k < drawing.n; k++)
     ask_segment(q, &drawing.segment[k]);
   hsr_drawing_free(&drawing);
@@ -202,21 +199,16 @@ static void ask_scene(struct tap *tap, const char *name) {
   struct hsr_world world;
   struct hsr_setup oracle, lines;
   struct hsr_error err;
-  if (hsr_scene_open(name, &import, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world,
-                     &err) ||
-      hsr_setup_init(&lines, hsr_algorithm_find("line-oracle")->plain, NULL,
-                     &world, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_scene_open(name, &import, &scene, &err))
+    bail("%s", err.text);
+  must_world(&world, scene);
+  must_setup(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world);
+  must_setup(&lines, hsr_algorithm_find("line-oracle")->plain, NULL, &world);
   struct asked q = {.world = &world, .oracle = &oracle};
   q.ids = malloc((size_t)M * N * sizeof *q.ids);
-  if (!q.ids || hsr_view_init(&q.view, &scene->views[0], M, N, &err)) {
-    puts("Bail out! no view");
-    exit(99);
-  }
+  if (!q.ids)
+    bail("no view");
+  must_view(&q.view, &scene->views[0], M, N);
   ask_view(&q, &lines);
   ok(tap, !q.wrong && q.undecided < q.points / 10,
      "%s: %llu points of lines are hidden just where a face is nearer", name,

@@ -14,6 +14,7 @@
  *             and the eye coincide.
  */
 #include "bench/modules/modules.h"
+#include "common/answers/kinds/segments.h"
 #include "common/lines/volumes.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -23,11 +24,6 @@
 #include <string.h>
 
 enum { M = 97, N = 61 };
-
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
 
 /* --- Drawings ------------------------------------------------------------- */
 
@@ -42,11 +38,8 @@ struct fixture {
 
 static void setup(struct hsr_setup *setup, const struct hsr_world *world,
                   const char *name, bool counting) {
-  struct hsr_error err = {.text = ""};
   const struct hsr_listed *listed = hsr_algorithm_find(name);
-  if (hsr_setup_init(setup, counting ? listed->counting : listed->plain, NULL,
-                     world, &err))
-    fail(&err);
+  must_setup(setup, counting ? listed->counting : listed->plain, NULL, world);
 }
 
 static void prepare(struct fixture *x, struct hsr_scene *scene) {
@@ -54,10 +47,10 @@ static void prepare(struct fixture *x, struct hsr_scene *scene) {
   struct hsr_edges edges;
   struct hsr_volumes volumes;
   *x = (struct fixture){.scene = scene, .scratch = HSR_ARENA_EMPTY};
-  if (hsr_world_init(&x->world, scene, &err) ||
-      hsr_edges_init(&edges, &x->world, &err) ||
+  must_world(&x->world, scene);
+  if (hsr_edges_init(&edges, &x->world, &err) ||
       hsr_volumes_init(&volumes, &edges, &err))
-    fail(&err);
+    bail("%s", err.text);
   x->n_solids = volumes.n_solids;
   x->n_convex = volumes.n_convex;
   x->n_parts = volumes.n_parts;
@@ -89,15 +82,13 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
   hsr_arena_reset(&x->scratch);
   hsr_drawing_clear(drawing);
   if (hsr_setup_render(setup, &job, &err))
-    fail(&err);
+    bail("%s", err.text);
 }
 
 /* Draws a view by Roberts, and adds its counts to *tally. */
 static void draw_view(struct fixture *x, const struct hsr_camera *camera,
                       struct hsr_view *view, struct hsr_tally *tally) {
-  struct hsr_error err = {.text = ""};
-  if (hsr_view_init(view, camera, M, N, &err))
-    fail(&err);
+  must_view(view, camera, M, N);
   draw(x, &x->roberts, view, &x->got, tally);
 }
 
@@ -181,9 +172,7 @@ static void add_cubes(struct hsr_scene *scene, const struct cubes *cubes,
 }
 
 static struct hsr_scene *finished(struct hsr_scene *scene) {
-  struct hsr_error err = {.text = ""};
-  if (hsr_scene_finish(scene, &err))
-    fail(&err);
+  must_finish(scene);
   return scene;
 }
 
@@ -216,12 +205,9 @@ static void try_outcomes(struct tap *t) {
   uint64_t drawn = 0;
   struct hsr_tally tally = {.out_of_memory = false};
   for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
-    struct hsr_error err = {.text = ""};
-    struct hsr_scene *scene;
     struct fixture x;
     struct hsr_view view;
-    if (hsr_scene_open(scenes[s], NULL, &scene, &err))
-      fail(&err);
+    struct hsr_scene *scene = must_open(scenes[s]);
     prepare(&x, scene);
     for (uint32_t v = 0; v < scene->n_views; v++) {
       draw_view(&x, &scene->views[v], &view, &tally);
@@ -445,11 +431,8 @@ static void try_inside(struct tap *t, int views, uint64_t seed) {
   uint64_t wrong = 0, drawn = 0;
   struct hsr_tally tally = {.out_of_memory = false};
   for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
-    struct hsr_error err = {.text = ""};
-    struct hsr_scene *scene;
     struct fixture x;
-    if (hsr_scene_open(scenes[s], NULL, &scene, &err))
-      fail(&err);
+    struct hsr_scene *scene = must_open(scenes[s]);
     prepare(&x, scene);
     for (int v = 0; v < views; v++) {
       struct hsr_camera camera = {.up = {0.25, 1, 0.5}, .fov = 80};

@@ -6,6 +6,7 @@
  *
  * usage: a_buffer_test [SCENE...] */
 #include "bench/modules/variant.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -36,8 +37,7 @@ static const struct hsr_listed *find(const char *name) {
   const struct hsr_listed *found = hsr_algorithm_find(name);
   if (found)
     return found;
-  printf("Bail out! no %s\n", name);
-  exit(99);
+  bail("no %s", name);
 }
 
 static uint64_t count_of(const struct hsr_tally *tally, const char *name) {
@@ -103,10 +103,8 @@ static void check_view(const struct hsr_world *world,
     struct hsr_answer answer;
     if (!draw_answer(build ? find("a-buffer")->counting
                            : find("a-buffer")->plain,
-                     world, view, &answer, build ? &tally : NULL)) {
-      puts("Bail out! a-buffer refuses the scene");
-      exit(99);
-    }
+                     world, view, &answer, build ? &tally : NULL))
+      bail("a-buffer refuses the scene");
     const uint32_t *got = hsr_answer_sums_of(&answer);
     for (int k = 0; k < M * N; k++) {
       if (!memcmp(got + 3 * k, wanted + 3 * k, 3 * sizeof *got))

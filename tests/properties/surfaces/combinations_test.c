@@ -27,11 +27,6 @@ enum { M = 97, N = 61, LARGEST = 512, AROUND = 36, ACROSS = 18 };
 
 static uint32_t ids[LARGEST * LARGEST];
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* What an algorithm counts as it draws a picture. */
 struct count {
   const struct hsr_algorithm *algorithm;
@@ -44,29 +39,19 @@ static uint64_t of(const struct count *count, const char *counter) {
 
 static struct count draw(const char *algorithm, struct hsr_scene *scene, int m,
                          int n) {
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_world world;
   struct hsr_view view;
   struct count count = {hsr_algorithm_find(algorithm)->counting,
                         {.out_of_memory = false}};
-  if (hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], m, n, &err))
-    stop(scene->name, err.text);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], m, n);
   draw_ids(count.algorithm, &world, &view, ids, &count.tally);
   hsr_world_free(&world);
   return count;
 }
 
-static struct hsr_scene *open_scene(const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *scene;
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    stop(name, err.text);
-  return scene;
-}
-
 static void check_depths(struct tap *tap, const char *name) {
-  struct hsr_scene *scene = open_scene(name);
+  struct hsr_scene *scene = must_open(name);
   struct count both = draw("newell-watkins", scene, M, N);
   struct count watkins = draw("watkins", scene, M, N);
   uint64_t numbers = of(&both, "priority search");
@@ -79,7 +64,7 @@ static void check_depths(struct tap *tap, const char *name) {
 }
 
 static void check_few(struct tap *tap, const char *algorithm) {
-  struct hsr_scene *scene = open_scene("penetration");
+  struct hsr_scene *scene = must_open("penetration");
   struct count count = draw(algorithm, scene, M, N);
   ok(tap,
      of(&count, "finished windows") == 1 && of(&count, "subdivisions") == 0,
@@ -88,7 +73,7 @@ static void check_few(struct tap *tap, const char *algorithm) {
 }
 
 static void check_areas(struct tap *tap) {
-  struct hsr_scene *scene = open_scene("harbor");
+  struct hsr_scene *scene = must_open("harbor");
   struct count warnock = draw("warnock", scene, LARGEST, LARGEST);
   struct count watkins = draw("warnock-watkins", scene, LARGEST, LARGEST);
   struct count newell = draw("warnock-newell", scene, LARGEST, LARGEST);
@@ -127,24 +112,23 @@ static void watch_pair(void *context, const struct hsr_event *event) {
 static void check_clusters(struct tap *tap, const char *algorithm,
                            const char *name, bool is_ring) {
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *scene = open_scene(name);
+  struct hsr_scene *scene = must_open(name);
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_setup setup;
   struct count count = {hsr_algorithm_find(algorithm)->counting,
                         {.out_of_memory = false}};
-  if (hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], M, N, &err) ||
-      hsr_setup_init(&setup, count.algorithm, NULL, &world, &err))
-    stop(name, err.text);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], M, N);
+  must_setup(&setup, count.algorithm, NULL, &world);
   const struct hsr_clusters *c = setup.world->clusters;
   bool is_newell = !strcmp(algorithm, "schumacker-newell");
   struct pairs pairs = {.algorithm = count.algorithm,
                         .cluster =
                             HSR_NEW(&scratch, uint32_t, setup.world->n_faces)};
   if (!pairs.cluster)
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   for (uint32_t k = 0; k < c->n_clusters; k++)
     for (uint32_t o = c->start[k]; o < c->start[k + 1]; o++)
       pairs.cluster[c->order[o] / 2] = k;
@@ -162,7 +146,7 @@ static void check_clusters(struct tap *tap, const char *algorithm,
                         .answer = &answer};
   hsr_tally_begin(&count.tally, count.algorithm);
   if (count.algorithm->render(&job, &err))
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   ok(tap,
      c->n_clusters > 1 && c->n_separators == c->n_clusters - 1 &&
          of(&count, "inter-cluster priority") == c->n_separators,
@@ -206,8 +190,9 @@ static struct hsr_scene *make_torus(void) {
     }
   struct hsr_camera camera = {
       .eye = {5, 3, 2}, .at = {0, 0, 0}, .up = {0, 0, 1}, .fov = 40};
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
-    stop("torus", err.text);
+  if (hsr_scene_view(scene, &camera))
+    bail("torus: %s", err.text);
+  must_finish(scene);
   return scene;
 }
 

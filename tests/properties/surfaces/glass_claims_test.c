@@ -5,6 +5,7 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 
@@ -37,11 +38,8 @@ static struct drawn draw(struct hsr_scene *scene, int m, int n,
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_answer answer;
-  if (hsr_world_init(&world, scene, NULL) ||
-      hsr_view_init(&view, &scene->views[0], m, n, NULL)) {
-    printf("Bail out! no view\n");
-    exit(99);
-  }
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], m, n);
   draw_chosen(drawn.by, &choice, &world, &view, &answer, &drawn.tally);
   hsr_answer_free(&answer);
   hsr_world_free(&world);
@@ -51,12 +49,12 @@ static struct drawn draw(struct hsr_scene *scene, int m, int n,
 /* On each row all sheets begin, one before the other, and then all end. */
 static void check_pyramid(struct tap *tap) {
   struct hsr_scene *scene = hsr_scene_new("sheets");
-  struct hsr_error err;
   struct hsr_camera camera = {
       .eye = {0, 0, 100}, .at = {0, 0, 0}, .up = {0, 1, 0}, .parallel = N};
   add_sheets(scene, 0.5f);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
+  if (hsr_scene_view(scene, &camera))
     exit(99);
+  must_finish(scene);
   struct drawn by = draw(scene, M, N, "bouknight");
   uint64_t wanted = 0;
   for (uint64_t n = 2; n <= SHEETS; n++)
@@ -92,10 +90,7 @@ static void check_pyramid(struct tap *tap) {
 
 /* How often faces are combined is told by the picture alone. */
 static void check_same_work(struct tap *tap, const char *name) {
-  struct hsr_scene *scene;
-  struct hsr_error err;
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    exit(99);
+  struct hsr_scene *scene = must_open(name);
   struct drawn layers = draw(scene, 97, 61, "zbuffer-fast"),
                list = draw(scene, 97, 61, "schumacker");
   uint64_t a = counted(layers.by, &layers.tally, "combined"),

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* zbuffer:groups=cones draws what zbuffer draws, and leaves out nothing that
- * exists.
+/* zbuffer-fast:groups=cones draws what zbuffer-fast draws, and leaves out
+ * nothing that exists.
  *
- * Wedges      two triangles that meet in an edge. The eye is moved from where both
- *             turn away to where one does not, along the plane where the cone
- *             leaves no room, until two neighbouring numbers are between them.
+ * Wedges      two triangles that meet in an edge. The eye is moved from where
+ *             both turn away to where one does not, along the plane where the
+ *             cone leaves no room, until two neighbouring numbers are between
+ *             them.
  * Eyes        far away, close to the surface, at vertices, so that it is in the
  *             planes of all triangles around, and in the plane of one; parallel
  *             projection along edges. What turns away with its group is asked
  *             for the side of the eye exactly.
- * Pictures    of real meshes and spheres, in whole and in windows of two threads.
- * Counts      the same triangles are tiled; and of a sphere about half of all are
- *             left out. */
+ * Pictures    of real meshes and spheres, in whole and in windows of two
+ *             threads.
+ * Counts      the same triangles are tiled; and of a sphere about half of all
+ *             are left out. */
 #include "algorithms/brute_force/zbuffer_fast/groups.h"
 #include "bench/modules/variant.h"
 #include "common/exact/predicates.h"
@@ -22,11 +24,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
 
 /* A scene, and its groups. */
 struct mesh {
@@ -39,19 +36,16 @@ struct mesh {
 static void open_mesh(struct mesh *m, struct hsr_scene *scene) {
   struct hsr_error err = {.text = "out of memory"};
   m->scene = scene;
-  if (hsr_world_init(&m->world, scene, &err) ||
-      hsr_groups_make(&m->groups, &m->world))
-    stop(scene->name, err.text);
+  must_world(&m->world, scene);
+  if (hsr_groups_make(&m->groups, &m->world))
+    bail("%s: %s", scene->name, err.text);
   m->verdict = malloc(m->groups.n * sizeof *m->verdict);
   if (!m->verdict)
-    stop(scene->name, "out of memory");
+    bail("%s: out of memory", scene->name);
 }
 
 static void open_named(struct mesh *m, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *scene;
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    stop(name, err.text);
+  struct hsr_scene *scene = must_open(name);
   open_mesh(m, scene);
 }
 
@@ -122,15 +116,15 @@ static struct hsr_scene *wedge(uint64_t *seed) {
   double turn = 3 * draw_unit(seed), at = 100 * draw_unit(seed);
   double c = cos(turn), s = sin(turn);
   if (!object)
-    stop("wedge", err.text);
+    bail("wedge: %s", err.text);
   object->one_sided = true;
   for (int k = 0; k < 4; k++)
     hsr_object_vertex(object, c * corner[k][0] - s * corner[k][1] + at,
                       s * corner[k][0] + c * corner[k][1], corner[k][2], NULL);
   if (hsr_object_face(object, (uint32_t[]){0, 1, 2}, 3, NULL) ||
-      hsr_object_face(object, (uint32_t[]){1, 0, 3}, 3, NULL) ||
-      hsr_scene_finish(scene, &err))
-    stop("wedge", err.text);
+      hsr_object_face(object, (uint32_t[]){1, 0, 3}, 3, NULL))
+    bail("wedge: %s", err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -144,9 +138,7 @@ static bool is_away(const struct mesh *m, const double eye[3], bool parallel,
     camera.at[k] = parallel ? eye[k] : eye[k] + (k == 0);
   }
   camera.parallel = parallel ? 10 : 0;
-  struct hsr_error err;
-  if (hsr_view_init(&view, &camera, 8, 8, &err))
-    stop("wedge", err.text);
+  must_view(&view, &camera, 8, 8);
   hsr_groups_look(&m->groups, &view, m->verdict);
   if (m->verdict[0] != HSR_GROUP_AWAY)
     return false;
@@ -263,10 +255,9 @@ static long compare_pictures(const struct mesh *m,
   uint32_t *right = malloc(n * sizeof *right), *ids = malloc(n * sizeof *ids);
   long differ = 0;
   if (!right || !ids)
-    stop("pictures", "out of memory");
+    bail("pictures: out of memory");
   if (!hsr_view_init(&view, camera, width, height, &err)) {
-    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &m->world, &view, right,
-             NULL);
+    draw_plain("zbuffer-fast", &m->world, &view, right);
     draw_in_windows(setup, &view, 1 << 14, 1, ids);
     differ += count_differences(&view, ids, right);
     draw_in_windows(setup, &view, width / 3 + 1, 2, ids);
@@ -281,7 +272,7 @@ static struct hsr_variant parse(const char *text) {
   struct hsr_variant variant;
   struct hsr_error err;
   if (hsr_variant_parse(text, &variant, &err))
-    stop(text, err.text);
+    bail("%s: %s", text, err.text);
   return variant;
 }
 
@@ -290,13 +281,11 @@ static void test_pictures(struct tap *tap, const char *name, int pictures,
   static const int sizes[3][2] = {{61, 47}, {320, 200}, {1040, 1030}};
   struct mesh m;
   struct hsr_setup setup;
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_variant with = parse("zbuffer-fast:groups=cones");
   uint64_t seed = 11;
   long differ = 0;
   open_named(&m, name);
-  if (hsr_setup_init(&setup, with.listed->plain, &with.choice, &m.world, &err))
-    stop(name, err.text);
+  must_setup(&setup, with.listed->plain, &with.choice, &m.world);
   for (int k = 0; k < pictures; k++) {
     struct hsr_camera camera =
         k < 2 ? m.scene->views[(uint32_t)k % m.scene->n_views]
@@ -320,7 +309,7 @@ static uint64_t count_of(const struct hsr_algorithm *a,
   for (int k = 0; a->counters[k].name; k++)
     if (!strcmp(a->counters[k].name, name))
       return tally->count[k];
-  stop(a->name, name);
+  bail("%s: %s", a->name, name);
   return 0;
 }
 
@@ -330,7 +319,7 @@ static void count(const struct mesh *m, const struct hsr_variant *variant,
   *tally = (struct hsr_tally){.trace = NULL};
   if (!draw_chosen(variant->listed->counting, &variant->choice, &m->world, view,
                    &answer, tally))
-    stop(variant->name, "it was refused");
+    bail("%s: it was refused", variant->name);
   hsr_answer_free(&answer);
 }
 
@@ -344,8 +333,7 @@ static void test_counts(struct tap *tap) {
                      none = parse("zbuffer-fast");
   const struct hsr_algorithm *a = none.listed->counting;
   open_named(&m, "sphere:40000");
-  if (hsr_view_init(&view, &m.scene->views[0], 200, 150, NULL))
-    stop("sphere", "no view");
+  must_view(&view, &m.scene->views[0], 200, 150);
   view.window = (struct hsr_window){0, 0, 200, 60};
   count(&m, &cones, &view, &with);
   count(&m, &none, &view, &without);

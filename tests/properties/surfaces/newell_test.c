@@ -5,16 +5,13 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/filter.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { M = 64, N = 48, SHEETS = 40, FRAMES = 24 };
-
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
 
 static const struct hsr_algorithm *counting(const char *name) {
   return hsr_algorithm_find(name)->counting;
@@ -38,10 +35,11 @@ static void look_down_z(struct hsr_scene *scene, struct hsr_world *world,
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_camera camera = {
       .eye = {0, 0, 100}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 40};
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(world, scene, &err) ||
-      hsr_view_init(view, &camera, M, N, &err))
-    fail(&err);
+  if (hsr_scene_view(scene, &camera))
+    bail("%s", err.text);
+  must_finish(scene);
+  must_world(world, scene);
+  must_view(view, &camera, M, N);
 }
 
 /* A list that is in order of priority after the Z sort. */
@@ -75,10 +73,10 @@ static void check_division(struct tap *tap) {
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view view;
-  if (hsr_scene_open("cyclic-overlap", &import, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], M, N, &err))
-    fail(&err);
+  if (hsr_scene_open("cyclic-overlap", &import, &scene, &err))
+    bail("%s", err.text);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], M, N);
   const struct hsr_algorithm *a = counting("newell");
   struct hsr_tally tally = {.out_of_memory = false};
   draw_ids(a, &world, &view, ids, &tally);
@@ -101,10 +99,10 @@ static void check_coherence(struct tap *tap) {
   struct hsr_setup setup;
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   const struct hsr_algorithm *a = counting("newell-previous");
-  if (hsr_scene_open("harbor:500", &import, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_setup_init(&setup, a, NULL, &world, &err))
-    fail(&err);
+  if (hsr_scene_open("harbor:500", &import, &scene, &err))
+    bail("%s", err.text);
+  must_world(&world, scene);
+  must_setup(&setup, a, NULL, &world);
   long wrong = 0;
   uint64_t first = 0, later = 0, again = 0;
   for (int k = 0; k <= FRAMES; k++) {
@@ -112,15 +110,14 @@ static void check_coherence(struct tap *tap) {
     camera.eye[0] += 0.01 * (k < FRAMES ? k : k - 1);
     struct hsr_view view;
     struct hsr_tally tally = {.out_of_memory = false};
-    if (hsr_view_init(&view, &camera, M, N, &err))
-      fail(&err);
+    must_view(&view, &camera, M, N);
     struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
     struct hsr_job job = {
         .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
-      fail(&err);
-    draw_ids(hsr_algorithm_find("oracle")->plain, &world, &view, wanted, NULL);
+      bail("%s", err.text);
+    draw_plain("oracle", &world, &view, wanted);
     wrong += count_differences(&view, ids, wanted);
     *(k == 0       ? &first
       : k < FRAMES ? &later
@@ -178,7 +175,7 @@ static void check_transparency(struct tap *tap, const char *name,
   if (rule == HSR_MIX_LINEAR)
     mix(own[3], own[1], 16384, wanted[3]);
   draw_chosen(a, &choice, &world, &view, &answer, NULL);
-  draw_ids(hsr_algorithm_find("oracle")->plain, &world, &view, opaque, NULL);
+  draw_plain("oracle", &world, &view, opaque);
   long wrong = 0, n[5] = {0};
   const uint16_t *rgb = hsr_answer_colours_of(&answer);
   for (int k = 0; k < M * N; k++) {

@@ -21,11 +21,6 @@ struct picture {
   struct hsr_view view;
 };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static void picture_begin(struct picture *x) {
   x->scene = hsr_scene_new("toy");
   x->object = hsr_scene_object(x->scene, "toy");
@@ -48,10 +43,11 @@ static void picture_finish(struct picture *x, const double eye[3],
   struct hsr_camera camera = {.up = {0, 1, 0}, .fov = 60};
   memcpy(camera.eye, eye, sizeof camera.eye);
   memcpy(camera.at, at, sizeof camera.at);
-  if (hsr_scene_view(x->scene, &camera) || hsr_scene_finish(x->scene, &err) ||
-      hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_view_init(&x->view, &camera, M, N, &err))
-    fail(&err);
+  if (hsr_scene_view(x->scene, &camera))
+    bail("%s", err.text);
+  must_finish(x->scene);
+  must_world(&x->world, x->scene);
+  must_view(&x->view, &camera, M, N);
 }
 
 static void picture_free(struct picture *x) {
@@ -118,9 +114,8 @@ static void note(void *context, const struct hsr_event *event) {
 /* The number of samples that differ from the oracle's. */
 static long draw_romney(const struct picture *x, struct hsr_tally *tally) {
   static uint32_t wanted[M * N], got[M * N];
-  draw_ids(hsr_algorithm_find("oracle")->plain, &x->world, &x->view, wanted,
-           NULL);
-  draw_ids(hsr_algorithm_find("romney")->plain, &x->world, &x->view, got, NULL);
+  draw_plain("oracle", &x->world, &x->view, wanted);
+  draw_plain("romney", &x->world, &x->view, got);
   long differences = count_differences(&x->view, got, wanted);
   draw_ids(hsr_algorithm_find("romney")->counting, &x->world, &x->view, got,
            tally);
@@ -193,7 +188,7 @@ static void check_lines(const struct picture *x, struct findings *findings) {
   struct hsr_screen screen;
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_screen_make(&screen, &x->world, &x->view, &arena, &own))
-    fail(&err);
+    bail("%s", err.text);
   static struct line line[2];
   find_line(&screen, 0, &line[0]);
   for (int j = 1; j < N; j++) {

@@ -37,22 +37,13 @@ struct picture {
   struct hsr_view view;
 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 static void open_picture(struct picture *p, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &p->scene, &err) ||
-      hsr_world_init(&p->world, p->scene, &err))
-    stop(name, err.text);
+  p->scene = must_open(name);
+  must_world(&p->world, p->scene);
 }
 
 static void set_view(struct picture *p, uint32_t view, int m, int n) {
-  struct hsr_error err;
-  if (hsr_view_init(&p->view, &p->scene->views[view], m, n, &err))
-    stop(p->scene->name, err.text);
+  must_view(&p->view, &p->scene->views[view], m, n);
 }
 
 static void close_picture(struct picture *p) {
@@ -212,17 +203,16 @@ static struct hsr_scene *deck(int n_cards) {
   }
   const struct hsr_camera camera = {
       .at = {0, 0, -1}, .up = {0, 1, 0}, .fov = 90};
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
-    stop("deck", err.text);
+  if (hsr_scene_view(scene, &camera))
+    bail("deck: %s", err.text);
+  must_finish(scene);
   return scene;
 }
 
 static void try_deck(struct tap *tap) {
   enum { CARDS = 10 };
   struct picture p = {.scene = deck(CARDS)};
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_world_init(&p.world, p.scene, &err))
-    stop("deck", err.text);
+  must_world(&p.world, p.scene);
   set_view(&p, 0, M, N);
   struct count y = draw("yzx", &p);
   uint64_t lines = of(&y, "segments") / CARDS;

@@ -31,20 +31,12 @@ struct fixture {
   struct hsr_arena scratch;
 };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static void prepare(struct fixture *x, struct hsr_scene *scene) {
-  struct hsr_error err = {.text = ""};
   *x = (struct fixture){.scene = scene, .scratch = HSR_ARENA_EMPTY};
-  if (hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_setup_init(&x->oracle, hsr_algorithm_find("oracle")->plain, NULL,
-                     &x->world, &err) ||
-      hsr_setup_init(&x->schumacker, hsr_algorithm_find("schumacker")->plain,
-                     NULL, &x->world, &err))
-    fail(&err);
+  must_world(&x->world, x->scene);
+  must_setup(&x->oracle, hsr_algorithm_find("oracle")->plain, NULL, &x->world);
+  must_setup(&x->schumacker, hsr_algorithm_find("schumacker")->plain, NULL,
+             &x->world);
   const double *axis[3] = {x->world.mesh.x, x->world.mesh.y, x->world.mesh.z};
   for (int k = 0; k < 3; k++) {
     x->lo[k] = x->hi[k] = axis[k][0];
@@ -56,10 +48,7 @@ static void prepare(struct fixture *x, struct hsr_scene *scene) {
 }
 
 static void open_scene(struct fixture *x, const char *name) {
-  struct hsr_error err = {.text = ""};
-  struct hsr_scene *scene;
-  if (hsr_scene_open(name, NULL, &scene, &err))
-    fail(&err);
+  struct hsr_scene *scene = must_open(name);
   prepare(x, scene);
 }
 
@@ -138,7 +127,7 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
   hsr_arena_reset(&x->scratch);
   memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
   if (hsr_setup_render(setup, &job, &err))
-    fail(&err);
+    bail("%s", err.text);
 }
 
 static uint64_t mixed(uint64_t sum, const void *bytes, size_t n) {
@@ -222,8 +211,7 @@ static void check_grazed(struct tap *tap) {
   struct hsr_object *object = hsr_scene_object(scene, "floor and wall");
   add_quad(object, floor);
   add_quad(object, wall);
-  if (hsr_scene_finish(scene, &err))
-    fail(&err);
+  must_finish(scene);
   struct hsr_camera camera = {.eye = {-4, 0.75 * lift, 0},
                               .at = {-3, 0.75 * lift, 0},
                               .up = {0, 1, 0},
@@ -231,22 +219,20 @@ static void check_grazed(struct tap *tap) {
   struct hsr_view view;
   struct fixture x;
   prepare(&x, scene);
-  if (hsr_view_init(&view, &camera, M, N, &err))
-    fail(&err);
+  must_view(&view, &camera, M, N);
   draw(&x, &x.oracle, &view, wanted);
   draw(&x, &x.schumacker, &view, got);
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_screen screen;
   struct hsr_tally tally = {.out_of_memory = false};
   if (hsr_screen_make(&screen, &x.world, &view, &arena, &tally))
-    fail(&err);
+    bail("%s", err.text);
   bool covers = hsr_covers(&screen, 0, 14, N / 2, &tally);
   ok(tap,
      covers && wanted[N / 2 * M + 14] == 1 &&
          !count_differences(&view, wanted, got),
      "a floor covers a sample and is met beyond the wall: the wall is seen");
-  draw_ids(hsr_algorithm_find("schumacker-watkins")->plain, &x.world, &view,
-           got, NULL);
+  draw_plain("schumacker-watkins", &x.world, &view, got);
   ok(tap, !count_differences(&view, wanted, got),
      "the same, where the floor is painted after the clusters");
   hsr_arena_free(&arena);
@@ -259,7 +245,6 @@ static void check_grazed(struct tap *tap) {
  */
 static void check_coplanar(struct tap *tap) {
   static uint32_t wanted[M * N], got[M * N];
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = hsr_scene_new("coplanar");
   for (int k = 0; k < 4; k++) {
     double x = k % 2, y = k / 2;
@@ -267,8 +252,7 @@ static void check_coplanar(struct tap *tap) {
         {x, y, 0}, {x + 3, y, 0}, {x + 3, y + 3, 0}, {x, y + 3, 0}};
     add_quad(hsr_scene_object(scene, "quad"), corner);
   }
-  if (hsr_scene_finish(scene, &err))
-    fail(&err);
+  must_finish(scene);
   struct fixture x;
   prepare(&x, scene);
   long differences = 0, seen = 0;
@@ -276,8 +260,7 @@ static void check_coplanar(struct tap *tap) {
     struct hsr_camera camera = {
         .eye = {2, 2, 4 * side}, .at = {2, 2, 0}, .up = {0, 1, 0}, .fov = 60};
     struct hsr_view view;
-    if (hsr_view_init(&view, &camera, M, N, &err))
-      fail(&err);
+    must_view(&view, &camera, M, N);
     draw(&x, &x.oracle, &view, wanted);
     draw(&x, &x.schumacker, &view, got);
     differences += count_differences(&view, wanted, got);
@@ -298,8 +281,9 @@ static void check_size(struct tap *tap, struct fixture *x,
   uint32_t *got = malloc((size_t)m * (size_t)n * sizeof *got);
   struct hsr_error err = {.text = "no memory"};
   struct hsr_view view;
-  if (!wanted || !got || hsr_view_init(&view, camera, m, n, &err))
-    fail(&err);
+  if (!wanted || !got)
+    bail("%s", err.text);
+  must_view(&view, camera, m, n);
   draw(x, &x->oracle, &view, wanted);
   draw(x, &x->schumacker, &view, got);
   long differences = count_differences(&view, wanted, got);
@@ -324,7 +308,6 @@ static void check_large(struct tap *tap) {
  * become smaller with the height, so that faces of both runs are seen. */
 static void check_pile(struct tap *tap) {
   enum { SQUARES = 4500 };
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = hsr_scene_new("pile");
   struct hsr_object *object = hsr_scene_object(scene, "squares");
   for (int k = 0; k < SQUARES; k++) {
@@ -333,8 +316,7 @@ static void check_pile(struct tap *tap) {
         {-r, -r, z}, {r, -r, z}, {r, r, z}, {-r, r, z}};
     add_quad(object, corner);
   }
-  if (hsr_scene_finish(scene, &err))
-    fail(&err);
+  must_finish(scene);
   struct hsr_camera camera = {
       .eye = {.01, .02, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 20};
   struct fixture x;

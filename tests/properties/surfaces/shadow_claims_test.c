@@ -7,6 +7,7 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/shadowed.h"
 
 #include <stdlib.h>
 
@@ -23,8 +24,7 @@ static struct drawn draw(const struct both_worlds *worlds, const char *name) {
   struct hsr_view view;
   struct hsr_answer answer;
   struct drawn drawn = {.lit = 0};
-  if (hsr_view_init(&view, &worlds->scene->views[0], M, N, NULL))
-    exit(99);
+  must_view(&view, &worlds->scene->views[0], M, N);
   draw_chosen(a, &choice, &worlds->world, &view, &answer, &tally);
   drawn.tests = counted(a, &tally, "shadow tests");
   for (int k = 0; k < M * N; k++)

@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* zbuffer draws a scene from its outline as it draws it laid out: the same ids,
- * and as many faces in floats, generally and in doubt. Other counts depend on the
- * order of faces: those that take the general way come at the end of a batch,
- * and here batches end with instances.
+/* zbuffer-fast draws a scene from a roster as it draws it laid out: the same
+ * ids, and as many faces in floats, the general way and in doubt. Other counts
+ * depend on the order of faces: those that take the general way come at the end
+ * of a batch, and here batches end with instances.
  *
- * Pictures    of triangles and of polygons, of one object and of many instances,
- *             before the eye and behind it, past near; in perspective and in
- *             parallel; in windows; with samples on the tiler's grid and beside
- *             it.
- * Choices     what needs the scene laid out takes no outline: glass, shadows, and
- *             groups. Which scenes come as an outline. */
+ * Pictures    of triangles and of polygons, of one object and of many
+ *             instances, before the eye and behind it, past near; in
+ *             perspective and in parallel; in windows; with samples on the
+ *             tiler's grid and beside it.
+ * Choices     what needs the scene laid out takes no roster: glass, shadows,
+ *             and groups. Which scenes come as a roster. */
 #include "algorithms/engines/tiler/tiler.h"
 #include "bench/modules/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/shadowed.h"
+#include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
 #include <string.h>

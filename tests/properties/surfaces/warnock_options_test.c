@@ -18,11 +18,6 @@ static const char *const scene_names[] = {
     "terrain",    "nested-solids", "office:1"};
 enum { N_SCENES = sizeof scene_names / sizeof scene_names[0] };
 
-static void stop(const char *name, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", name, err->text);
-  exit(99);
-}
-
 /* A scene, laid out. */
 struct stage {
   struct hsr_scene *scene;
@@ -30,10 +25,8 @@ struct stage {
 };
 
 static void open_stage(struct stage *s, const char *name) {
-  struct hsr_error err;
-  if (hsr_scene_open(name, NULL, &s->scene, &err) ||
-      hsr_world_init(&s->world, s->scene, &err))
-    stop(name, &err);
+  s->scene = must_open(name);
+  must_world(&s->world, s->scene);
 }
 
 static void close_stage(struct stage *s) {
@@ -43,10 +36,7 @@ static void close_stage(struct stage *s) {
 
 static struct hsr_view view_of(const struct stage *s, int k, int m, int n) {
   struct hsr_view view;
-  struct hsr_error err;
-  if (hsr_view_init(&view, &s->scene->views[(uint32_t)k % s->scene->n_views], m,
-                    n, &err))
-    stop(s->scene->name, &err);
+  must_view(&view, &s->scene->views[(uint32_t)k % s->scene->n_views], m, n);
   return view;
 }
 
@@ -109,10 +99,8 @@ struct film {
 
 static void begin(struct film *film, const struct hsr_algorithm *algorithm,
                   const struct stage *stage) {
-  struct hsr_error err;
   *film = (struct film){.algorithm = algorithm};
-  if (hsr_setup_init(&film->setup, algorithm, NULL, &stage->world, &err))
-    stop(algorithm->name, &err);
+  must_setup(&film->setup, algorithm, NULL, &stage->world);
 }
 
 static void end(struct film *film) {
@@ -130,7 +118,7 @@ static void draw_frame(struct film *film, const struct hsr_view *view) {
                         .scratch = &film->scratch,
                         .answer = &answer};
   if (hsr_setup_render(&film->setup, &job, &err))
-    stop(film->algorithm->name, &err);
+    bail("%s: %s", film->algorithm->name, err.text);
 }
 
 static long count(const struct film *film, const char *name) {

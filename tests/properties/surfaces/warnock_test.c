@@ -21,10 +21,8 @@ enum { N_SCENES = sizeof scene_names / sizeof scene_names[0] };
 
 static void *grown(void *memory, size_t bytes) {
   memory = realloc(memory, bytes);
-  if (!memory) {
-    puts("Bail out! out of memory");
-    exit(99);
-  }
+  if (!memory)
+    bail("out of memory");
   return memory;
 }
 
@@ -122,15 +120,11 @@ static void watch_scene(const struct hsr_algorithm *algorithm, const char *name,
                         struct findings *findings) {
   static uint32_t ids[SIZE * SIZE];
   struct hsr_error err;
-  struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view view;
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], SIZE, SIZE, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+  struct hsr_scene *scene = must_open(name);
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], SIZE, SIZE);
   struct watch w = {.special = counter_of(algorithm, "Warnock special"),
                     .subdivisions = counter_of(algorithm, "subdivisions"),
                     .first_decision = counter_of(algorithm, "empty windows"),
@@ -144,10 +138,8 @@ static void watch_scene(const struct hsr_algorithm *algorithm, const char *name,
     close_window(&w);
 
   struct hsr_table1 table;
-  if (hsr_statistics_measure(&world, &view, ids, &table, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+  if (hsr_statistics_measure(&world, &view, ids, &table, &err))
+    bail("%s: %s", name, err.text);
   const uint64_t *count = tally.count;
   long n_windows = (long)count[counter_of(algorithm, "windows")], n_seen = 0;
   for (int height = 0; height < MOST_LEVELS; height++)

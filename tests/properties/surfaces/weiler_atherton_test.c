@@ -11,6 +11,7 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/polygons.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,8 +37,7 @@ static const struct hsr_listed *find(const char *name) {
   const struct hsr_listed *found = hsr_algorithm_find(name);
   if (found)
     return found;
-  printf("Bail out! no %s\n", name);
-  exit(99);
+  bail("no %s", name);
 }
 
 /* How often each face was taken for a clip polygon or examined against one, and
@@ -81,10 +81,8 @@ static void draw(const struct hsr_world *world, const struct hsr_view *view,
                             world, &err);
   if (!status)
     status = hsr_setup_render(&setup, &job, &err);
-  if (status) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+  if (status)
+    bail("%s: %s", name, err.text);
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
 }
@@ -185,10 +183,8 @@ static void check_view(const struct hsr_world *world,
       hsr_answer_free(&answer);
       continue;
     }
-    if (hsr_polygons_ids(hsr_answer_polygons_of(&answer), view, got, &err)) {
-      printf("Bail out! %s: %s\n", scene, err.text);
-      exit(99);
-    }
+    if (hsr_polygons_ids(hsr_answer_polygons_of(&answer), view, got, &err))
+      bail("%s: %s", scene, err.text);
     found->astray += count_astray(world, view, hsr_answer_polygons_of(&answer));
     long differing = count_differences(view, got, wanted);
     if (differing && !found->differing)

@@ -15,11 +15,6 @@ static const char *const names[ALGORITHMS] = {"bsp-painter", "bsp-front",
                                               "warnock-depth"};
 enum { PAINTER, FRONT, WARNOCK };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static const struct hsr_algorithm *counting(int number) {
   return hsr_algorithm_find(names[number])->counting;
 }
@@ -62,16 +57,16 @@ static void check_samples(struct tap *tap, const char *name) {
   struct hsr_scene *scene;
   struct hsr_world world;
   if (hsr_scene_open(name, &import, &scene, &err) ||
-      hsr_scene_add_orbit(scene, VIEWS) || hsr_world_init(&world, scene, &err))
-    fail(&err);
+      hsr_scene_add_orbit(scene, VIEWS))
+    bail("%s", err.text);
+  must_world(&world, scene);
   bool once = true, all = true, windows = true;
   uint64_t covered = 0, hidden = 0;
   for (uint32_t v = 0; v < scene->n_views && v < VIEWS; v++) {
     static uint32_t ids[ALGORITHMS][M * N];
     struct hsr_tally tally[ALGORITHMS] = {{.out_of_memory = false}};
     struct hsr_view view;
-    if (hsr_view_init(&view, &scene->views[v], M, N, &err))
-      fail(&err);
+    must_view(&view, &scene->views[v], M, N);
     for (int a = 0; a < ALGORITHMS; a++) {
       draw_ids(counting(a), &world, &view, ids[a], &tally[a]);
       windows &= same_in_windows(&world, &view, a, ids[a]);
@@ -122,10 +117,11 @@ static uint64_t cells_of(const double *half, int n) {
   struct hsr_tally tally = {.out_of_memory = false};
   for (int k = 0; k < n; k++)
     add_square(scene, -k, half[k]);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &camera, M, N, &err))
-    fail(&err);
+  if (hsr_scene_view(scene, &camera))
+    bail("%s", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
+  must_view(&view, &camera, M, N);
   draw_ids(counting(WARNOCK), &world, &view, ids, &tally);
   hsr_world_free(&world);
   hsr_scene_delete(scene);

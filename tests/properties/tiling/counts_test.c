@@ -87,10 +87,10 @@ static void draw_work(const struct claim_scene *scene, float *work,
                         .scratch = &arena,
                         .tally = &tally,
                         .answer = &answer};
-  if (!ids || hsr_variant_parse("tiling", &variant, &err) ||
-      hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
-                     &scene->worlds.roster, &err))
+  if (!ids || hsr_variant_parse("tiling", &variant, &err))
     abort();
+  must_setup(&setup, variant.listed->counting, &variant.choice,
+             &scene->worlds.roster);
   visits->cube_cells = counter_of(setup.algorithm, "cube cells");
   visits->polygon_cells = counter_of(setup.algorithm, "polygon cells");
   if (hsr_setup_render(&setup, &job, &err))

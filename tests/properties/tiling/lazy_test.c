@@ -9,6 +9,7 @@
  * Nearly      With less disorder fewer pixels are z-buffered.
  * Worst       From back to front it does little more than a z-buffer. */
 #include "bench/modules/variant.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/base/clock.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -28,22 +29,15 @@ static const char *const orders[] = {"tiling-lazy",
                                      "tiling-lazy:order=input:disorder=100"};
 enum { ORDERS = sizeof orders / sizeof *orders };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 struct stage {
   struct hsr_scene *scene;
   struct hsr_world world;
 };
 
 static struct stage open_stage(const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
   struct stage stage;
-  if (hsr_scene_open(name, NULL, &stage.scene, &err) ||
-      hsr_world_init(&stage.world, stage.scene, &err))
-    stop(name, err.text);
+  stage.scene = must_open(name);
+  must_world(&stage.world, stage.scene);
   return stage;
 }
 
@@ -54,10 +48,8 @@ static void close_stage(struct stage *stage) {
 
 static struct hsr_view view_of(const struct stage *stage, uint32_t v, int m,
                                int n) {
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_view view;
-  if (hsr_view_init(&view, &stage->scene->views[v], m, n, &err))
-    stop(stage->scene->name, err.text);
+  must_view(&view, &stage->scene->views[v], m, n);
   return view;
 }
 
@@ -80,17 +72,15 @@ static struct drawn draw(const char *name, bool counting,
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   size_t n = (size_t)view->m * (size_t)view->n;
   if (hsr_variant_parse(name, &variant, &err))
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   struct drawn drawn = {.algorithm = counting ? variant.listed->counting
                                               : variant.listed->plain};
-  if (hsr_setup_init(&setup, drawn.algorithm, &variant.choice, &stage->world,
-                     &err))
-    stop(name, err.text);
+  must_setup(&setup, drawn.algorithm, &variant.choice, &stage->world);
   for (int time = 0; time < 2 - counting; time++) {
     struct hsr_answer answer = hsr_answer_of_ids(ids, view->m, view->n);
     if (sums &&
         hsr_answer_make(&answer, &variant.choice.form, view, false, &err))
-      stop(name, err.text);
+      bail("%s: %s", name, err.text);
     struct hsr_job job = {.view = view,
                           .scratch = &scratch,
                           .tally = &drawn.tally,
@@ -100,7 +90,7 @@ static struct drawn draw(const char *name, bool counting,
     hsr_arena_reset(&scratch);
     double begin = hsr_seconds_now();
     if (hsr_setup_render(&setup, &job, &err))
-      stop(name, err.text);
+      bail("%s: %s", name, err.text);
     drawn.seconds = hsr_seconds_now() - begin;
     if (sums) {
       memcpy(sums, hsr_answer_sums_of(&answer), 3 * n * sizeof *sums);
@@ -124,8 +114,7 @@ static long differences(const struct stage *stage,
                         const struct hsr_view *view) {
   static uint32_t right[M * N], ids[M * N];
   long wrong = 0;
-  draw_ids(hsr_algorithm_find("oracle")->plain, &stage->world, view, right,
-           NULL);
+  draw_plain("oracle", &stage->world, view, right);
   for (int k = 0; k < 2 * ORDERS; k++) {
     draw(orders[k / 2], k & 1, stage, view, ids, NULL);
     long n = count_differences(view, ids, right);
@@ -193,8 +182,7 @@ static void filter(const struct stage *stage, const struct hsr_view *view,
     for (int bit = 0; bit < 64; bit++) {
       struct hsr_view part =
           hsr_subsample_view(view, HSR_FILTER_BOX, pattern, bit);
-      draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &stage->world, &part,
-               ids, NULL);
+      draw_plain("zbuffer-fast", &stage->world, &part, ids);
       hsr_filter_add_subsample(&kernel, filtering, &stage->world, view, pattern,
                                bit, ids, sums);
     }
@@ -251,7 +239,7 @@ static void check_hidden(struct tap *tap, const char *name) {
       draw("tiling-lazy:order=front", true, &stage, &view, large, NULL);
   bool *seen = calloc(stage.world.n_faces, sizeof *seen);
   if (!seen)
-    stop(name, "out of memory");
+    bail("%s: out of memory", name);
   uint64_t n_seen = 0;
   for (int k = 0; k < LARGEST * LARGEST; k++)
     if (large[k] != HSR_BACKGROUND && !seen[large[k]]) {

@@ -15,16 +15,12 @@
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/filtered.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { M = 61, N = 40, VIEWS = 2, FEW_FACES = 3000, COLUMNS = 7, ROWS = 5 };
-
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
 
 /* --- Drawing -------------------------------------------------------------- */
 
@@ -41,12 +37,12 @@ static bool begin_run(struct run *r, const struct hsr_world *world,
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_variant variant;
   if (hsr_variant_parse(text, &variant, &err))
-    stop(text, err.text);
+    bail("%s: %s", text, err.text);
   enum hsr_status status = hsr_setup_init(
       &r->setup, counting ? variant.listed->counting : variant.listed->plain,
       &variant.choice, world, &err);
   if (status && status != HSR_E_REFUSED)
-    stop(text, err.text);
+    bail("%s: %s", text, err.text);
   return !status;
 }
 
@@ -63,14 +59,14 @@ static bool draw(struct run *r, const struct hsr_view *view, long threads) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_tally tally = {.out_of_memory = false};
   if (answer_init(&r->answer, &r->setup, view, &err))
-    stop(r->setup.algorithm->name, err.text);
+    bail("%s: %s", r->setup.algorithm->name, err.text);
   if (hsr_answer_ids_of(&r->answer))
     memset(hsr_answer_ids_of(&r->answer), 0xfe,
            sizeof(uint32_t) * (size_t)view->m * (size_t)view->n);
   enum hsr_status status =
       render_view(&r->setup, view, threads, &r->answer, &tally, NULL, &err);
   if (status && status != HSR_E_REFUSED)
-    stop(r->setup.algorithm->name, err.text);
+    bail("%s: %s", r->setup.algorithm->name, err.text);
   r->samples = count_of(r->setup.algorithm, &tally, "samples");
   r->loose = count_of(r->setup.algorithm, &tally, "loose samples");
   return !status;
@@ -78,10 +74,8 @@ static bool draw(struct run *r, const struct hsr_view *view, long threads) {
 
 static struct hsr_view view_of(const struct both_worlds *s, uint32_t v, int m,
                                int n) {
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_view view;
-  if (hsr_view_init(&view, &s->scene->views[v % s->scene->n_views], m, n, &err))
-    stop(s->scene->name, err.text);
+  must_view(&view, &s->scene->views[v % s->scene->n_views], m, n);
   return view;
 }
 
@@ -94,8 +88,8 @@ static uint32_t *wanted_ids(const struct both_worlds *s, const char *judge,
                             const struct hsr_view *view) {
   uint32_t *ids = malloc(sizeof *ids * (size_t)view->m * (size_t)view->n);
   if (!ids)
-    stop(judge, "out of memory");
-  draw_ids(hsr_algorithm_find(judge)->plain, &s->world, view, ids, NULL);
+    bail("%s: out of memory", judge);
+  draw_plain(judge, &s->world, view, ids);
   return ids;
 }
 
@@ -119,10 +113,10 @@ static void try(const struct right *right, const struct hsr_world *world,
   struct run r;
   bool counting = threads == 1;
   if (!begin_run(&r, world, text, counting))
-    stop(name, "is refused");
+    bail("%s: is refused", name);
   for (uint32_t v = 0; v < right->n; v++) {
     if (!draw(&r, &right->view[v], threads))
-      stop(name, "is refused");
+      bail("%s: is refused", name);
     long wrong = count_differences(&right->view[v],
                                    hsr_answer_ids_of(&r.answer), right->ids[v]);
     if (wrong)
@@ -199,11 +193,11 @@ static void find_sums(const struct both_worlds *s, const char *text,
   struct run r;
   char other[HSR_MOST_VARIANT];
   if (hsr_variant_parse(text, &variant, &err))
-    stop(text, err.text);
+    bail("%s: %s", text, err.text);
   if (s->world.n_faces >= FEW_FACES) { /* from 64 pictures a pattern */
     snprintf(other, sizeof other, "zbuffer-fast%s", strchr(text, ':'));
     if (!begin_run(&r, &s->world, other, false) || !draw(&r, view, 1))
-      stop(other, "is refused");
+      bail("%s: is refused", other);
     memcpy(sums, hsr_answer_sums_of(&r.answer),
            3 * sizeof *sums * COLUMNS * ROWS);
     hsr_answer_free(&r.answer);
@@ -211,7 +205,7 @@ static void find_sums(const struct both_worlds *s, const char *text,
     struct hsr_filtering filtering = hsr_form_filtering(&variant.choice.form);
     if (!begin_run(&r, &s->world, "oracle", false) ||
         judge_sums(&r.setup, &filtering, view, NULL, sums, &err))
-      stop("oracle", err.text);
+      bail("oracle: %s", err.text);
   }
   hsr_setup_free(&r.setup);
 }
@@ -231,7 +225,7 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
     struct hsr_view view = view_of(&s, (uint32_t)k / 2 % VIEWS, COLUMNS, ROWS);
     struct run r;
     if (!begin_run(&r, &s.world, texts[k], true))
-      stop(name, "is refused");
+      bail("%s: is refused", name);
     if (!draw(&r, &view, 1)) {
       refused++;
     } else {
@@ -272,7 +266,7 @@ static void test_tables(struct tap *tap, struct both_worlds *s, int side,
     snprintf(text, sizeof text, "tiling:masks=table:intervals=%d",
              intervals[k]);
     if (!begin_run(&r, &s->world, text, true) || !draw(&r, &view, 1))
-      stop(text, "is refused");
+      bail("%s: is refused", text);
     share[k] =
         (double)count_differences(&view, hsr_answer_ids_of(&r.answer), wanted) /
         side / side;
@@ -317,7 +311,7 @@ static void test_ties(struct tap *tap) {
       const char *text = texts[(2 * k + t) % TEXTS];
       struct run r;
       if (!begin_run(&r, &s.world, text, false) || !draw(&r, &view, 1))
-        stop(name, "is refused");
+        bail("%s: is refused", name);
       long differ =
           count_differences(&view, hsr_answer_ids_of(&r.answer), wanted);
       if (differ)

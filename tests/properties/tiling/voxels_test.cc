@@ -10,7 +10,9 @@
 #include "algorithms/setup.h"
 #include "algorithms/volume/solid_pyramid.h"
 #include "scenes/scenes.h"
+#include "tests/properties/splitmix64.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/voxels.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -30,23 +32,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Flat = Kernel::Point_2;
 using Box = Kernel::Iso_cuboid_3;
-
-// ---- Random numbers: splitmix64 ----
-
-uint64_t state = 1;
-
-uint64_t bits() {
-  uint64_t z = state += 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return z ^ z >> 31;
-}
-int integer(int lo, int hi) {
-  return lo + int(bits() % uint64_t(hi - lo + 1));
-}
-double real(double lo, double hi) {
-  return lo + (hi - lo) * (double(bits() >> 11) * 0x1p-53);
-}
 
 // ---- The oracle ----
 
@@ -238,10 +223,7 @@ struct Stage {
   }
 
 private:
-  [[noreturn]] void stop() const {
-    std::printf("Bail out! %s\n", err.text);
-    std::exit(99);
-  }
+  [[noreturn]] void stop() const { bail("%s", err.text); }
   void prepare() {
     if (hsr_world_init(&world, scene, &err) ||
         hsr_edges_init(&edges, &world, &err) ||

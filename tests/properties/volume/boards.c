@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/volume/boards.h"
+#include "tests/tap.h"
 #include "bench/modules/variant.h"
 
 #include <math.h>
@@ -7,15 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void stop(const char *what) {
-  printf("Bail out! %s\n", what);
-  exit(99);
-}
-
 void *room(size_t n, size_t size) {
   void *memory = calloc(n, size);
   if (!memory)
-    stop("out of memory");
+    bail("out of memory");
   return memory;
 }
 

@@ -33,11 +33,6 @@ static int whole(int lo, int hi) {
   return lo + (int)((state >> 33) % (uint64_t)(hi - lo + 1));
 }
 
-static void stop(const char *what) {
-  printf("Bail out! %s\n", what);
-  exit(99);
-}
-
 /* --- Grids ---------------------------------------------------------------- */
 
 struct volume {
@@ -73,10 +68,11 @@ static void make_volume(struct volume *v) {
   struct hsr_grid grid;
   v->scene = hsr_scene_new("cells");
   if (hsr_grid_init(&grid, &samples, &keep, &err) ||
-      hsr_scene_set_grid(v->scene, &grid) || hsr_scene_finish(v->scene, &err) ||
-      hsr_world_roster(&v->outline, v->scene, &err) ||
-      hsr_world_init(&v->world, v->scene, &err))
-    stop("no grid");
+      hsr_scene_set_grid(v->scene, &grid))
+    bail("no grid");
+  must_finish(v->scene);
+  must_roster(&v->outline, v->scene);
+  must_world(&v->world, v->scene);
 }
 
 static void free_volume(struct volume *v) {
@@ -135,8 +131,7 @@ static struct hsr_view make_view(const struct volume *v, int class,
   camera.near = whole(0, 2) ? 0 : whole(1, 8) / 4.0;
   if (parallel)
     make_parallel(v, &camera);
-  if (hsr_view_init(&view, &camera, M, N, NULL))
-    stop("no view");
+  must_view(&view, &camera, M, N);
   if (whole(0, 3) == 0)
     view.window = (struct hsr_window){whole(0, M / 2), whole(0, N / 2),
                                       whole(M / 2 + 1, M), whole(N / 2 + 1, N)};
@@ -178,7 +173,7 @@ static struct hsr_variant variant(const struct player *p, int nesting,
     snprintf(name + n, sizeof name - (size_t)n, ":nesting=%s",
              nestings[nesting]);
   if (hsr_variant_parse(name, &made, &err))
-    stop(err.text);
+    bail("%s", err.text);
   return made;
 }
 
@@ -198,9 +193,9 @@ static long differences(const struct volume *v, const struct hsr_view *view,
   struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
   struct hsr_job job = {
       .view = view, .answer = &answer, .scratch = &scratch, .tally = &tally};
-  if (hsr_setup_init(&setup, a, &made.choice, &v->outline, &err) ||
-      hsr_setup_render(&setup, &job, &err))
-    stop(err.text);
+  must_setup(&setup, a, &made.choice, &v->outline);
+  if (hsr_setup_render(&setup, &job, &err))
+    bail("%s", err.text);
   p->depths += (long)tally.depths_compared + (long)tally.exact[HSR_ASK_DEPTH];
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
@@ -215,7 +210,7 @@ static void try_view(const struct volume *v, int class, bool parallel,
                      struct found *found) {
   static uint32_t right[PICTURE];
   struct hsr_view view = make_view(v, class, parallel);
-  draw_ids(hsr_algorithm_find("oracle")->plain, &v->world, &view, right, NULL);
+  draw_plain("oracle", &v->world, &view, right);
   for (int k = 0; k < PICTURE; k++)
     found->covered += right[k] != HSR_BACKGROUND && right[k] != UNWRITTEN;
   found->samples += PICTURE;

@@ -64,10 +64,8 @@ static struct visits visit(enum hsr_grid_order order, int nesting, bool front,
   struct hsr_error err;
   memset(when, 0xff,
          (size_t)seen->n[0] * seen->n[1] * seen->n[2] * sizeof *when);
-  if (hsr_grid_visit(order, nesting, front, seen, note, &v, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_grid_visit(order, nesting, front, seen, note, &v, &err))
+    bail("%s", err.text);
   return v;
 }
 

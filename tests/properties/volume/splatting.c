@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/properties/volume/splatting.h"
+#include "tests/tap.h"
 #include "bench/modules/variant.h"
 #include "scenes/scenes.h"
+#include "common/answers/kinds/composited.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void stop(const char *what) {
-  printf("Bail out! %s\n", what);
-  exit(99);
-}
 
 /* --- Grids ---------------------------------------------------------------- */
 
@@ -34,10 +31,8 @@ static void give_colour(void *data, const uint32_t at[3], float density,
 }
 
 static void finish_stage(struct stage *s) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_finish(s->scene, &err) ||
-      hsr_world_roster(&s->world, s->scene, &err))
-    stop(err.text);
+  must_finish(s->scene);
+  must_roster(&s->world, s->scene);
 }
 
 void open_stage(struct stage *s, const struct field *field) {
@@ -53,18 +48,16 @@ void open_stage(struct stage *s, const struct field *field) {
   struct hsr_grid grid;
   s->scene = hsr_scene_new("splats");
   if (!s->scene || hsr_grid_init(&grid, &samples, &own.keep, &err))
-    stop(err.text);
+    bail("%s", err.text);
   grid.palette = *own.palette;
   if (hsr_scene_set_grid(s->scene, &grid))
-    stop("out of memory");
+    bail("out of memory");
   finish_stage(s);
 }
 
 void open_named_stage(struct stage *s, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &s->scene, &err) ||
-      hsr_world_roster(&s->world, s->scene, &err))
-    stop(err.text);
+  s->scene = must_open(name);
+  must_roster(&s->world, s->scene);
 }
 
 void close_stage(struct stage *s) {
@@ -94,15 +87,13 @@ struct hsr_variant splat_variant(const char *format, ...) {
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
   if (hsr_variant_parse(text, &made, &err))
-    stop(err.text);
+    bail("%s", err.text);
   return made;
 }
 
 struct hsr_view splat_view(const struct hsr_camera *camera, int m, int n) {
   struct hsr_view view;
-  struct hsr_error err;
-  if (hsr_view_init(&view, camera, m, n, &err))
-    stop(err.text);
+  must_view(&view, camera, m, n);
   return view;
 }
 
@@ -115,9 +106,9 @@ static void draw(const struct stage *s, const struct hsr_algorithm *algorithm,
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_answer answer;
   struct hsr_tally own = {.out_of_memory = false};
-  if (hsr_answer_make(&answer, &choice->form, view, false, &err) ||
-      hsr_setup_init(&setup, algorithm, choice, &s->world, &err))
-    stop(err.text);
+  if (hsr_answer_make(&answer, &choice->form, view, false, &err))
+    bail("%s", err.text);
+  must_setup(&setup, algorithm, choice, &s->world);
   answer.form.type->unset(&answer);
   for (int k = 0; k < n_windows; k++) {
     struct hsr_view part = *view;
@@ -127,7 +118,7 @@ static void draw(const struct stage *s, const struct hsr_algorithm *algorithm,
                           .tally = tally ? tally : &own,
                           .answer = &answer};
     if (hsr_setup_render(&setup, &job, &err))
-      stop(err.text);
+      bail("%s", err.text);
     hsr_arena_reset(&scratch);
   }
   memcpy(rgba, hsr_answer_rgba_of(&answer),
@@ -162,6 +153,6 @@ uint64_t count_of(const struct hsr_variant *v, const struct hsr_tally *tally,
   for (int k = 0; c[k].name; k++)
     if (!strcmp(c[k].name, counter))
       return tally->count[k];
-  stop(counter);
+  bail("%s", counter);
   return 0;
 }

@@ -81,6 +81,23 @@ static struct picture draw_layer(const struct stage *s,
   return take(s, v, &made);
 }
 
+/* How far the channels of two pictures are apart at most, in the pixels that
+ * are seen in p. */
+static int most_apart(const struct picture *p, const struct picture *q,
+                      int *pixels) {
+  int most = *pixels = 0;
+  for (int k = 0; k < M * N; k++) {
+    if (!p->rgba[4 * k + 3])
+      continue;
+    ++*pixels;
+    for (int c = 0; c < 3; c++) {
+      int apart = abs(p->rgba[4 * k + c] - q->rgba[4 * k + c]);
+      most = apart > most ? apart : most;
+    }
+  }
+  return most;
+}
+
 /* The forward map rounds what each of up to 13 splats gives down twice, to
  * 65536ths, and the weights, too; their sum is about 1. */
 static void try_convolution(struct tap *tap, const struct layer *l) {
@@ -89,16 +106,7 @@ static void try_convolution(struct tap *tap, const struct layer *l) {
   struct hsr_view v = see_layer(&s, l);
   struct picture p = draw_layer(&s, &v, "texture-convolve:model=xray"),
                  q = draw_layer(&s, &v, FORWARD);
-  int most = 0, pixels = 0;
-  for (int k = 0; k < M * N; k++) {
-    if (!p.rgba[4 * k + 3])
-      continue;
-    pixels++;
-    for (int c = 0; c < 3; c++) {
-      int apart = abs(p.rgba[4 * k + c] - q.rgba[4 * k + c]);
-      most = apart > most ? apart : most;
-    }
-  }
+  int pixels, most = most_apart(&p, &q, &pixels);
   ok(tap, pixels > 100 && most < 4 * 13,
      "across axis %d, %s, cells of %s: by direct convolution %d pixels differ "
      "from the forward map by %d at most",
@@ -140,16 +148,7 @@ static void try_mean(struct tap *tap, const struct layer *l) {
   v.offset_x = v.offset_y = 0.49951171875; /* a ray near the middle */
   struct picture p = draw_layer(&s, &v, "texture-mipmap:model=xray"),
                  q = draw_layer(&s, &v, "texture-table:model=xray");
-  int pixels = 0, most = 0;
-  for (int k = 0; k < M * N; k++) {
-    if (!p.rgba[4 * k + 3])
-      continue;
-    pixels++;
-    for (int c = 0; c < 3; c++) {
-      int apart = abs(p.rgba[4 * k + c] - q.rgba[4 * k + c]);
-      most = apart > most ? apart : most;
-    }
-  }
+  int pixels, most = most_apart(&p, &q, &pixels);
   ok(tap, pixels == 1 && most <= 1,
      "from afar, a mip-map and a table give the same mean to %d pixel, to %d",
      pixels, most);

@@ -16,21 +16,14 @@
 
 enum { M = 97, N = 61 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 struct laid_out {
   struct hsr_scene *scene;
   struct hsr_world world, outline;
 };
 
 static void lay_out(struct laid_out *l) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_world_init(&l->world, l->scene, &err) ||
-      hsr_world_roster(&l->outline, l->scene, &err))
-    stop(l->scene->name, err.text);
+  must_world(&l->world, l->scene);
+  must_roster(&l->outline, l->scene);
 }
 
 static void free_all(struct laid_out *l) {
@@ -93,15 +86,13 @@ static struct hsr_scene *all_kinds(uint64_t *seed) {
   static const char *const names[OBJECTS] = {"exact", "quarter", "turned",
                                              "squashed"};
   struct hsr_scene *scene = hsr_scene_new("all kinds");
-  struct hsr_error err = {.text = "out of memory"};
   for (uint32_t o = 0; o < OBJECTS; o++) {
     struct hsr_object *object = hsr_scene_object(scene, names[o]);
     add_faces(object, FACES, seed);
     object->one_sided = o == 1;
     place_object(scene, o);
   }
-  if (hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
@@ -174,16 +165,14 @@ struct frame {
 static void begin_frame(struct frame *f, const struct laid_out *l,
                         const struct hsr_cubes *cubes,
                         const struct hsr_camera *camera) {
-  struct hsr_error err;
   memset(f, 0, sizeof *f);
-  if (hsr_view_init(&f->view, camera, M, N, &err))
-    stop(l->scene->name, err.text);
+  must_view(&f->view, camera, M, N);
   f->job = (struct hsr_job){.world = &l->outline,
                             .view = &f->view,
                             .scratch = &f->scratch,
                             .tally = &f->tally};
   if (hsr_cube_frame_begin(&f->frame, &f->job, cubes))
-    stop(l->scene->name, "out of memory");
+    bail("%s: out of memory", l->scene->name);
 }
 
 /* Is face k of the current cell face g of the world? */
@@ -238,7 +227,7 @@ static void test_cells(struct tap *tap, struct frame *f,
   const struct hsr_world *world = &l->world;
   unsigned char *times = calloc(world->n_faces, 1);
   if (!times)
-    stop(l->scene->name, "out of memory");
+    bail("%s: out of memory", l->scene->name);
   bool good = match_cells(f, l, times);
   long most = 0;
   for (uint32_t g = 0; g < world->n_faces; g++) {
@@ -439,10 +428,10 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
   static struct hsr_pair pair;
   long asked = 0, wrong = 0, coplanar = 0, apart = 0;
   uint32_t v = (uint32_t)draw_integer(seed, 0, l->scene->n_views - 1);
-  if (hsr_view_init(&view, &l->scene->views[v], M, N, &err) ||
-      hsr_screen_make(&screen, world, &view, &arena, &tally) ||
+  must_view(&view, &l->scene->views[v], M, N);
+  if (hsr_screen_make(&screen, world, &view, &arena, &tally) ||
       hsr_pair_init(&pair, &l->outline, &view, &arena))
-    stop(l->scene->name, err.text);
+    bail("%s: %s", l->scene->name, err.text);
   for (int k = 0; k < 30000; k++) {
     uint32_t f = (uint32_t)draw_integer(seed, 0, world->n_faces - 1);
     uint32_t g = (uint32_t)draw_integer(seed, 0, world->n_faces - 1);
@@ -475,7 +464,6 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
 static struct hsr_scene *mirrors(uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("mirrors");
   struct hsr_object *object = hsr_scene_object(scene, "faces");
-  struct hsr_error err = {.text = "out of memory"};
   add_faces(object, 40, seed);
   for (int k = 0; k < 12; k++) {
     double m[12] = {0};
@@ -484,16 +472,13 @@ static struct hsr_scene *mirrors(uint64_t *seed) {
     m[4 * (k % 3) + 3] = k / 6 * 3;
     hsr_scene_instance(scene, 0, m);
   }
-  if (hsr_scene_finish(scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
   return scene;
 }
 
 static struct laid_out open_scene(const char *name) {
   struct laid_out l;
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &l.scene, &err))
-    stop(name, err.text);
+  l.scene = must_open(name);
   lay_out(&l);
   return l;
 }
@@ -505,7 +490,7 @@ static void try_scene(struct tap *tap, struct laid_out *l, bool enclosing,
   struct hsr_error err;
   struct frame f;
   if (hsr_cubes_init(&cubes, &l->outline, &rules[enclosing], &err))
-    stop(l->scene->name, err.text);
+    bail("%s: %s", l->scene->name, err.text);
   begin_frame(&f, l, &cubes, &l->scene->views[0]);
   test_cells(tap, &f, l, &cubes, enclosing);
   hsr_arena_free(&f.scratch);
@@ -528,7 +513,7 @@ int main(void) {
   static const struct hsr_octree_rule rule = {0.1, 8, 8};
   lay_out(&l);
   if (hsr_cubes_init(&cubes, &l.outline, &rule, &err))
-    stop(l.scene->name, err.text);
+    bail("%s: %s", l.scene->name, err.text);
   test_loose(&tap, &l, &cubes);
   test_loose_world(&tap, &l, &cubes);
   hsr_cubes_free(&cubes);

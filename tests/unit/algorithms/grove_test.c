@@ -15,11 +15,6 @@
 
 enum { M = 61, N = 47, MOST_INSTANCES = 400 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* --- Scenes --------------------------------------------------------------- */
 
 struct box {
@@ -56,7 +51,7 @@ enum { ALL_SIDES = 63 };
 static void move_to(struct hsr_scene *scene, double x, double y, double z) {
   const double m[12] = {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z};
   if (hsr_scene_instance(scene, scene->n_objects - 1, m))
-    stop(scene->name, "out of memory");
+    bail("%s: out of memory", scene->name);
 }
 
 static void look(struct hsr_scene *scene, double x, double y, double z,
@@ -65,7 +60,7 @@ static void look(struct hsr_scene *scene, double x, double y, double z,
   if (camera.at[0] == x && camera.at[1] == y)
     camera.up[0] = 1;
   if (hsr_scene_view(scene, &camera))
-    stop(scene->name, "a camera is refused");
+    bail("%s: a camera is refused", scene->name);
 }
 
 struct stage {
@@ -74,11 +69,10 @@ struct stage {
 };
 
 static void open_stage(struct stage *s, struct hsr_scene *scene) {
-  struct hsr_error err = {.text = "out of memory"};
   s->scene = scene;
-  if (hsr_scene_finish(scene, &err) || hsr_world_init(&s->world, scene, &err) ||
-      hsr_world_roster(&s->outline, scene, &err))
-    stop(scene->name, err.text);
+  must_finish(scene);
+  must_world(&s->world, scene);
+  must_roster(&s->outline, scene);
 }
 
 static void close_stage(struct stage *s) {
@@ -274,11 +268,11 @@ static long count_wrong(const struct stage *s, const struct hsr_world *world,
   struct hsr_setup setup;
   long wrong = 0;
   if (hsr_variant_parse(algorithm, &variant, &err))
-    stop(algorithm, err.text);
+    bail("%s: %s", algorithm, err.text);
   enum hsr_status status = hsr_setup_init(&setup, variant.listed->plain,
                                           &variant.choice, world, &err);
   if (status && status != HSR_E_REFUSED)
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   snprintf(text, sizeof err.text, "%s", status ? err.text : "");
   for (uint32_t v = 0; v < s->scene->n_views && !status; v++) {
     struct hsr_view view;
@@ -286,13 +280,11 @@ static long count_wrong(const struct stage *s, const struct hsr_world *world,
     struct hsr_answer answer = hsr_answer_of_ids(got, M, N);
     struct hsr_job job = {
         .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
-    if (hsr_view_init(&view, &s->scene->views[v], M, N, &err))
-      stop(name, err.text);
+    must_view(&view, &s->scene->views[v], M, N);
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
-      stop(name, err.text);
-    draw_ids(hsr_algorithm_find("oracle")->plain, &s->world, &view, wanted,
-             NULL);
+      bail("%s: %s", name, err.text);
+    draw_plain("oracle", &s->world, &view, wanted);
     wrong += count_differences(&view, got, wanted);
   }
   hsr_setup_free(&setup);
@@ -302,14 +294,11 @@ static long count_wrong(const struct stage *s, const struct hsr_world *world,
 
 static long count_seen(const struct stage *s) {
   static uint32_t ids[M * N];
-  struct hsr_error err = {.text = "out of memory"};
   long seen = 0;
   for (uint32_t v = 0; v < s->scene->n_views; v++) {
     struct hsr_view view;
-    if (hsr_view_init(&view, &s->scene->views[v], M, N, &err))
-      stop(s->scene->name, err.text);
-    draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->world, &view, ids,
-             NULL);
+    must_view(&view, &s->scene->views[v], M, N);
+    draw_plain("zbuffer-fast", &s->world, &view, ids);
     for (int k = 0; k < M * N; k++)
       seen += ids[k] != HSR_BACKGROUND;
   }
@@ -327,7 +316,7 @@ static void test_picture(struct tap *tap, struct hsr_scene *scene,
   struct hsr_error err = {.text = "out of memory"};
   open_stage(&s, scene);
   if (hsr_grove_init(&grove, &s.world, &rule, &err))
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   bool as_wanted = grove.is_whole == (fit == ONE_TREE);
   hsr_grove_free(&grove);
   long wrong = count_wrong(&s, &s.world, "tiling", name, text) +
@@ -425,7 +414,7 @@ static struct hsr_scene *make_moved(const double m[12], bool moves) {
     moved[3] += 5 * (k % 2);
     moved[7] += 5 * (k / 2);
     if (hsr_scene_instance(scene, 0, moved))
-      stop("moved", "out of memory");
+      bail("moved: out of memory");
   }
   look_about(scene);
   return scene;

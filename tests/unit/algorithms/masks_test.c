@@ -24,6 +24,7 @@
 #include "algorithms/engines/masks/masks.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
+#include "common/answers/filter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -70,11 +71,6 @@ enum {
   EXTENT = 4096, /* samples along a side of the largest root */
   PATTERNS = 3
 };
-
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
 
 /* --- Polygons ------------------------------------------------------------- */
 
@@ -321,7 +317,7 @@ static void put_square(void *context, int x, int y, int size) {
 static void dirty(struct hsr_arena *arena, size_t size) {
   void *old = hsr_arena_array(arena, size, 1);
   if (!old)
-    stop("out of memory");
+    bail("out of memory");
   memset(old, 0xa5, size);
   hsr_arena_reset(arena);
 }
@@ -360,7 +356,7 @@ static void begin(struct picture *p, const struct build *build,
   memset(p->wanted, 0xfe, sizeof p->wanted);
   if (hsr_triage_init(&p->tables, intervals, &err) ||
       build->init(&p->masks, &p->window, MOST_LINES, &p->arena))
-    stop("out of memory");
+    bail("out of memory");
 }
 
 static void end(struct picture *p) {
@@ -474,7 +470,7 @@ static void follow(const struct picture *p, struct path *path, int level,
                    uint32_t number, int x, int y, int size) {
   const struct hsr_masks *m = &p->masks;
   if (level == HSR_MASK_LEVELS)
-    stop("there are too many levels");
+    bail("there are too many levels");
   path->cells++;
   for (int bit = 0; bit < 64; bit++) {
     int sub = size / 8, sx = x + bit % 8 * sub, sy = y + bit / 8 * sub;
@@ -723,7 +719,7 @@ static void test_memory(struct tap *tap) {
     int side = 1 << (3 * levels);
     struct hsr_window window = {0, 0, side, side};
     if (hsr_masks_init_counting(&masks, &window, 0, &arena))
-      stop("out of memory");
+      bail("out of memory");
     double samples = (double)side * side, pad = 8 * 64 * (4 * levels + 1);
     bits = 8 * (double)arena.used_bytes / samples;
     good &= masks.n_levels == levels && bits >= 1 + 1 / 32.0 &&
@@ -753,7 +749,7 @@ static void test_cells(struct tap *tap) {
     struct hsr_masks masks = {.pixel = 1};
     struct hsr_window window = {16, 5, 16 + windows[w][0], 5 + windows[w][1]};
     if (hsr_masks_init_counting(&masks, &window, 0, &arena))
-      stop("out of memory");
+      bail("out of memory");
     int root = hsr_masks_extent(&masks), size = root;
     for (int level = 0; level < masks.n_levels; level++, size /= 8) {
       size_t most = 0;
@@ -825,7 +821,7 @@ int main(void) {
   struct picture *p = malloc(sizeof *p);
   struct tap tap = plan(6 * (WINDOWS + 1) + 8);
   if (!p)
-    stop("out of memory");
+    bail("out of memory");
   for (int k = 0; k < WINDOWS; k++)
     test_sequences(&tap, p, windows[k], 0);
   test_sequences(&tap, p, (struct hsr_window){0, 0, 160, 104}, PATTERNS);

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Octants in lanes against one cube after another; and the pyramid's test of
- * rows at once against a look at every sample. Both are of the build that is
+/* Octants in lanes against one cube after another, their images and whether they
+ * are visible; and the pyramid's test of rows at once against a look at every
+ * sample. Both are of the build that is
  * timed, and use the vector unit that the machine has. */
 #include "algorithms/engines/cubes/cube_octants.h"
 #include "algorithms/engines/pyramid/pyramid.h"
+#include "algorithms/hierarchical/hzbuffer/walk.h"
+#include "common/answers/kinds/ids.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -13,11 +16,6 @@
 #include <string.h>
 
 enum { M = 97, N = 61 };
-
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
 
 /* --- Octants -------------------------------------------------------------- */
 
@@ -79,19 +77,17 @@ static struct hsr_camera camera_of(const struct hsr_scene *scene, int c,
 static void look_from(const struct hsr_camera *camera,
                       const struct hsr_world *outline,
                       const struct hsr_cubes *cubes, struct held *held) {
-  struct hsr_error err;
   struct hsr_view view;
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
-  if (hsr_view_init(&view, camera, M, N, &err))
-    stop(err.text);
+  must_view(&view, camera, M, N);
   view.window = (struct hsr_window){5, 3, M - 9, N};
   struct hsr_job job = {
       .world = outline, .view = &view, .scratch = &scratch, .tally = &tally};
   struct hsr_cube_frame frame;
   memset(&frame, 0, sizeof frame);
   if (hsr_cube_frame_begin(&frame, &job, cubes))
-    stop("out of memory");
+    bail("out of memory");
   for (uint32_t i = 0; i < cubes->scene->n_instances; i++) {
     hsr_cube_instance(&frame, i);
     for (uint32_t k = 0; k < frame.object->octree.n_nodes; k++)
@@ -108,10 +104,10 @@ static void test_octants(struct tap *tap, const char *name, uint64_t *seed) {
   struct hsr_cubes cubes;
   struct held held = {.wrong = 0};
   struct hsr_scene *scene = NULL;
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_roster(&outline, scene, &err) ||
-      hsr_cubes_init(&cubes, &outline, &rule, &err))
-    stop(err.text);
+  scene = must_open(name);
+  must_roster(&outline, scene);
+  if (hsr_cubes_init(&cubes, &outline, &rule, &err))
+    bail("%s", err.text);
   for (int c = 0; c < 6; c++) {
     struct hsr_camera camera = camera_of(scene, c, seed);
     look_from(&camera, &outline, &cubes, &held);
@@ -123,6 +119,93 @@ static void test_octants(struct tap *tap, const char *name, uint64_t *seed) {
      name, held.images, held.none, held.parts, held.wrong);
   hsr_cubes_free(&cubes);
   hsr_world_free(&outline);
+  hsr_scene_delete(scene);
+}
+
+/* --- Is an octant visible? ------------------------------------------------ */
+
+struct asked {
+  long visible, hidden, wrong;
+};
+
+/* The octants of a node, together and one by one. */
+static void ask_node(struct hsr_hz_walk *w, const struct hsr_octree *octree,
+                     const struct hsr_octree_node *node, struct asked *asked) {
+  struct hsr_octants octants;
+  hsr_octants_project(&w->frame, &w->frame.placing, octree, node,
+                      w->choice.volumes == HSR_HZ_VOLUMES_TIGHT, &octants);
+  for (int o = 0; o < 8; o++) {
+    if (node->child[o] == HSR_NO_NODE)
+      continue;
+    const struct hsr_octree_node *child = &octree->node[node->child[o]];
+    bool in = false, inside = false;
+    bool together =
+        hsr_hz_is_octant_visible(w, &octants, o, child, HSR_NOTHING, &in);
+    bool alone = hsr_hz_is_cube_visible(
+        w, &w->frame.placing, hsr_hz_volume(w, child), HSR_NOTHING, &inside);
+    asked->visible += alone;
+    asked->hidden += !alone;
+    asked->wrong += together != alone || in != inside;
+  }
+}
+
+/* All octants, when the whole picture is drawn. */
+static void ask_frame(const struct hsr_job *job,
+                      struct hsr_hz_prepared *prepared,
+                      const struct hsr_hz_choice *choice, struct asked *asked) {
+  struct hsr_hz_walk w;
+  if (hsr_hz_begin(&w, job, prepared, choice))
+    bail("out of memory");
+  hsr_hz_process_instances(&w, 0, false);
+  for (uint32_t i = 0; i < w.frame.cubes->scene->n_instances; i++) {
+    hsr_hz_set_instance(&w, i);
+    const struct hsr_octree *octree = &w.frame.object->octree;
+    for (uint32_t k = 0; k < octree->n_nodes; k++)
+      ask_node(&w, octree, &octree->node[k], asked);
+  }
+  if (hsr_hz_end(&w))
+    bail("out of memory");
+}
+
+static void test_visible(struct tap *tap, const char *name) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_octree_rule rule = {.small = 0.1, .most = 20, .least = 20};
+  struct hsr_hz_prepared prepared = {.last = 0};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_world roster;
+  struct asked asked = {.wrong = 0};
+  static uint32_t ids[M * N];
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+  struct hsr_scene *scene = must_open(name);
+  must_roster(&roster, scene);
+  if (hsr_hz_prepare(&prepared, &roster, &rule, false, &err))
+    bail("%s", err.text);
+  for (uint32_t v = 0; v < scene->n_views && v < 3; v++)
+    for (int c = 0; c < 4; c++) {
+      const struct hsr_hz_choice choice = {
+          .octree = HSR_HZ_OCTREE_ON,
+          .pyramid = HSR_HZ_PYRAMID_ON,
+          .volumes = c & 1 ? HSR_HZ_VOLUMES_TIGHT : HSR_HZ_VOLUMES_CUBES,
+          .cubes = c & 2 ? HSR_HZ_CUBES_WHOLE : HSR_HZ_CUBES_RECTANGLE};
+      struct hsr_view view;
+      struct hsr_tally tally = {.out_of_memory = false};
+      must_view(&view, &scene->views[v], M, N);
+      hsr_arena_reset(&scratch);
+      ask_frame(&(struct hsr_job){.world = &roster,
+                                  .view = &view,
+                                  .scratch = &scratch,
+                                  .tally = &tally,
+                                  .answer = &answer},
+                &prepared, &choice, &asked);
+    }
+  ok(tap, !asked.wrong && asked.visible > 50 && asked.hidden > 50,
+     "%s: %ld octants are visible, %ld are not; %ld are told otherwise "
+     "together "
+     "than one by one",
+     name, asked.visible, asked.hidden, asked.wrong);
+  hsr_hz_release(&prepared);
+  hsr_arena_free(&scratch);
+  hsr_world_free(&roster);
   hsr_scene_delete(scene);
 }
 
@@ -159,7 +242,7 @@ static void test_pyramid(struct tap *tap, const struct hsr_window *window,
   size_t stride;
   long hidden = 0, open = 0, wrong = 0;
   if (hsr_pyramid_init(&p, window, false, &stride, &arena))
-    stop("out of memory");
+    bail("out of memory");
   for (int round = 0; round < 40; round++) {
     hsr_pyramid_clear(&p);
     for (int j = 0; j < window->y1 - window->y0; j++)
@@ -197,10 +280,12 @@ int main(void) {
     SCENES = sizeof scenes / sizeof *scenes,
     WINDOWS = sizeof windows / sizeof *windows
   };
-  struct tap tap = plan(SCENES + WINDOWS);
+  struct tap tap = plan(2 * SCENES + WINDOWS);
   uint64_t seed = 17;
   for (int k = 0; k < SCENES; k++)
     test_octants(&tap, scenes[k], &seed);
+  for (int k = 0; k < SCENES; k++)
+    test_visible(&tap, scenes[k]);
   for (int k = 0; k < WINDOWS; k++)
     test_pyramid(&tap, &windows[k], &seed);
   return finish(&tap);

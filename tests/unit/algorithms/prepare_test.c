@@ -16,11 +16,6 @@
 static const int crews[] = {1, 2, 3, 7, 16};
 enum { CREWS = sizeof crews / sizeof *crews, M = 61, ROWS = 47 };
 
-static void stop(const char *what, const char *text) {
-  printf("Bail out! %s: %s\n", what, text);
-  exit(99);
-}
-
 /* Sheets of 1 to 60 x 60 quadrilaterals. Those of every third are not flat. */
 static const char MANY[] = "many-objects";
 enum { N_SHEETS = 150, LARGE = 60 };
@@ -38,7 +33,7 @@ static void add_sheet(struct hsr_object *object, int side, bool flat) {
     good &= !hsr_object_face(object, corner, 4, NULL);
   }
   if (!good)
-    stop(MANY, "out of memory");
+    bail("%s: out of memory", MANY);
 }
 
 static struct hsr_scene *many_objects(int threads) {
@@ -48,14 +43,13 @@ static struct hsr_scene *many_objects(int threads) {
                           0, k / 12 * 70, 0, 0,           1, k % 5};
     struct hsr_object *sheet = hsr_scene_object(scene, MANY);
     if (!sheet)
-      stop(MANY, "out of memory");
+      bail("%s: out of memory", MANY);
     add_sheet(sheet, k % 50 == 49 ? LARGE : k % 23 + 1, k % 3 > 0);
     if (hsr_scene_instance(scene, (uint32_t)k, m))
-      stop(MANY, "out of memory");
+      bail("%s: out of memory", MANY);
   }
   scene->threads = threads;
-  if (hsr_scene_finish(scene, NULL))
-    stop(MANY, "cannot be finished");
+  must_finish(scene);
   return scene;
 }
 
@@ -66,7 +60,7 @@ static struct hsr_scene *open_by(const char *name, int threads) {
   if (strcmp(name, MANY) == 0)
     return many_objects(threads);
   if (hsr_scene_open(name, &import, &scene, &err))
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   return scene;
 }
 
@@ -162,9 +156,9 @@ static void make_cubes(const char *name, int threads, struct hsr_scene **scene,
   static const struct hsr_octree_rule rule = {0.1, 20, 20};
   struct hsr_error err = {.text = "out of memory"};
   *scene = open_by(name, threads);
-  if (hsr_world_roster(world, *scene, &err) ||
-      hsr_cubes_init(cubes, world, &rule, &err))
-    stop(name, err.text);
+  must_roster(world, *scene);
+  if (hsr_cubes_init(cubes, world, &rule, &err))
+    bail("%s: %s", name, err.text);
 }
 
 static void test_cubes(struct tap *tap, const char *name) {
@@ -223,9 +217,9 @@ static void make_trees(const char *name, uint32_t most, int threads,
   struct hsr_bsp_rule rule = {.most = most};
   struct hsr_error err = {.text = "out of memory"};
   *scene = open_by(name, threads);
-  if (hsr_world_init(world, *scene, &err) ||
-      hsr_bsp_init(bsp, world, &rule, &err))
-    stop(name, err.text);
+  must_world(world, *scene);
+  if (hsr_bsp_init(bsp, world, &rule, &err))
+    bail("%s: %s", name, err.text);
 }
 
 /* The faces of the scene are convex. */
@@ -260,7 +254,7 @@ static void draw(const char *name, const char *algorithm, int threads,
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_setup_world(&world, a, NULL, scene, &err) ||
       hsr_view_init_of(&view, scene, 0, M, ROWS, &err))
-    stop(name, err.text);
+    bail("%s: %s", name, err.text);
   memset(tally, 0, sizeof *tally);
   draw_ids(a, &world, &view, ids, tally);
   hsr_world_free(&world);
@@ -291,7 +285,7 @@ enum { SIDE = 90 };
 static void write_off(const char *path, int more, const char *odd) {
   FILE *file = fopen(path, "w");
   if (!file)
-    stop(path, "cannot be written");
+    bail("%s: cannot be written", path);
   fprintf(file, "OFF\n%d %d 0\n", SIDE * SIDE, (SIDE - 1) * (SIDE - 1) + more);
   for (int k = 0; k < SIDE * SIDE; k++)
     fprintf(file, "%d.25 %.17g -%de-1\n", k % SIDE, k % 7 / 3.0, k / SIDE);
@@ -304,7 +298,7 @@ static void write_off(const char *path, int more, const char *odd) {
   }
   fprintf(file, "%s", odd);
   if (fclose(file))
-    stop(path, "cannot be written");
+    bail("%s: cannot be written", path);
 }
 
 /* The line that refuses a file, by so many threads. */
@@ -312,7 +306,7 @@ static void refuse(const char *path, int threads, struct hsr_error *err) {
   struct hsr_import import = {.threads = threads};
   struct hsr_scene *scene;
   if (!hsr_scene_open(path, &import, &scene, err))
-    stop(path, "was not refused");
+    bail("%s: was not refused", path);
 }
 
 /* By any number of threads it is refused with its last line's number. */
@@ -336,7 +330,7 @@ static void test_off(struct tap *tap) {
   char folder[] = "/tmp/hsr-prepare-XXXXXX";
   char plain[64], odd[64], bad[64];
   if (!mkdtemp(folder))
-    stop(folder, "cannot be made");
+    bail("%s: cannot be made", folder);
   snprintf(plain, sizeof plain, "%s/a.off", folder);
   snprintf(odd, sizeof odd, "%s/b.off", folder);
   snprintf(bad, sizeof bad, "%s/c.off", folder);

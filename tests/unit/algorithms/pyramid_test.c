@@ -14,11 +14,6 @@
 
 enum { M = 150, N = 140, WINDOWS = 40 };
 
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 static float random_depth(uint64_t *seed) {
   return (float)draw_integer(seed, 1, 1000) / 1000;
 }
@@ -127,7 +122,7 @@ static void begin(struct memory *m, const struct hsr_window *window,
   m->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
   m->tally = (struct hsr_tally){.trace = NULL};
   if (hsr_pyramid_init(&m->pyramid, window, near, &m->stride, &m->arena))
-    stop("out of memory");
+    bail("out of memory");
   m->pyramid.count =
       (struct hsr_pyramid_count){.tally = &m->tally, .reads = READS};
   hsr_pyramid_clear(&m->pyramid);
@@ -330,7 +325,7 @@ static void begin_definitive(struct definitive *d) {
   t->ids_stride = M;
   if (!t->corner || !t->columns || !t->ids ||
       hsr_screen_make(&t->screen, &d->world, &d->view, arena, &d->tally))
-    stop("out of memory");
+    bail("out of memory");
   hsr_tiler_snap(t);
   hsr_tiler_begin_part(t, d->view.window);
   hsr_pyramid_clear(&d->memory.pyramid);
@@ -397,16 +392,12 @@ static void try_batch(struct definitive *d, uint32_t first, int n,
 /* A scene of triangles, in windows of it. */
 static void test_definitive(struct tap *tap, const char *name, uint64_t *seed) {
   static struct definitive d;
-  struct hsr_scene *scene;
-  struct hsr_error err = {.text = "out of memory"};
   memset(&d, 0, sizeof d);
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_init(&d.world, scene, &err))
-    stop(err.text);
+  struct hsr_scene *scene = must_open(name);
+  must_world(&d.world, scene);
   for (int k = 0; k < 12; k++) {
     uint32_t view = (uint32_t)k % scene->n_views;
-    if (hsr_view_init(&d.view, &scene->views[view], M, N, &err))
-      stop(err.text);
+    must_view(&d.view, &scene->views[view], M, N);
     d.view.window = random_window(k + 3, seed);
     begin_definitive(&d);
     uint32_t n = d.world.n_faces;

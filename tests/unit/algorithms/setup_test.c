@@ -42,12 +42,10 @@ static bool is_faithful(const struct hsr_algorithm *a,
 
 /* A world of a grid whose faces are not made. */
 static void open_bare(struct hsr_scene **scene, struct hsr_world *world) {
-  struct hsr_error err;
-  if (hsr_scene_open("checker-cube:4", NULL, scene, &err) ||
-      hsr_world_roster(world, *scene, &err) || !hsr_scene_lacks_faces(*scene)) {
-    printf("Bail out! no grid\n");
-    exit(99);
-  }
+  *scene = must_open("checker-cube:4");
+  must_roster(world, *scene);
+  if (!hsr_scene_lacks_faces(*scene))
+    bail("no grid");
 }
 
 enum { M = 40, N = 30 };
@@ -66,8 +64,7 @@ static bool is_right(const struct hsr_setup *setup,
   struct hsr_job job = {
       .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   enum hsr_status status = hsr_setup_render(setup, &job, &err);
-  draw_ids(hsr_algorithm_find("oracle")->plain, &at->world, &view, wanted,
-           NULL);
+  draw_plain("oracle", &at->world, &view, wanted);
   hsr_arena_free(&scratch);
   return !status && !memcmp(ids, wanted, sizeof ids);
 }
@@ -82,12 +79,9 @@ static void test_follow(struct tap *tap, const char *text, bool follows) {
   open_worlds(&at[0], "soup:60:1");
   open_worlds(&at[1], "soup:60:2");
   open_worlds(&at[2], "soup:90:2");
-  if (hsr_variant_parse(text, &variant, &err) ||
-      hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                     &at[0].world, &err)) {
-    printf("Bail out! %s: %s\n", text, err.text);
-    exit(99);
-  }
+  if (hsr_variant_parse(text, &variant, &err))
+    bail("%s: %s", text, err.text);
+  must_setup(&setup, variant.listed->plain, &variant.choice, &at[0].world);
   const void *prepared = setup.prepared;
   right[0] = is_right(&setup, &at[0]);
   for (int k = 0; k < 2; k++)

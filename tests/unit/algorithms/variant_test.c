@@ -2,6 +2,8 @@
 /* Which texts for an algorithm with options are valid, and which are not. */
 #include "bench/modules/variant.h"
 #include "tests/tap.h"
+#include "common/answers/kinds/filtered.h"
+#include "common/answers/kinds/segments.h"
 
 #include <string.h>
 
@@ -75,7 +77,7 @@ static void test_good(struct tap *tap) {
      parses("zbuffer-fast:filter=box") &&
          hsr_form_filtering(&variant.choice.form).filter == HSR_FILTER_BOX &&
          !hsr_form_filtering(&variant.choice.form).patterns &&
-         variant.choice.form.type == &hsr_answer_filtered,
+         variant.choice.form.type == HSR_FILTERED,
      "a filter makes another kind of picture");
   ok(tap,
      parses("hzbuffer:jitter=16:coherence=list:filter=cosine") &&

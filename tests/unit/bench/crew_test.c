@@ -25,8 +25,7 @@ static void test_windows(struct tap *tap, const struct both_worlds *worlds) {
   struct hsr_view view;
   uint64_t asked = 0;
   long different = 0;
-  if (hsr_view_init(&view, &worlds->scene->views[0], M, N, NULL))
-    abort();
+  must_view(&view, &worlds->scene->views[0], M, N);
   draw_ids(a, &worlds->world, &view, wanted, NULL);
   for (int k = 0; k < 12; k++) {
     static const long sizes[] = {0, 1, 7, 8, 11, 40};
@@ -35,8 +34,8 @@ static void test_windows(struct tap *tap, const struct both_worlds *worlds) {
     struct hsr_tally tally = {.trace = NULL};
     struct hsr_choice choice = hsr_choice_standard(a);
     choice.window = sizes[k % 6];
-    if (hsr_setup_init(&setup, a, &choice, &worlds->world, NULL) ||
-        answer_init(&answer, &setup, &view, NULL))
+    must_setup(&setup, a, &choice, &worlds->world);
+    if (answer_init(&answer, &setup, &view, NULL))
       abort();
     struct crew *crew = crew_new(k < 6 ? 1 : 3);
     for (int s = 0; s < M * N; s++)
@@ -82,9 +81,8 @@ static void test_shares(struct tap *tap, const struct both_worlds *worlds) {
   uint64_t count[2] = {0, 0}, depths[2];
   struct hsr_choice choice = hsr_choice_standard(a);
   choice.window = 16;
-  if (hsr_view_init(&view, &worlds->scene->views[0], 4 * M, 4 * N, NULL) ||
-      hsr_setup_init(&setup, a, &choice, &worlds->world, NULL))
-    abort();
+  must_view(&view, &worlds->scene->views[0], 4 * M, 4 * N);
+  must_setup(&setup, a, &choice, &worlds->world);
   for (int k = 0; k < 2; k++) {
     struct hsr_answer answer;
     struct hsr_tally tally = {.trace = NULL};
@@ -127,9 +125,8 @@ int main(void) {
   struct hsr_view view;
   struct hsr_setup setup;
   const struct hsr_algorithm *a = hsr_algorithm_find("raycast")->counting;
-  if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
-      hsr_setup_init(&setup, a, NULL, &worlds.world, NULL))
-    abort();
+  must_view(&view, &worlds.scene->views[0], M, N);
+  must_setup(&setup, a, NULL, &worlds.world);
   for (int threads = 1; threads <= 3; threads += 2) {
     struct hsr_answer answer;
     struct ear ear = {0};

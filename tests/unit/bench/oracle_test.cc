@@ -8,9 +8,8 @@
  * n = 8 the columns are at X = -7, -5, ..., 7 and the rows at Y = 7, 5, ...,
  * -7. So the samples that a face of that plane covers can be read off: a sample
  * on an edge counts as a little to its right and, much less, below it. */
-#include "algorithms/algorithm.h"
-
-#include <CGAL/Exact_rational.h>
+#include "tests/unit/bench/checks.h"
+#include "tests/unit/bench/little_world.h"
 
 #include <algorithm>
 #include <array>
@@ -31,66 +30,8 @@ namespace {
 
 const struct hsr_algorithm &oracle = hsr_counting_oracle;
 
-/* ---- TAP ---- */
-
-int n_tests, n_failed;
-
-void ok(bool good, const std::string &what) {
-  std::printf("%s %d - %s\n", good ? "ok" : "not ok", ++n_tests, what.c_str());
-  n_failed += !good;
-}
-
-/* ---- Worlds and views, filled by hand ---- */
-
-struct point {
-  double x, y, z;
-};
-
-/* Has the fields of hsr_world that the oracle may read; the others are NULL. */
-struct little_world {
-  std::vector<double> x, y, z;
-  std::vector<uint32_t> start = {0}, vertex;
-  std::vector<char> one_sided;
-
-  little_world &face(const std::vector<point> &corners, bool one = false) {
-    for (const point &p : corners) {
-      vertex.push_back(uint32_t(x.size()));
-      x.push_back(p.x);
-      y.push_back(p.y);
-      z.push_back(p.z);
-    }
-    start.push_back(uint32_t(vertex.size()));
-    one_sided.push_back(one);
-    return *this;
-  }
-
-  uint32_t n_faces() const { return uint32_t(start.size() - 1); }
-
-  struct hsr_world world() {
-    static_assert(sizeof(bool) == sizeof(char), "one_sided is read as bool");
-    struct hsr_world w = {};
-    w.mesh.n_vertices = uint32_t(x.size());
-    w.n_faces = n_faces();
-    w.mesh.n_corners = uint32_t(vertex.size());
-    w.mesh.x = x.data();
-    w.mesh.y = y.data();
-    w.mesh.z = z.data();
-    w.mesh.start = start.data();
-    w.mesh.vertex = vertex.data();
-    w.mesh.one_sided = reinterpret_cast<bool *>(one_sided.data());
-    return w;
-  }
-};
-
 struct hsr_view plain_view(int n, double near = 0) {
-  struct hsr_view v = {};
-  v.m = v.n = v.whole_m = v.whole_n = n;
-  v.window = {0, 0, n, n};
-  v.F[2] = -1;
-  v.R[0] = 1;
-  v.U[1] = 1;
-  v.near = near;
-  return v;
+  return square_view(n, near);
 }
 
 using picture = std::vector<uint32_t>;
@@ -473,52 +414,6 @@ void test_penetrating() {
 
 /* ---- The definition once more, literally ---- */
 
-using Q = CGAL::Exact_rational;
-
-struct vec {
-  Q x, y, z;
-};
-vec operator+(const vec &a, const vec &b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-vec operator*(const Q &s, const vec &a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-vec operator-(const vec &a, const vec &b) {
-  return a + Q(-1) * b;
-}
-Q dot(const vec &a, const vec &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-vec cross(const vec &a, const vec &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/* c[0] + c[1] e + c[2] e^2, e infinitesimal and positive. */
-struct poly {
-  Q c[3];
-};
-poly operator-(const poly &a, const poly &b) {
-  return {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}};
-}
-poly operator*(const Q &s, const poly &a) {
-  return {{s * a.c[0], s * a.c[1], s * a.c[2]}};
-}
-int sign(const poly &a) {
-  for (const Q &c : a.c)
-    if (c != 0)
-      return c > 0 ? 1 : -1;
-  return 0;
-}
-
-/* The displaced ray, D + e R - e^2 U, and its scalar product with a vector. */
-struct displaced {
-  vec d[3];
-};
-poly dot(const vec &a, const displaced &D) {
-  return {{dot(a, D.d[0]), dot(a, D.d[1]), dot(a, D.d[2])}};
-}
-
 /* What the definition says about one face, before any sample. For vertex i and
  * the edge to the next one: row(v) = (R x v)·D, edge(a, b) = (a x b)·D. */
 struct naive_face {
@@ -627,22 +522,6 @@ picture naive::see() {
 
 /* ---- Random scenes ---- */
 
-struct dice {
-  std::mt19937 engine;
-
-  int below(int n) { return int(engine() % unsigned(n)); }
-  int from_to(int low, int high) { return low + below(high - low + 1); }
-  bool once_in(int n) { return below(n) == 0; }
-  point lattice(int size) {
-    const double x = from_to(-size, size), y = from_to(-size, size);
-    return {x, y, double(from_to(-size, size))};
-  }
-};
-
-vec exact(const point &p) {
-  return {p.x, p.y, p.z};
-}
-
 /* A polygon without a Newell normal is no face. */
 bool has_normal(const std::vector<point> &corners) {
   vec N = {0, 0, 0};
@@ -650,22 +529,7 @@ bool has_normal(const std::vector<point> &corners) {
     const point &a = corners[i], &b = corners[(i + 1) % corners.size()];
     N = N + cross(exact(a), exact(b));
   }
-  return N.x != 0 || N.y != 0 || N.z != 0;
-}
-
-/* One of three simple plane polygons, convex or not, placed by O + a u + b v:
- * exactly planar in integers. */
-std::vector<point> planar_polygon(dice &d, int size) {
-  static const std::vector<std::array<int, 2>> shapes[] = {
-      {{0, 0}, {2, 0}, {2, 1}, {0, 1}},
-      {{0, 0}, {3, 0}, {3, 3}, {2, 1}, {1, 1}, {0, 3}},
-      {{0, 0}, {1, 1}, {3, 0}, {1, 3}, {0, 2}}};
-  const point O = d.lattice(size), u = d.lattice(2), v = d.lattice(2);
-  std::vector<point> corners;
-  for (const auto &[a, b] : shapes[d.below(3)])
-    corners.push_back({O.x + a * u.x + b * v.x, O.y + a * u.y + b * v.y,
-                       O.z + a * u.z + b * v.z});
-  return corners;
+  return !is_null(N);
 }
 
 /* A rectangle along two axes: its box is flat, and it is coplanar with many
@@ -732,12 +596,7 @@ struct hsr_view random_view(dice &d, int size) {
   }
   const point E = d.lattice(size);
   point F, R, U;
-  do {
-    F = d.lattice(size / 3);
-    F = {F.x - E.x, F.y - E.y, F.z - E.z};
-    R = d.lattice(1 + size / 4);
-    U = d.lattice(1 + size / 4);
-  } while (dot(cross(exact(F), exact(R)), exact(U)) == 0);
+  random_directions(d, E, size, &F, &R, &U);
   const double wide = on_lattice ? v.whole_m / 2.0 : 1.0;
   const double high = on_lattice ? v.whole_n / 2.0 : 1.0;
   const double e[] = {E.x, E.y, E.z}, f[] = {F.x, F.y, F.z};
@@ -749,28 +608,6 @@ struct hsr_view random_view(dice &d, int size) {
     v.U[axis] = high * u[axis];
   }
   return v;
-}
-
-/* Rounds the scene's numbers: what was exactly degenerate is then nearly so. */
-void roughen(little_world &w, struct hsr_view &v) {
-  for (std::vector<double> *a : {&w.x, &w.y, &w.z})
-    for (double &value : *a)
-      value = value * 0.1 + 1e3;
-  for (int axis = 0; axis < 3; axis++) {
-    v.E[axis] = v.E[axis] * 0.1 + 1e3;
-    v.F[axis] *= 0.1;
-    v.R[axis] *= 0.1;
-    v.U[axis] *= 0.1;
-  }
-}
-
-void scale(little_world &w, struct hsr_view &v, int exponent) {
-  for (std::vector<double> *a : {&w.x, &w.y, &w.z})
-    for (double &value : *a)
-      value = std::ldexp(value, exponent);
-  for (double &value : v.E)
-    value = std::ldexp(value, exponent);
-  v.near = std::ldexp(v.near, exponent);
 }
 
 /* Compares n_scenes random scenes, seeded with `seed`. */
@@ -867,30 +704,9 @@ void test_threads() {
   ok(part[0] == alone, "two threads on one prepared object");
 }
 
-/* Allocations left until one fails; negative: none fails. */
-long allocations_left = -1;
-
-/* Whether the operator new below is the one in use: valgrind has its own. */
-bool can_fail_allocations() {
-  allocations_left = 0;
-  bool can = false;
-  try {
-    ::operator delete(::operator new(1));
-  } catch (const std::bad_alloc &) {
-    can = true;
-  }
-  allocations_left = -1;
-  return can;
-}
-
 /* A scene that needs exact arithmetic in prepare and render, with the k-th
  * allocation failing, for all k. */
 void test_no_memory() {
-  const char *const what = "each failed allocation is told by HSR_E_NOMEM";
-  if (!can_fail_allocations()) {
-    ok(true, std::string(what) + " # SKIP allocations cannot be made to fail");
-    return;
-  }
   const std::vector<point> whole = {
       {-5, 5, -8}, {-10, -10, -16}, {0, 0, -16}, {15, 15, -24}};
   little_world w;
@@ -906,51 +722,16 @@ void test_no_memory() {
   job.tally = &tally;
   struct hsr_answer answer = hsr_answer_of_ids(ids, 2, 2);
   job.answer = &answer;
-
-  bool good = true;
-  int n_failures = 0;
-  for (long k = 0;; k++) {
-    struct hsr_error err = {};
-    job.prepared = nullptr;
-    allocations_left = k;
-    enum hsr_status status =
-        oracle.prepare(&world, nullptr, &job.prepared, &err);
-    if (status == HSR_OK)
-      status = oracle.render(&job, &err);
-    allocations_left = -1;
-    oracle.release(job.prepared);
-    if (status == HSR_OK)
-      break;
-    n_failures++;
-    good = good && status == HSR_E_NOMEM && err.status == HSR_E_NOMEM;
-  }
-  ok(good && n_failures > 10, what);
+  ok_without_memory(oracle, job, true, [] {});
 }
 
 void test_descriptor() {
   ok(!std::strcmp(oracle.name, "oracle") && oracle.taxonomy == HSR_YARDSTICK &&
-         oracle.flags & HSR_JUDGE && oracle.kind == HSR_IDS,
+         oracle.flags & HSR_JUDGE && oracle.makes[0].kind == HSR_IDS,
      "the descriptor");
 }
 
 } /* namespace */
-
-/* Not inlined: the compiler would take new and free for a mismatch. */
-[[gnu::noinline]] void *operator new(size_t size) {
-  if (allocations_left == 0)
-    throw std::bad_alloc();
-  if (allocations_left > 0)
-    allocations_left--;
-  if (void *p = std::malloc(size ? size : 1))
-    return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void *p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void *p, size_t) noexcept {
-  std::free(p);
-}
 
 int main() {
   test_descriptor();
@@ -968,6 +749,5 @@ int main() {
   test_threads();
   test_no_memory();
   test_naive();
-  std::printf("1..%d\n", n_tests);
-  return n_failed ? 1 : 0;
+  return finish();
 }

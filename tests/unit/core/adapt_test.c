@@ -37,18 +37,13 @@ struct fixture {
   uint32_t wanted[M * N], got[M * N];
 };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static void open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_import import = {.drop_degenerate = false};
   if (hsr_scene_open(name, &import, &x->scene, &err) ||
-      hsr_scene_add_orbit(x->scene, VIEWS) ||
-      hsr_world_init(&x->world, x->scene, &err))
-    fail(&err);
+      hsr_scene_add_orbit(x->scene, VIEWS))
+    bail("%s", err.text);
+  must_world(&x->world, x->scene);
 }
 
 static void close_scene(struct fixture *x) {
@@ -76,11 +71,8 @@ static void check_pictures(struct tap *tap, struct fixture *x,
     flat &= x->world.mesh.deviation[f] == 0;
   for (uint32_t v = 0; v < VIEWS; v++) {
     struct hsr_view view;
-    struct hsr_error err = {.text = ""};
-    if (hsr_view_init(&view, &x->scene->views[v], M, N, &err))
-      fail(&err);
-    draw_ids(hsr_algorithm_find("oracle")->plain, &x->world, &view, x->wanted,
-             NULL);
+    must_view(&view, &x->scene->views[v], M, N);
+    draw_plain("oracle", &x->world, &view, x->wanted);
     for (int d = 0; d < DEMANDS; d++)
       for (int a = 0; a < 2 && (flat || !(demands[d] & HSR_TR)); a++) {
         long w = differences(x, &view, algorithms[a], demands[d]);
@@ -95,12 +87,10 @@ static void check_pictures(struct tap *tap, struct fixture *x,
 
 /* What the adapters promise of the faces. */
 static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
-  struct hsr_error err = {.text = ""};
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   algorithm.restrictions = HSR_TR | HSR_NP;
   struct hsr_setup setup;
-  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
-    fail(&err);
+  must_setup(&setup, &algorithm, NULL, &x->world);
   bool good = setup.world->roster.all_triangles;
   for (uint32_t f = 0; f + 1 < setup.world->n_faces; f++)
     good &= hsr_world_parent(setup.world, f) <=
@@ -139,12 +129,10 @@ static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
  * thick. */
 static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
                            unsigned demanded) {
-  struct hsr_error err = {.text = ""};
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   algorithm.restrictions = demanded;
   struct hsr_setup setup;
-  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
-    fail(&err);
+  must_setup(&setup, &algorithm, NULL, &x->world);
   const struct hsr_world *world = setup.world;
   const struct hsr_clusters *c = world->clusters;
   uint32_t *times =
@@ -200,7 +188,7 @@ static long uncovered(const struct hsr_world *world,
   bool *odd = HSR_NEW_ZEROED(&arena, bool, world->n_faces);
   if (!odd || hsr_screen_make(&whole, world, view, &arena, &tally) ||
       hsr_screen_make(&pieces, adapted, view, &arena, &tally))
-    fail(&err);
+    bail("%s", err.text);
   long n = 0;
   for (int j = 0; j < view->n; j++)
     for (int i = 0; i < view->m; i++) {
@@ -232,18 +220,15 @@ static bool warped_faces_stay(const struct hsr_world *world,
 static void check_parity(struct tap *tap, struct fixture *x, const char *name) {
   long wrong = 0, covered = 0;
   for (int d = 0; d < DEMANDS; d++) {
-    struct hsr_error err = {.text = ""};
     struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
     algorithm.restrictions = demands[d];
     struct hsr_setup setup;
-    if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
-      fail(&err);
+    must_setup(&setup, &algorithm, NULL, &x->world);
     if (demands[d] == HSR_CF)
       wrong += !warped_faces_stay(&x->world, setup.world);
     for (uint32_t v = 0; v < x->scene->n_views; v++) {
       struct hsr_view view;
-      if (hsr_view_init(&view, &x->scene->views[v], M / 2, N / 2, &err))
-        fail(&err);
+      must_view(&view, &x->scene->views[v], M / 2, N / 2);
       wrong += uncovered(&x->world, setup.world, &view, &covered);
     }
     hsr_setup_free(&setup);
@@ -264,8 +249,8 @@ static void check_star(struct tap *tap) {
     hsr_object_vertex(object, at[k][0], at[k][1], 2, &vertex[k]);
   hsr_object_face(object, vertex, 5, NULL);
   struct hsr_world world;
-  if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
-    fail(&err);
+  must_finish(scene);
+  must_world(&world, scene);
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   struct hsr_setup setup;
   algorithm.restrictions = HSR_CF;
@@ -283,7 +268,6 @@ static void check_star(struct tap *tap) {
 static uint32_t n_pieces(int exponent) {
   enum { TRIANGLES = 14 };
   static const int corner[3][3] = {{-9, -5, 1}, {8, -6, -2}, {1, 9, 1}};
-  struct hsr_error err = {.text = ""};
   struct hsr_scene *scene = hsr_scene_new("crossing");
   struct hsr_object *object = hsr_scene_object(scene, "crossing");
   for (int t = 0; t < TRIANGLES; t++) {
@@ -297,13 +281,12 @@ static uint32_t n_pieces(int exponent) {
     hsr_object_face(object, vertex, 3, NULL);
   }
   struct hsr_world world;
-  if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
-    fail(&err);
+  must_finish(scene);
+  must_world(&world, scene);
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   struct hsr_setup setup;
   algorithm.restrictions = HSR_NP;
-  if (hsr_setup_init(&setup, &algorithm, NULL, &world, &err))
-    fail(&err);
+  must_setup(&setup, &algorithm, NULL, &world);
   uint32_t n = setup.world->n_faces;
   hsr_setup_free(&setup);
   hsr_world_free(&world);

@@ -150,10 +150,8 @@ static struct hsr_view view(double near) {
   struct hsr_view view;
   struct hsr_error err;
   camera.near = near;
-  if (hsr_view_init(&view, &camera, 8, 8, &err)) {
-    printf("Bail out! %s\n", err.text);
-    exit(99);
-  }
+  if (hsr_view_init(&view, &camera, 8, 8, &err))
+    bail("%s", err.text);
   return view;
 }
 

@@ -46,11 +46,6 @@ struct fixture {
   uint32_t *times; /* of a face: its pieces that a sample is in */
 };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 /* --- The form of the trees ------------------------------------------------ */
 
 /* Three points on a median plane; their order says which side is its front. */
@@ -390,8 +385,7 @@ static void find_loose(struct fixture *x, long *grazed) {
 static void check_view(struct fixture *x, uint32_t v, long *grazed,
                        long *covered, long *twice, long *wrong) {
   struct hsr_error err = {.text = "out of memory"};
-  if (hsr_view_init(&x->view, &x->scene->views[v], M, N, &err))
-    fail(&err);
+  must_view(&x->view, &x->scene->views[v], M, N);
   hsr_arena_reset(&x->arena);
   x->order = HSR_NEW(&x->arena, uint32_t, x->bsp.n_pieces);
   x->times = HSR_NEW(&x->arena, uint32_t, x->setup.world->n_faces);
@@ -399,10 +393,9 @@ static void check_view(struct fixture *x, uint32_t v, long *grazed,
   if (!x->order || !x->times || !x->is_loose ||
       hsr_screen_make(&x->screen, x->setup.world, &x->view, &x->arena,
                       &x->tally))
-    fail(&err);
+    bail("%s", err.text);
   find_loose(x, grazed);
-  draw_ids(hsr_algorithm_find("oracle")->plain, &x->world, &x->view, x->seen,
-           NULL);
+  draw_plain("oracle", &x->world, &x->view, x->seen);
   x->n_ordered = 0;
   order_cube(x, 0);
   for (int j = 0; j < N; j++)
@@ -590,10 +583,10 @@ static void lay_out(struct fixture *x) {
   struct hsr_error err = {.text = "out of memory"};
   x->convex = *hsr_algorithm_find("null")->plain;
   x->convex.restrictions = HSR_CF;
-  if (hsr_scene_add_orbit(x->scene, VIEWS) ||
-      hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_setup_init(&x->setup, &x->convex, NULL, &x->world, &err))
-    fail(&err);
+  if (hsr_scene_add_orbit(x->scene, VIEWS))
+    bail("%s", err.text);
+  must_world(&x->world, x->scene);
+  must_setup(&x->setup, &x->convex, NULL, &x->world);
 }
 
 static bool open_scene(struct fixture *x, const char *name) {
@@ -603,7 +596,7 @@ static bool open_scene(struct fixture *x, const char *name) {
   if (open_by_name(x, name, &import, &err)) {
     if (strncmp(name, "mesh:", 5) == 0)
       return false;
-    fail(&err);
+    bail("%s", err.text);
   }
   lay_out(x);
   return true;
@@ -627,7 +620,7 @@ static bool is_made(struct fixture *x, uint32_t most, uint32_t most_pieces,
   bool is_line = strncmp(err->text, "the BSP trees of ", 17) == 0 &&
                  !strchr(err->text, '\n');
   if (status && (status != HSR_E_REFUSED || !is_line))
-    fail(err);
+    bail("%s", err->text);
   return !status;
 }
 
@@ -695,8 +688,7 @@ static void check_tips(struct tap *tap) {
   for (int steps = -6; steps <= 6; steps++) {
     struct hsr_error err = {.text = "out of memory"};
     *x = (struct fixture){.name = "standing", .scene = standing(steps)};
-    if (hsr_scene_finish(x->scene, &err))
-      fail(&err);
+    must_finish(x->scene);
     lay_out(x);
     const struct hsr_mesh *mesh = &x->setup.world->mesh;
     uint32_t v = mesh->vertex[mesh->start[1]];
@@ -741,7 +733,7 @@ int main(int argc, char **argv) {
         continue;
       }
       if (hsr_bsp_init(&x->bsp, x->setup.world, &rule, &err))
-        fail(&err);
+        bail("%s", err.text);
       check_form(&tap, x, most[k]);
       check_samples(&tap, x, most[k]);
       check_walks(&tap, x, most[k]);

@@ -33,8 +33,8 @@ static struct hsr_table1 table_of(const struct both_worlds *w,
                                   const struct hsr_camera *camera,
                                   struct hsr_view *view) {
   struct hsr_table1 table;
-  if (hsr_view_init(view, camera, M, N, NULL) ||
-      hsr_statistics_measure(&w->world, view, NULL, &table, NULL))
+  must_view(view, camera, M, N);
+  if (hsr_statistics_measure(&w->world, view, NULL, &table, NULL))
     abort();
   return table;
 }
@@ -63,8 +63,8 @@ static void check_pairs(struct tap *tap, const struct both_worlds *w,
   struct hsr_view view;
   struct hsr_overlaps overlaps;
   double x = 0, y = 0, z = 0, pairs = 0;
-  if (hsr_view_init(&view, &w->scene->views[0], M, N, NULL) ||
-      hsr_screen_make(&screen, &w->world, &view, &arena, &tally) ||
+  must_view(&view, &w->scene->views[0], M, N);
+  if (hsr_screen_make(&screen, &w->world, &view, &arena, &tally) ||
       hsr_overlaps_measure(&w->world, &view, &overlaps, NULL))
     abort();
   for (uint32_t a = 0; a < screen.n_relevant; a++)

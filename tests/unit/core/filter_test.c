@@ -14,11 +14,6 @@
 
 enum { BITS = 64, COLUMNS = 11, ROWS = 7, PIXELS = COLUMNS * ROWS };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* --- Weights -------------------------------------------------------------- */
 
 /* The kernel as one square of 24 x 24 sub-samples around the receiving pixel:
@@ -186,15 +181,11 @@ struct stage {
 };
 
 static void open_stage(struct stage *stage, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &stage->scene, &err) ||
-      hsr_world_init(&stage->world, stage->scene, &err) ||
-      hsr_world_roster(&stage->outline, stage->scene, &err) ||
-      hsr_view_init(&stage->pixels, &stage->scene->views[0], COLUMNS, ROWS,
-                    &err) ||
-      hsr_view_init(&stage->fine, &stage->scene->views[0], 8 * COLUMNS,
-                    8 * ROWS, &err))
-    stop(name, err.text);
+  stage->scene = must_open(name);
+  must_world(&stage->world, stage->scene);
+  must_roster(&stage->outline, stage->scene);
+  must_view(&stage->pixels, &stage->scene->views[0], COLUMNS, ROWS);
+  must_view(&stage->fine, &stage->scene->views[0], 8 * COLUMNS, 8 * ROWS);
 }
 
 static void close_stage(struct stage *stage) {
@@ -257,7 +248,7 @@ static void test_colours(struct tap *tap, const struct stage *stage,
   struct hsr_error err = {.text = "out of memory"};
   const uint32_t id[] = {world->n_faces - 1};
   if (hsr_world_extract(&extract, &stage->outline, id, 1, &err))
-    stop("extract", err.text);
+    bail("extract: %s", err.text);
   const struct hsr_world *others[] = {&stage->outline, &extract, pieces};
   bool same = true, near = true, none = true;
   long different = 0;
@@ -288,12 +279,9 @@ static void test_pieces(struct tap *tap) {
   struct stage stage;
   open_stage(&stage, "penetration");
   struct hsr_setup setup;
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_setup_init(&setup, hsr_algorithm_find("romney")->plain, NULL,
-                     &stage.world, &err))
-    stop("penetration", err.text);
+  must_setup(&setup, hsr_algorithm_find("romney")->plain, NULL, &stage.world);
   if (!setup.world->pieces || setup.world->n_faces <= stage.world.n_faces)
-    stop("penetration", "nothing is divided");
+    bail("penetration: nothing is divided");
   test_colours(tap, &stage, setup.world);
   hsr_setup_free(&setup);
   close_stage(&stage);
@@ -318,7 +306,7 @@ static void test_pictures(struct tap *tap, const struct stage *stage) {
                            depth[0], rgb[0], &err) ||
         hsr_picture_finish(&stage->outline, view, ids,
                            (enum hsr_shading)shading, depth[1], rgb[1], &err))
-      stop("picture", err.text);
+      bail("picture: %s", err.text);
     same &= !memcmp(depth[0], depth[1], sizeof depth[0]) &&
             !memcmp(rgb[0], rgb[1], sizeof rgb[0]);
   }
@@ -372,9 +360,7 @@ static void test_light(struct tap *tap, const struct stage *stage) {
 static float light_of(const struct hsr_camera *camera, int m, int n,
                       double sun[4]) {
   struct hsr_view view;
-  struct hsr_error err;
-  if (hsr_view_init(&view, camera, m, n, &err))
-    stop("light", err.text);
+  must_view(&view, camera, m, n);
   memcpy(sun, view.light, 4 * sizeof *sun);
   return hsr_picture_light(&view, (double[]){-1, 1, 3}, camera->at);
 }

@@ -23,8 +23,7 @@ static void finish_picture(struct stage *s, const struct hsr_world *world,
                            enum hsr_shading shading, float *rgb) {
   if (!hsr_picture_finish(world, &s->view, s->ids, shading, NULL, rgb, NULL))
     return;
-  printf("Bail out! no picture\n");
-  exit(99);
+  bail("no picture");
 }
 
 /* A scene, all of whose faces have the colours of their objects. */
@@ -32,10 +31,8 @@ static void open_stage(struct stage *s, const char *name, int view) {
   open_worlds(&s->worlds, name);
   for (uint32_t o = 0; o < s->worlds.scene->n_objects; o++)
     s->worlds.scene->objects[o].rgb = NULL;
-  if (hsr_view_init(&s->view, &s->worlds.scene->views[view], M, N, NULL))
-    exit(99);
-  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->worlds.world,
-           &s->view, s->ids, NULL);
+  must_view(&s->view, &s->worlds.scene->views[view], M, N);
+  draw_plain("zbuffer-fast", &s->worlds.world, &s->view, s->ids);
   finish_picture(s, &s->worlds.world, HSR_SHADE_GOURAUD, s->smooth);
   finish_picture(s, &s->worlds.world, HSR_SHADE_LAMBERT, s->flat);
 }
@@ -133,18 +130,17 @@ static void check_edge(struct tap *tap, struct stage *s) {
   struct hsr_object *roof = hsr_scene_object(scene, "roof");
   struct hsr_camera camera = {
       .eye = {0.3, 0.2, 5}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 22};
-  struct hsr_error err;
   const uint32_t west[3] = {0, 1, 2}, east[3] = {1, 0, 3};
   for (int k = 0; k < 4; k++)
     hsr_object_vertex(roof, p[k][0], p[k][1], p[k][2], NULL);
   hsr_object_face(roof, west, 3, NULL);
   hsr_object_face(roof, east, 3, NULL);
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
-      hsr_world_init(&s->worlds.world, scene, &err) ||
-      hsr_view_init(&s->view, &camera, M, N, &err))
+  if (hsr_scene_view(scene, &camera))
     exit(99);
-  draw_ids(hsr_algorithm_find("zbuffer-fast")->plain, &s->worlds.world,
-           &s->view, s->ids, NULL);
+  must_finish(scene);
+  must_world(&s->worlds.world, scene);
+  must_view(&s->view, &camera, M, N);
+  draw_plain("zbuffer-fast", &s->worlds.world, &s->view, s->ids);
   finish_picture(s, &s->worlds.world, HSR_SHADE_GOURAUD, s->smooth);
   finish_picture(s, &s->worlds.world, HSR_SHADE_LAMBERT, s->flat);
   double flat = 0, smooth = 0;

@@ -129,10 +129,8 @@ static struct hsr_octree build(const struct hsr_octree_rule *rule,
                                struct hsr_arena *arena) {
   static const double lo[3] = {0, 0, 0};
   struct hsr_octree octree;
-  if (hsr_octree_init(&octree, primitives, rule, lo, SIDE, 1, arena)) {
-    printf("Bail out! out of memory\n");
-    exit(99);
-  }
+  if (hsr_octree_init(&octree, primitives, rule, lo, SIDE, 1, arena))
+    bail("out of memory");
   return octree;
 }
 

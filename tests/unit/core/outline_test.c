@@ -22,19 +22,12 @@ enum {
   MODULE_FACES = 15000 /* of each module, roughly */
 };
 
-static void fail(const char *what, const struct hsr_error *err) {
-  printf("Bail out! %s: %s\n", what, err->text);
-  exit(99);
-}
-
 /* --- A hundred million faces ---------------------------------------------- */
 
 /* The one object of a built-in scene. */
 static void copy_object(struct hsr_scene *to, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_scene *from;
-  if (hsr_scene_open(name, NULL, &from, &err))
-    fail(name, &err);
+  struct hsr_scene *from = must_open(name);
   const struct hsr_object *a = &from->objects[0];
   struct hsr_object *b = hsr_scene_object(to, name);
   enum hsr_status status = b ? HSR_OK : HSR_E_NOMEM;
@@ -46,7 +39,7 @@ static void copy_object(struct hsr_scene *to, const char *name) {
     status = hsr_object_face(b, a->vertex + a->start[f],
                              a->start[f + 1] - a->start[f], NULL);
   if (status)
-    fail(name, &err);
+    bail("%s: %s", name, err.text);
   hsr_scene_delete(from);
 }
 
@@ -60,7 +53,6 @@ static void place(double m[12], double angle, double size, double x, double y,
 
 static struct hsr_scene *make_modules(void) {
   struct hsr_scene *scene = hsr_scene_new("modules");
-  struct hsr_error err = {.text = "out of memory"};
   char name[32];
   snprintf(name, sizeof name, "sphere:%d", MODULE_FACES);
   copy_object(scene, name);
@@ -72,8 +64,9 @@ static struct hsr_scene *make_modules(void) {
     status = hsr_scene_instance(scene, 0, m);
   }
   struct hsr_camera within = {{9.5, 9.5, 30}, {8, 9, 0}, {0, 1, 0}, 60, 0};
-  if (status || hsr_scene_view(scene, &within) || hsr_scene_finish(scene, &err))
-    fail("modules", &err);
+  if (status || hsr_scene_view(scene, &within))
+    bail("out of memory");
+  must_finish(scene);
   return scene;
 }
 
@@ -87,7 +80,7 @@ static uint32_t ask(const struct hsr_setup *oracle, struct hsr_view *view,
       .view = view, .scratch = &scratch, .tally = &tally, .answer = &answer};
   view->window = (struct hsr_window){i, j, i + 1, j + 1};
   if (hsr_setup_render(oracle, &job, NULL))
-    fail("modules", &(struct hsr_error){.text = "the oracle failed"});
+    bail("modules: %s", (struct hsr_error){.text = "the oracle failed"}.text);
   hsr_arena_free(&scratch);
   return ids[(size_t)j * (size_t)view->m + (size_t)i];
 }
@@ -101,7 +94,6 @@ static long peak_kb(void) {
 
 static void test_large(struct tap *tap) {
   enum { SIDE = 512, SAMPLES = 20000 };
-  struct hsr_error err = {.text = "out of memory"};
   struct hsr_scene *scene = make_modules();
   struct hsr_world world;
   struct hsr_setup oracle;
@@ -109,11 +101,11 @@ static void test_large(struct tap *tap) {
   uint32_t *ids = malloc(SIDE * SIDE * sizeof *ids);
   long before_kb = peak_kb(); /* libraries, and an earlier test's */
   clock_t begin = clock();
-  if (!ids || hsr_world_roster(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[0], SIDE, SIDE, &err) ||
-      hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world,
-                     &err))
-    fail("modules", &err);
+  if (!ids)
+    bail("out of memory");
+  must_roster(&world, scene);
+  must_view(&view, &scene->views[0], SIDE, SIDE);
+  must_setup(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world);
   double ready = (double)(clock() - begin) / CLOCKS_PER_SEC;
 
   uint64_t seed = 1;
@@ -162,13 +154,13 @@ static bool compare(struct hsr_scene *scene, struct found *found) {
     hsr_world_free(&laid_out);
     return false;
   }
-  if (status || hsr_world_roster(&outline, scene, &err))
-    fail(scene->name, &err);
+  if (status)
+    bail("%s: %s", scene->name, err.text);
+  must_roster(&outline, scene);
   for (uint32_t v = 0; v < scene->n_views; v++) {
     uint32_t wanted[M * N], got[M * N];
     struct hsr_view view;
-    if (hsr_view_init(&view, &scene->views[v], M, N, &err))
-      fail(scene->name, &err);
+    must_view(&view, &scene->views[v], M, N);
     draw_ids(oracle->plain, &laid_out, &view, wanted, NULL);
     draw_ids(v % 2 ? oracle->counting : oracle->plain, &outline, &view, got,
              NULL);
@@ -183,16 +175,13 @@ static bool compare(struct hsr_scene *scene, struct found *found) {
 }
 
 static void test_builtins(struct tap *tap) {
-  struct hsr_error err = {.text = "out of memory"};
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
-    struct hsr_scene *scene;
     struct hsr_world outline;
     struct found found = {.samples = 0};
     if (b->package)
       continue;
-    if (hsr_scene_open(b->name, NULL, &scene, &err) ||
-        hsr_world_roster(&outline, scene, &err))
-      fail(b->name, &err);
+    struct hsr_scene *scene = must_open(b->name);
+    must_roster(&outline, scene);
     if (outline.n_faces <= MOST_FACES) {
       bool compared = compare(scene, &found);
       ok(tap, compared && !found.different && found.faces,

@@ -12,11 +12,6 @@
 
 enum { CORNERS = 4 };
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 struct polygon {
   double xyz[3 * CORNERS];
   uint32_t vertex[CORNERS], n;
@@ -123,10 +118,10 @@ static void add(struct hsr_object *object, const struct polygon *p) {
     vertex[k] = object->n_vertices;
     if (hsr_object_vertex(object, p->xyz[3 * c], p->xyz[3 * c + 1],
                           p->xyz[3 * c + 2], NULL))
-      stop("a vertex", "refused");
+      bail("a vertex: refused");
   }
   if (hsr_object_face(object, vertex, p->n, NULL))
-    stop("a face", "refused");
+    bail("a face: refused");
 }
 
 /* Faces whose class is another one than that of the first face on their plane; and
@@ -136,7 +131,7 @@ static uint32_t count_wrong(const struct hsr_world *world, uint32_t *n_planes) {
   bool out_of_memory = false;
   *n_planes = 0;
   if (!first)
-    stop("planes", "out of memory");
+    bail("planes: out of memory");
   for (uint32_t f = 0; f < world->n_faces; f++) {
     uint32_t k = 0;
     while (k < *n_planes && !hsr_exact_same_plane(
@@ -154,14 +149,11 @@ static uint32_t count_wrong(const struct hsr_world *world, uint32_t *n_planes) {
 static void check(struct tap *tap, struct hsr_scene *scene, uint32_t least,
                   const char *what) {
   struct hsr_world world;
-  struct hsr_error err;
   uint32_t n_planes, n_classes = 0, wrong = 0;
-  if (hsr_scene_finish(scene, &err))
-    stop(what, err.text);
+  must_finish(scene);
   for (int threads = 1; threads <= 3; threads += 2) {
     scene->threads = threads;
-    if (hsr_world_init(&world, scene, &err))
-      stop(what, err.text);
+    must_world(&world, scene);
     wrong += count_wrong(&world, &n_planes);
     n_classes = world.mesh.n_planes;
     wrong += n_classes != n_planes;

@@ -143,10 +143,8 @@ static struct hsr_scene *open_scene(const char *name) {
   struct hsr_scene *scene;
   struct hsr_error err;
   if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_scene_make_faces(scene, &err)) {
-    printf("Bail out! %s: %s\n", name, err.text);
-    exit(99);
-  }
+      hsr_scene_make_faces(scene, &err))
+    bail("%s: %s", name, err.text);
   return scene;
 }
 
@@ -509,8 +507,7 @@ static const struct hsr_object *find(const struct hsr_scene *scene,
   for (uint32_t o = 0; o < scene->n_objects; o++)
     if (!strcmp(scene->objects[o].name, name))
       return &scene->objects[o];
-  printf("Bail out! %s has no object %s\n", scene->name, name);
-  exit(99);
+  bail("%s has no object %s", scene->name, name);
 }
 
 /* Whether faces f and g each have corners on both sides of the other. */
@@ -1267,10 +1264,8 @@ static void check_archive(struct tap *tap, const char *folder) {
 
 static void check_meshes(struct tap *tap) {
   char folder[] = "/tmp/scenes_test.XXXXXX";
-  if (!mkdtemp(folder)) {
-    printf("Bail out! no temporary folder\n");
-    exit(99);
-  }
+  if (!mkdtemp(folder))
+    bail("no temporary folder");
   unsetenv("HSR_MESH_DIR");
   check_own_folder(tap, folder);
   check_archive(tap, folder);

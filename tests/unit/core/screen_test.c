@@ -24,11 +24,6 @@ struct fixture {
   struct hsr_tally tally;
 };
 
-static void fail(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 /* Faces of 3 to 5 corners among small integers, planar or not, in front of the
  * eye and behind it. */
 static void add_faces(uint64_t *seed, struct hsr_object *object) {
@@ -59,7 +54,7 @@ static void add_zigzag(uint64_t *seed, struct hsr_object *object) {
                             : -2,
                       -2, &vertex[k]);
   if (hsr_object_face(object, vertex, ZIGZAG, NULL))
-    fail("the zigzag is no face");
+    bail("the zigzag is no face");
 }
 
 static struct fixture *set_up(uint64_t *seed) {
@@ -79,11 +74,11 @@ static struct fixture *set_up(uint64_t *seed) {
                               .near = (double)draw_integer(seed, 0, 2) / 2};
   memcpy(camera.at, camera.eye, sizeof camera.at);
   camera.at[2] -= 1;
-  if (hsr_scene_finish(x->scene, &err) ||
-      hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_view_init(&x->view, &camera, M, N, &err) ||
-      hsr_screen_make(&x->screen, &x->world, &x->view, &x->arena, &x->tally))
-    fail(err.text);
+  must_finish(x->scene);
+  must_world(&x->world, x->scene);
+  must_view(&x->view, &camera, M, N);
+  if (hsr_screen_make(&x->screen, &x->world, &x->view, &x->arena, &x->tally))
+    bail("%s", err.text);
   return x;
 }
 
@@ -771,8 +766,7 @@ static void try_beside(struct tap *tap) {
       .eye = {1, 2, 3}, .at = {1, 2, 0}, .up = {0, 1, 0}, .fov = 90};
   struct hsr_view view;
   bool out_of_memory = false;
-  if (hsr_view_init(&view, &camera, M, M, NULL))
-    fail("view");
+  must_view(&view, &camera, M, M);
   const double right[3] = {2, 2, 3}, left[3] = {0, 2, 3};
   ok(tap,
      hsr_exact_row_side(&view, right, 2.5, &out_of_memory) == 1 &&
@@ -788,12 +782,11 @@ static void try_generic(struct tap *tap) {
                               .at = {0.2, 0.3, 0.1},
                               .up = {0, 1, 0},
                               .fov = 51};
-  struct hsr_error err;
   memset(&x->tally, 0, sizeof x->tally);
   hsr_arena_reset(&x->arena);
-  if (hsr_view_init(&x->view, &camera, M, N, &err) ||
-      hsr_screen_make(&x->screen, &x->world, &x->view, &x->arena, &x->tally))
-    fail("generic view");
+  must_view(&x->view, &camera, M, N);
+  if (hsr_screen_make(&x->screen, &x->world, &x->view, &x->arena, &x->tally))
+    bail("generic view");
   struct wrong wrong = {.asked = 0};
   try_vertices(x, &wrong);
   ok(tap, x->tally.exact[HSR_ASK_ROW] == 0 && wrong.asked > 100,

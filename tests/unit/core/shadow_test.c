@@ -31,11 +31,6 @@ struct found {
   long boxes_apart; /* pairs that the boxes keep apart */
 };
 
-static void fail(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 static void add_faces(uint64_t *seed, struct hsr_object *object) {
   for (int n = (int)draw_integer(seed, 4, 12); object->n_faces < (uint32_t)n;) {
     uint32_t vertex[4], k = (uint32_t)draw_integer(seed, 3, 4);
@@ -88,7 +83,7 @@ set_up(uint64_t *seed, void (*add)(uint64_t *seed, struct hsr_object *object)) {
       hsr_view_init(&x->view, &camera, SIDE, SIDE, &err) ||
       hsr_screen_make(&x->screen, &x->world, &x->view, &x->arena, &x->tally) ||
       hsr_lighting_init(&x->lighting, &x->screen, &x->arena, &x->tally))
-    fail(err.text);
+    bail("%s", err.text);
   return x;
 }
 

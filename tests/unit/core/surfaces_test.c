@@ -153,11 +153,6 @@ static const struct example examples[] = {
 };
 enum { N = sizeof examples / sizeof *examples };
 
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
 static bool check(const struct example *x) {
   struct hsr_error err;
   struct hsr_world world;
@@ -170,7 +165,7 @@ static bool check(const struct example *x) {
     hsr_object_face(object, x->vertex[f], x->size[f], NULL);
   if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err) ||
       hsr_surfaces_init(&s, &world, &err))
-    fail(&err);
+    bail("%s", err.text);
   bool apart = hsr_surfaces_apart(&s, 0, 1);
   bool first_apart = hsr_surfaces_apart(&s, 0, 0);
   bool good = s.n == x->surfaces && s.n_shared == x->shared &&

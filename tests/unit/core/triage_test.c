@@ -13,11 +13,6 @@
 
 enum { LINES = 200000, UNIT = 1 << 13, SLACK = 2 }; /* UNIT a side */
 
-static void stop(const char *text) {
-  printf("Bail out! %s\n", text);
-  exit(99);
-}
-
 /* f = a x + b y + c; inside it is positive. */
 struct line {
   int64_t a, b, c;
@@ -260,7 +255,7 @@ static double test_samples(struct tap *tap, int k, uint64_t *seed) {
   uint64_t *mask = malloc(6 * (size_t)k * (size_t)k * sizeof *mask);
   long wrong = 0, crossing = 0, decided = 0;
   if (!mask)
-    stop("out of memory");
+    bail("out of memory");
   for (int bit = 0; bit < 64; bit++) {
     x[bit] = (bit % 8 + 0.5) / 8;
     y[bit] = (bit / 8 + 0.5) / 8;
@@ -309,7 +304,7 @@ int main(void) {
     struct hsr_error err;
     int k = some[s].intervals;
     if (hsr_triage_init(&tables, k, &err))
-      stop("out of memory");
+      bail("out of memory");
     test_lines(&tap, &tables, &seed);
     test_entries(&tap, &tables, &seed);
     if (k == 8)

@@ -10,11 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void stop(const char *name, const char *text) {
-  printf("Bail out! %s: %s\n", name, text);
-  exit(99);
-}
-
 /* Is face f of `few`, with its own vertices, the same as face g of `all`? */
 static bool is_same(const struct hsr_world *few, uint32_t f,
                     const struct hsr_world *all, uint32_t g) {
@@ -67,7 +62,7 @@ static bool extracts(const struct hsr_world *from, const struct hsr_world *all,
   struct hsr_world few;
   struct hsr_error err;
   if (hsr_world_extract(&few, from, id, n, &err))
-    stop("extract", err.text);
+    bail("extract: %s", err.text);
   bool good = few.n_faces == n && few.mesh.n_vertices == few.mesh.n_corners;
   bool all_triangles = true;
   for (uint32_t f = 0; f < n && good; f++) {
@@ -81,14 +76,13 @@ static bool extracts(const struct hsr_world *from, const struct hsr_world *all,
 }
 
 static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
-  struct hsr_scene *scene;
   struct hsr_world all, outline, opened;
   struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &scene, &err) ||
-      hsr_world_init(&all, scene, &err) ||
-      hsr_world_roster(&outline, scene, &err) ||
-      hsr_world_open(&opened, scene, 0, &err))
-    stop(name, err.text);
+  struct hsr_scene *scene = must_open(name);
+  must_world(&all, scene);
+  must_roster(&outline, scene);
+  if (hsr_world_open(&opened, scene, 0, &err))
+    bail("%s: %s", name, err.text);
   uint32_t n = all.n_faces, k = scene->n_instances;
   ok(tap,
      hsr_is_roster(&outline) && !hsr_is_roster(&all) &&
@@ -127,12 +121,11 @@ static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
 
 /* Scenes above a certain size are not laid out, even if that is asked for. */
 static void test_limit(struct tap *tap) {
-  struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open("office:14", NULL, &scene, &err) ||
-      hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, &err))
-    stop("office:14", err.text);
+  struct hsr_scene *scene = must_open("office:14");
+  if (hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, &err))
+    bail("office:14: %s", err.text);
   uint32_t n = world.n_faces;
   bool good = hsr_is_roster(&world) && n > HSR_MOST_LAID_OUT &&
               world.roster.all_triangles &&
@@ -151,7 +144,6 @@ static void test_classes(struct tap *tap, uint64_t *seed) {
     struct hsr_scene *scene = hsr_scene_new("planes");
     struct hsr_object *object = hsr_scene_object(scene, "planes");
     struct hsr_world world;
-    struct hsr_error err = {.text = "out of memory"};
     int64_t u[3], v[3];
     for (int k = 0; k < 3; k++) {
       u[k] = draw_integer(seed, -100000000, 100000000);
@@ -171,8 +163,8 @@ static void test_classes(struct tap *tap, uint64_t *seed) {
       }
       hsr_object_face(object, vertex, 3, NULL);
     }
-    if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
-      stop("planes", err.text);
+    must_finish(scene);
+    must_world(&world, scene);
     good &= world.mesh.n_planes == 2;
     for (uint32_t f = 0; f < world.n_faces; f++)
       good &= world.mesh.plane[f] == world.mesh.plane[f % 2];
@@ -189,7 +181,6 @@ static void test_deviation(struct tap *tap, uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("pentagons");
   struct hsr_object *object = hsr_scene_object(scene, "pentagons");
   struct hsr_world world;
-  struct hsr_error err = {.text = "out of memory"};
   while (object->n_faces < FACES) {
     static const int around[5][2] = {
         {4, 0}, {3, 3}, {-2, 4}, {-4, -1}, {1, -4}};
@@ -199,8 +190,8 @@ static void test_deviation(struct tap *tap, uint64_t *seed) {
                         (double)draw_integer(seed, -2, 2), &vertex[c]);
     hsr_object_face(object, vertex, 5, NULL);
   }
-  if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
-    stop("pentagons", err.text);
+  must_finish(scene);
+  must_world(&world, scene);
   bool good = true;
   for (uint32_t f = 0; f < FACES; f++) {
     double largest = 0;

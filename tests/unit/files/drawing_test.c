@@ -20,10 +20,8 @@ static struct hsr_segment interval(uint32_t a, uint32_t b, double t0, double t1,
 }
 
 static void add(struct hsr_drawing *drawing, struct hsr_segment segment) {
-  if (hsr_drawing_add(drawing, &segment)) {
-    puts("Bail out! out of memory");
-    exit(99);
-  }
+  if (hsr_drawing_add(drawing, &segment))
+    bail("out of memory");
 }
 
 /* ---- Adding ---- */
@@ -174,8 +172,7 @@ static struct hsr_scene *one_face(const double xyz[][3], uint32_t n) {
   for (uint32_t k = 0; k < n; k++)
     hsr_object_vertex(object, xyz[k][0], xyz[k][1], xyz[k][2], &vertex[k]);
   hsr_object_face(object, vertex, n, NULL);
-  if (hsr_scene_finish(scene, NULL))
-    abort();
+  must_finish(scene);
   return scene;
 }
 
@@ -185,8 +182,8 @@ static void try_no_length(struct tap *t) {
   struct hsr_scene *scene = one_face(xyz, 4);
   struct hsr_world world;
   struct hsr_edges edges;
-  if (hsr_world_init(&world, scene, NULL) ||
-      hsr_edges_init(&edges, &world, NULL))
+  must_world(&world, scene);
+  if (hsr_edges_init(&edges, &world, NULL))
     abort();
   ok(t, edges.n == 3, "between two vertices at one place there is no edge");
   hsr_edges_free(&edges);
@@ -210,9 +207,8 @@ static void try_borders(struct tap *t) {
     struct hsr_world world;
     struct hsr_view view;
     struct hsr_drawing drawing = {.n = 0};
-    if (hsr_world_init(&world, scene, NULL) ||
-        hsr_view_init(&view, &camera, 16, 16, NULL))
-      abort();
+    must_world(&world, scene);
+    must_view(&view, &camera, 16, 16);
     draw_lines(hsr_algorithm_find("appel")->plain, &world, &view, &drawing,
                NULL);
     got[k] = drawing.n;

@@ -19,8 +19,7 @@ static char directory[] = "/tmp/hsr-plot-XXXXXX";
 static void must(bool good) {
   if (good)
     return;
-  puts("Bail out! a scene could not be set up");
-  exit(99);
+  bail("a scene could not be set up");
 }
 
 /* ---- A scene: two triangles ---- */

@@ -20,10 +20,8 @@
 
 /* Ends the program if a step that a test needs, but does not test, fails. */
 static void must(bool done) {
-  if (!done) {
-    puts("Bail out! The test cannot be set up.");
-    exit(99);
-  }
+  if (!done)
+    bail("The test cannot be set up.");
 }
 
 static void write_bytes(const char *path, const char *bytes, size_t n) {

@@ -5,6 +5,7 @@
 #include "common/files/volume/volume_data.h"
 #include "tests/tap.h"
 #include "tests/unit/files/folder.h"
+#include "tests/unit/files/vtk_ways.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -80,9 +81,8 @@ constexpr int TYPES[] = {
     VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
     VTK_FLOAT,       VTK_DOUBLE};
 
-struct Way {
-  enum Mode { TEXT, BINARY, RAW, BASE64 } mode;
-  bool compressed, long_headers, big_endian, is_named;
+struct Way : Encoding {
+  bool is_named;
   int type; /* of the samples; of the coordinates: the next one */
 };
 
@@ -156,39 +156,13 @@ void add_data(vtkDataSet *data, const Way &way) {
   data->GetFieldData()->AddArray(words);
 }
 
-template <class Writer> std::string write(vtkDataSet *data, const Way &way) {
-  vtkNew<Writer> writer;
-  writer->SetInputData(data);
-  writer->WriteToOutputStringOn();
-  writer->SetBlockSize(64);
-  if (way.compressed)
-    writer->SetCompressorTypeToZLib();
-  else
-    writer->SetCompressorTypeToNone();
-  if (way.long_headers)
-    writer->SetHeaderTypeToUInt64();
-  else
-    writer->SetHeaderTypeToUInt32();
-  if (way.big_endian)
-    writer->SetByteOrderToBigEndian();
-  else
-    writer->SetByteOrderToLittleEndian();
-  writer->SetDataMode(way.mode == Way::TEXT     ? vtkXMLWriter::Ascii
-                      : way.mode == Way::BINARY ? vtkXMLWriter::Binary
-                                                : vtkXMLWriter::Appended);
-  writer->SetEncodeAppendedData(way.mode == Way::BASE64);
-  if (!writer->Write())
-    std::exit(99);
-  return writer->GetOutputString();
-}
-
 std::string write_image(const Way &way) {
   vtkNew<vtkImageData> image;
   image->SetExtent(const_cast<int *>(EXTENT));
   image->SetOrigin(ORIGIN);
   image->SetSpacing(SPACING);
   add_data(image, way);
-  return write<vtkXMLImageDataWriter>(image, way);
+  return write_by_vtk<vtkXMLImageDataWriter>(image.Get(), way, 64);
 }
 
 std::string write_grid(const Way &way) {
@@ -206,7 +180,7 @@ std::string write_grid(const Way &way) {
   grid->SetYCoordinates(at[1]);
   grid->SetZCoordinates(at[2]);
   add_data(grid, way);
-  return write<vtkXMLRectilinearGridWriter>(grid, way);
+  return write_by_vtk<vtkXMLRectilinearGridWriter>(grid.Get(), way, 64);
 }
 
 double position(const Way &way, bool rectilinear, int axis, int k) {
@@ -240,18 +214,14 @@ bool is_volume(const Read &read, const Way &way, bool rectilinear) {
 }
 
 void try_ways(tap *t) {
-  const char *const names[] = {"text", "binary", "appended raw",
-                               "appended base64"};
   for (int mode = 0; mode < 4; mode++)
     for (int kind = 0; kind < 4; kind++) {
       const bool rectilinear = kind / 2 == 1;
       int n_good = 0;
       for (int bits = 0; bits < 8; bits++)
         for (const int type : TYPES) {
-          const Way way = {static_cast<Way::Mode>(mode),
-                           kind % 2 == 1,
-                           (bits & 1) != 0,
-                           (bits & 2) != 0,
+          const Way way = {{static_cast<Way::Mode>(mode), kind % 2 == 1,
+                            (bits & 1) != 0, (bits & 2) != 0},
                            (bits & 4) != 0,
                            type};
           const std::string text =
@@ -260,7 +230,7 @@ void try_ways(tap *t) {
         }
       ok(t, n_good == 80,
          "%s: %s%s: 10 types, UInt32 and 64, either end first, named or not",
-         rectilinear ? ".vtr" : ".vti", names[mode],
+         rectilinear ? ".vtr" : ".vti", mode_names[mode],
          kind % 2 ? ", compressed" : "");
     }
 }
@@ -452,7 +422,7 @@ void try_faults(tap *t) {
 void try_cuts(tap *t) {
   bool good = true;
   for (int kind = 0; kind < 2; kind++) {
-    const Way way = {Way::RAW, true, true, false, false, VTK_FLOAT};
+    const Way way = {{Way::RAW, true, true, false}, false, VTK_FLOAT};
     const std::string text = kind ? write_grid(way) : write_image(way);
     for (size_t n = 0; n < text.size(); n += 7) {
       const Read r = read(text.substr(0, n), kind == 1);

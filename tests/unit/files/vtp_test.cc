@@ -6,6 +6,7 @@
 #include "common/voxels/voxels.h"
 #include "tests/tap.h"
 #include "tests/unit/files/folder.h"
+#include "tests/unit/files/vtk_ways.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -46,9 +47,8 @@ const struct hsr_object *read(struct hsr_scene *scene,
  * strips; and arrays of all kinds, which must not be read. */
 constexpr int N = 40;
 
-struct Way {
-  enum Mode { TEXT, BINARY, RAW, BASE64 } mode;
-  bool compressed, doubles, long_ids, long_headers, big_endian;
+struct Way : Encoding {
+  bool doubles, long_ids;
 };
 
 double height(int i, int j) {
@@ -103,29 +103,7 @@ void make_sheet(vtkPolyData *sheet, const Way &way) {
 }
 
 std::string write(vtkPolyData *data, const Way &way) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToOutputStringOn();
-  writer->SetBlockSize(4096);
-  if (way.compressed)
-    writer->SetCompressorTypeToZLib();
-  else
-    writer->SetCompressorTypeToNone();
-  if (way.long_headers)
-    writer->SetHeaderTypeToUInt64();
-  else
-    writer->SetHeaderTypeToUInt32();
-  if (way.big_endian)
-    writer->SetByteOrderToBigEndian();
-  else
-    writer->SetByteOrderToLittleEndian();
-  writer->SetDataMode(way.mode == Way::TEXT     ? vtkXMLWriter::Ascii
-                      : way.mode == Way::BINARY ? vtkXMLWriter::Binary
-                                                : vtkXMLWriter::Appended);
-  writer->SetEncodeAppendedData(way.mode == Way::BASE64);
-  if (!writer->Write())
-    std::exit(99);
-  return writer->GetOutputString();
+  return write_by_vtk<vtkXMLPolyDataWriter>(data, way, 4096);
 }
 
 bool is_sheet(const struct hsr_object *object, bool doubles) {
@@ -155,18 +133,14 @@ bool is_sheet(const struct hsr_object *object, bool doubles) {
 }
 
 void try_ways(tap *t) {
-  const char *const names[] = {"text", "binary", "appended raw",
-                               "appended base64"};
   for (int mode = 0; mode < 4; mode++)
     for (int compressed = 0; compressed < 2; compressed++) {
       int n_good = 0;
       for (int bits = 0; bits < 16; bits++) {
-        const Way way = {static_cast<Way::Mode>(mode),
-                         compressed == 1,
+        const Way way = {{static_cast<Way::Mode>(mode), compressed == 1,
+                          (bits & 4) != 0, (bits & 8) != 0},
                          (bits & 1) != 0,
-                         (bits & 2) != 0,
-                         (bits & 4) != 0,
-                         (bits & 8) != 0};
+                         (bits & 2) != 0};
         vtkNew<vtkPolyData> sheet;
         make_sheet(sheet, way);
         struct hsr_scene *scene = hsr_scene_new("");
@@ -175,14 +149,14 @@ void try_ways(tap *t) {
       }
       ok(t, n_good == 16,
          "%s%s: Float32 and 64, Int32 and 64, UInt32 and 64, either end first",
-         names[mode], compressed ? ", compressed" : "");
+         mode_names[mode], compressed ? ", compressed" : "");
     }
 }
 
 /* VTK reads the tags 4096 bytes at a time. Here the tag of the appended data
  * lies at every place around such a border. */
 void try_borders(tap *t) {
-  const Way way = {Way::RAW, true, true, true, false, false};
+  const Way way = {{Way::RAW, true, false, false}, true, true};
   vtkNew<vtkPolyData> sheet;
   make_sheet(sheet, way);
   const std::string text = write(sheet, way);

@@ -2,60 +2,19 @@
 /* The judge of lines that are drawn as pixels, by pictures that are wrong in
  * known ways.
  *
- * In 48 x 48 pixels, 6 of which are one unit, a square of side 2 hangs before a
- * strip of 6 x 1, and hides the middle third of it. The square's sides are at
- * 18 and 30; the strip's ends at 6 and 42, its long sides at 21 and 27. */
+ * In 48 x 48 pixels, 6 of which are one unit, the square's sides are at 18 and
+ * 30; the strip's ends at 6 and 42, its long sides at 21 and 27. */
 #include "bench/peers/lines/line_pixels.h"
-#include "bench/peers/lines/lines.h"
-
-#include "tests/tap.h"
+#include "tests/unit/peers/strip.h"
 
 #include <stdlib.h>
 
 enum { SIZE = 48, SQUARE = 0, STRIP = 1 };
 
 struct bench {
-  struct hsr_scene *scene;
-  struct hsr_world world;
-  struct hsr_view view;
-  struct hsr_edges edges;
-  struct hsr_drawing right;
+  struct strip strip;
   uint32_t pixel[SIZE * SIZE];
 };
-
-static bool add_rectangle(struct hsr_scene *scene, double half_x, double half_y,
-                          double z) {
-  static const uint32_t corner[4] = {0, 1, 2, 3};
-  struct hsr_object *object = hsr_scene_object(scene, "rectangle");
-  return object && !hsr_object_vertex(object, -half_x, -half_y, z, NULL) &&
-         !hsr_object_vertex(object, half_x, -half_y, z, NULL) &&
-         !hsr_object_vertex(object, half_x, half_y, z, NULL) &&
-         !hsr_object_vertex(object, -half_x, half_y, z, NULL) &&
-         !hsr_object_face(object, corner, 4, NULL);
-}
-
-static void open_bench(struct bench *b) {
-  const struct hsr_camera camera = {
-      .eye = {0, 0, 5}, .up = {0, 1, 0}, .fov = 45, .parallel = 8};
-  struct hsr_error err;
-  *b = (struct bench){.scene = hsr_scene_new("strip")};
-  if (!b->scene || !add_rectangle(b->scene, 1, 1, 1) ||
-      !add_rectangle(b->scene, 3, .5, 0) || hsr_scene_finish(b->scene, &err) ||
-      hsr_world_init(&b->world, b->scene, &err) ||
-      hsr_view_init(&b->view, &camera, SIZE, SIZE, &err) ||
-      hsr_edges_init(&b->edges, &b->world, &err) ||
-      lines_draw_right(&b->world, &b->view, &b->right, &err)) {
-    printf("Bail out! no drawing\n");
-    exit(99);
-  }
-}
-
-static void close_bench(struct bench *b) {
-  hsr_drawing_free(&b->right);
-  hsr_edges_free(&b->edges);
-  hsr_world_free(&b->world);
-  hsr_scene_delete(b->scene);
-}
 
 /* Pixels [x0, x1] x [y0, y1]. */
 static void put(struct bench *b, uint32_t face, int x0, int x1, int y0,
@@ -81,7 +40,8 @@ static bool says(struct bench *b, size_t visible, size_t visible_px,
                  size_t hidden, size_t hidden_px) {
   struct pixels_verdict v;
   struct hsr_error err;
-  if (line_pixels_compare(&b->edges, &b->view, b->pixel, &b->right, &v, &err))
+  if (line_pixels_compare(&b->strip.edges, &b->strip.view, b->pixel,
+                          &b->strip.right, &v, &err))
     return false;
   bool good = v.edges == 8 && v.visible == visible &&
               v.visible_px == visible_px && v.hidden == hidden &&
@@ -95,7 +55,7 @@ static bool says(struct bench *b, size_t visible, size_t visible_px,
 int main(void) {
   struct tap tap = plan(8);
   struct bench b;
-  open_bench(&b);
+  open_strip(&b.strip, SIZE, 0);
   put_right(&b);
   ok(&tap, says(&b, 0, 0, 0, 0), "the right picture has no error");
 
@@ -127,6 +87,6 @@ int main(void) {
   put(&b, SQUARE, 6, 15, 21, 21);
   ok(&tap, says(&b, 1, 10, 0, 0),
      "one edge covers another: it is wrong there, the other one is not");
-  close_bench(&b);
+  close_strip(&b.strip);
   return finish(&tap);
 }

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The judge of peers that draw lines, by drawings that are wrong in known ways.
  *
- * A square of side 2 hangs before a strip of 6 x 1, so that the middle thirds
- * of the strip's long edges are hidden. 60 pixels are one unit: the long edges
- * are 360 pixels, all that is visible 1080. */
-#include "bench/peers/lines/lines.h"
-
-#include "tests/tap.h"
+ * Of the strip, 60 pixels are one unit: its long edges are 360 pixels, all that
+ * is visible 1080. */
+#include "tests/unit/peers/strip.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,54 +14,10 @@ enum { MOST_PARTS = 32, N_EDGES = 8 };
 enum { SQUARE, BOTTOM = 4, LEFT, RIGHT, TOP };
 
 struct bench {
-  struct hsr_scene *scene;
-  struct hsr_world world;
-  struct hsr_view view;
-  struct hsr_edges edges;
-  struct hsr_drawing right;
+  struct strip strip;
   struct drawn_part part[MOST_PARTS];
   size_t n;
 };
-
-static void give_up(const char *what) {
-  printf("Bail out! %s\n", what);
-  exit(99);
-}
-
-/* A rectangle at a height z, whose middle is above (0, y). */
-static bool add_rectangle(struct hsr_scene *scene, double half_x, double half_y,
-                          double y, double z) {
-  static const uint32_t corner[4] = {0, 1, 2, 3};
-  struct hsr_object *object = hsr_scene_object(scene, "rectangle");
-  return object && !hsr_object_vertex(object, -half_x, y - half_y, z, NULL) &&
-         !hsr_object_vertex(object, half_x, y - half_y, z, NULL) &&
-         !hsr_object_vertex(object, half_x, y + half_y, z, NULL) &&
-         !hsr_object_vertex(object, -half_x, y + half_y, z, NULL) &&
-         !hsr_object_face(object, corner, 4, NULL);
-}
-
-/* The strip is as much higher up in the picture. */
-static void open_bench(struct bench *b, double higher) {
-  const struct hsr_camera camera = {
-      .eye = {0, 0, 5}, .up = {0, 1, 0}, .fov = 45, .parallel = 8};
-  struct hsr_error err;
-  *b = (struct bench){.scene = hsr_scene_new("strip")};
-  if (!b->scene || !add_rectangle(b->scene, 1, 1, 0, 1) ||
-      !add_rectangle(b->scene, 3, .5, higher, 0) ||
-      hsr_scene_finish(b->scene, &err) ||
-      hsr_world_init(&b->world, b->scene, &err) ||
-      hsr_view_init(&b->view, &camera, 480, 480, &err) ||
-      hsr_edges_init(&b->edges, &b->world, &err) ||
-      lines_draw_right(&b->world, &b->view, &b->right, &err))
-    give_up("no drawing");
-}
-
-static void close_bench(struct bench *b) {
-  hsr_drawing_free(&b->right);
-  hsr_edges_free(&b->edges);
-  hsr_world_free(&b->world);
-  hsr_scene_delete(b->scene);
-}
 
 static void draw(struct bench *b, uint32_t edge, bool visible, double t0,
                  double t1) {
@@ -87,9 +40,9 @@ static void draw_others(struct bench *b, uint32_t but) {
 static struct lines_verdict judge(struct bench *b) {
   struct lines_verdict verdict;
   struct hsr_error err;
-  if (lines_compare(&b->edges, &b->view, b->part, b->n, &b->right, &verdict,
-                    &err))
-    give_up("no verdict");
+  if (lines_compare(&b->strip.edges, &b->strip.view, b->part, b->n,
+                    &b->strip.right, &verdict, &err))
+    bail("no verdict");
   return verdict;
 }
 
@@ -115,7 +68,7 @@ static bool says(const struct lines_verdict *v, size_t visible, size_t hidden,
 
 static void test_errors(struct tap *tap) {
   struct bench b;
-  open_bench(&b, 0);
+  open_strip(&b.strip, 480, 0);
   draw_others(&b, UINT32_MAX);
   struct lines_verdict v = judge(&b);
   ok(tap, says(&v, 0, 0, 0, 0) && v.wrong == 0 && v.disputed == 0,
@@ -156,13 +109,13 @@ static void test_errors(struct tap *tap) {
   v = judge(&b);
   ok(tap, says(&v, 0, 0, 0, .006) && v.wrong == 0,
      "less than a hundredth of a pixel is measured, and not counted");
-  close_bench(&b);
+  close_strip(&b.strip);
 }
 
 /* The strip's upper edge is seen along the square's. */
 static void test_disputes(struct tap *tap) {
   struct bench b;
-  open_bench(&b, .5);
+  open_strip(&b.strip, 480, .5);
   draw_others(&b, TOP);
   draw(&b, TOP, true, 0, 1);
   struct lines_verdict v = judge(&b);
@@ -178,7 +131,7 @@ static void test_disputes(struct tap *tap) {
   v = judge(&b);
   ok(tap, v.wrong == 1 && v.disputed == 0,
      "an edge that is missing, and only in part disputed, is wrong");
-  close_bench(&b);
+  close_strip(&b.strip);
 }
 
 int main(void) {

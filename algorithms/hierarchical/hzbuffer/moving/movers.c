@@ -16,6 +16,7 @@ static bool new_node(struct hsr_movers *m, uint32_t *made) {
   return true;
 }
 
+/* Puts mover k at the head of a list. */
 static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
   m->mover[k].next = *first;
   *first = k;
@@ -47,7 +48,7 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
   return HSR_OK;
 }
 
-/* Only a tree that is kept has octants in which nothing is. */
+/* Only an octree that is kept may have empty octants. */
 uint32_t hsr_mover_octant(const struct hsr_movers *m, uint32_t node, int o) {
   uint32_t child = hsr_mover_node(m, node)->child[o];
   return m->is_kept && child != HSR_NO_NODE &&
@@ -99,7 +100,7 @@ bool hsr_movers_divide_all(struct hsr_movers *m, uint32_t node,
   return true;
 }
 
-/* --- A tree that is kept -------------------------------------------------- */
+/* --- An octree that is kept ----------------------------------------------- */
 
 enum { DEEPEST = 16 };
 
@@ -127,8 +128,9 @@ static void take_out(struct hsr_movers *m, uint32_t k) {
   *link = m->mover[k].next;
 }
 
-/* The first cube that holds the bounds, from `from` upwards. Those that do not
- * have one mover less in them. */
+/* Goes up from a node to the first whose cube holds the bounds; HSR_NO_NODE:
+ * not even the root's does. The nodes that are left have one mover less
+ * below. */
 static uint32_t go_up(struct hsr_movers *m, uint32_t from,
                       const struct hsr_box *bounds) {
   while (from != HSR_NO_NODE) {
@@ -142,7 +144,8 @@ static uint32_t go_up(struct hsr_movers *m, uint32_t from,
   return HSR_NO_NODE;
 }
 
-/* Goes down from *at to the smallest octant that holds mover k. */
+/* Goes down from *at to the smallest octant that holds the bounds of mover k,
+ * and makes octants on the way. False: out of memory. */
 static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
   for (int depth = 0; depth < DEEPEST; depth++) {
     struct hsr_mover_node *node = hsr_mover_node(m, *at);
@@ -172,7 +175,8 @@ static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
                                                   : false;
 }
 
-/* Lists all as outside. Those of which enough is known come first. */
+/* Lists all movers, as outside of the root's cube for now. Those of which
+ * enough is known come first. */
 static void list_movers(struct hsr_movers *m, const struct hsr_cubes *cubes) {
   uint32_t k = 0;
   for (int known = 1; known >= 0; known--) {
@@ -204,8 +208,8 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   return HSR_OK;
 }
 
-/* A box that holds mover k until it is looked at again. It is enlarged by what
- * the sums may round off. */
+/* A box that holds mover k until it is looked at again, enlarged by what
+ * rounding may take off. */
 static struct hsr_box volume_of(const struct hsr_movers *m,
                                 const struct hsr_cubes *cubes, uint32_t k) {
   uint32_t i = m->mover[k].instance;
@@ -225,7 +229,9 @@ static struct hsr_box volume_of(const struct hsr_movers *m,
   return box;
 }
 
-/* Looks at mover k. Puts it into another cube if its own does not hold it. */
+/* Looks at mover k, and puts it into another cube if its own does not hold its
+ * bounds any more. A mover outside moves in as soon as the root's cube holds
+ * it. False: out of memory. */
 static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
                       uint32_t k) {
   struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
@@ -252,7 +258,7 @@ static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
   return true;
 }
 
-/* The same of every `step`-th one from `first` on, before `end`. */
+/* put_again for movers first, first + step and so on, below `end`. */
 static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
                      uint32_t first, uint32_t end, uint32_t step) {
   bool good = true;
@@ -261,9 +267,11 @@ static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
   return good;
 }
 
-/* Looks at the known ones whose turn it is: a part of them in each frame, so
- * that each is looked at once in ->every frames. All of them, if so many frames
- * were left out, or time goes back. */
+/* Looks at the movers of which enough is known, if it is their turn. If their
+ * speed is known, the movers k with k = frame modulo ->every have their turn,
+ * so each has one in ->every frames; the turns of frames that were left out are
+ * made up for. In the first frame all have their turn; by speed also if ->every
+ * frames or more were left out, or if time goes back. */
 static bool put_known(struct hsr_movers *m, const struct hsr_cubes *cubes,
                       bool begins) {
   long frame = hsr_scene_frame(cubes->scene), last = m->frame;

@@ -51,8 +51,8 @@ static bool add_member(struct hsr_space_time *t, const struct hsr_member *m) {
   return true;
 }
 
-/* Bounds an instance in the interval of the newest cluster, and adds it: false
- * in *known if its way is not known. */
+/* Bounds an instance in the interval of the newest cluster, and adds it to
+ * that. *known becomes false if its way is not known. False: out of memory. */
 static bool bound(struct hsr_space_time *t, uint32_t instance, bool *known) {
   uint32_t k = (uint32_t)t->cluster.n - 1;
   const struct hsr_cluster *c = hsr_cluster_at(t, k);
@@ -98,6 +98,7 @@ static int half_of(const struct hsr_space_time *t,
   return hsr_scene_frame(t->scene) > c->from + (c->to - c->from) / 2;
 }
 
+/* Makes a half in time of cluster k: its members, bounded anew. */
 static bool make_half(struct hsr_space_time *t, uint32_t k, int half) {
   struct hsr_cluster c = *hsr_cluster_at(t, k);
   long last = c.from + (c.to - c.from) / 2;
@@ -111,9 +112,9 @@ static bool make_half(struct hsr_space_time *t, uint32_t k, int half) {
   return good;
 }
 
-/* Whether member j goes into the upper part: its middle is above the mean of
- * all middles along an axis. `alike`: all are on one side of the mean; then the
- * second half of them does. */
+/* Does member j go into the upper part? It does if its middle is above the mean
+ * of all middles along the axis. If none is, or all are (`alike`), the second
+ * half of the members does. */
 static bool is_above(const struct hsr_space_time *t,
                      const struct hsr_cluster *c, int axis, double mean,
                      bool alike, uint32_t j) {
@@ -121,6 +122,7 @@ static bool is_above(const struct hsr_space_time *t,
                : middle(&hsr_member_at(t, c->first + j)->box, axis) > mean;
 }
 
+/* Makes the two parts in space of cluster k. */
 static bool divide_in_space(struct hsr_space_time *t, uint32_t k) {
   struct hsr_cluster c = *hsr_cluster_at(t, k);
   int axis = longest_axis(&c.box);

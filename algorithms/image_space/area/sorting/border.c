@@ -14,7 +14,8 @@
 
 void *hsr_clipper_item(struct hsr_clipper *c, struct hsr_growing *array,
                        size_t size) {
-  if (!hsr_arena_grow(c->arena, array, size)) {
+  if (hsr_named_lines_failed(c->lines) ||
+      !hsr_arena_grow(c->arena, array, size)) {
     c->failed = true;
     return NULL;
   }
@@ -22,6 +23,7 @@ void *hsr_clipper_item(struct hsr_clipper *c, struct hsr_growing *array,
 }
 
 struct hsr_knot *hsr_clipper_knot(struct hsr_clipper *c, uint32_t point) {
+  /* After a failure a point may have no number; then there is no item. */
   while (c->knots.n <= point) {
     struct hsr_knot *knot = HSR_CLIPPER_NEW(c, &c->knots, struct hsr_knot);
     if (!knot)

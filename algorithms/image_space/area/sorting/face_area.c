@@ -11,8 +11,8 @@
  *             They are divided where they meet, and one that an even number of
  *             edges share is no border. On which side of a strand the area lies
  *             is told by the definition's parity beside its middle.
- * Beyond near the areas are then clipped by the face's horizon, behind which its
- *             plane is met behind the eye, and by its near line, where they
+ * Beyond near the areas are then clipped by the face's horizon, behind which
+ *             its plane is met behind the eye, and by its near line, where they
  *             reach beyond these. */
 #include "algorithms/image_space/area/sorting/areas.h"
 
@@ -161,7 +161,7 @@ static void add_stretch(struct stretches *s, uint32_t line, uint32_t from,
       HSR_CLIPPER_NEW(c, &s->edges, struct hsr_border_edge);
   double d[2];
   hsr_line_direction(c->lines, line, d);
-  if (e) /* its sign is that of a walk from `from` to `to` */
+  if (e) /* its sign is such that it runs from `from` to `to` */
     *e = hsr_border_make(c, line, d[axis] > 0 ? 1 : -1, from, to);
 }
 
@@ -172,10 +172,10 @@ static uint32_t earlier(struct stretches *s, uint32_t p, uint32_t q, int axis) {
   return hsr_crossing_compare(s->c->lines, p, q, axis) <= 0 ? p : q;
 }
 
-/* An edge in line with the eye does not cross rows. So where a row passes an end
- * of the edge, the parity changes: left of the end's image, or right of it if
- * the end is behind the eye. The ends of an edge that does not pass through the
- * eye have one image, and what is added for them is added twice. */
+/* An edge in line with the eye does not cross rows. So where a row passes an
+ * end of the edge, the parity changes: left of the end's image, or right of it
+ * if the end is behind the eye. The ends of an edge that does not pass through
+ * the eye have one image, and what is added for them is added twice. */
 static void add_rows(struct stretches *s, const struct hsr_world *world,
                      uint32_t face, uint32_t k) {
   struct hsr_clipper *c = s->c;
@@ -267,9 +267,9 @@ static uint32_t count_alike(struct hsr_clipper *c, uint32_t k,
 }
 
 /* Adds a strand to the border, if the area is on one side of it only. A point
- * beside a strand, displaced as samples are, is on the right of one that runs to
- * the right, and on the left of one that runs straight down or up. Beyond the
- * picture there is no area. */
+ * beside a strand, displaced as samples are, is on the right of one that runs
+ * to the right, and on the left of one that runs straight down or up. Beyond
+ * the picture there is no area. */
 static void add_strand(struct hsr_clipper *c, uint32_t face, uint32_t k,
                        uint32_t n_border) {
   bool first;
@@ -292,7 +292,7 @@ static void add_strand(struct hsr_clipper *c, uint32_t face, uint32_t k,
   }
   if (positive == negative)
     return;
-  /* One who has the positive side on the right walks along d. */
+  /* d runs so that the positive side is on the right of it. */
   int sign = positive ? 1 : -1;
   if (sign != e.sign)
     e = hsr_border_make(c, e.line, sign, e.to, e.from);

@@ -129,7 +129,7 @@ static struct hsr_loose_edge *follow(struct hsr_clipper *c,
 }
 
 /* Puts the edges of the cycle that begins with `first` into the path. */
-static void walk(struct hsr_clipper *c, struct hsr_loose_edge *first) {
+static void trace_cycle(struct hsr_clipper *c, struct hsr_loose_edge *first) {
   c->path.n = 0;
   for (struct hsr_loose_edge *e = first; e && !e->taken;
        e = follow(c, &e->edge)) {
@@ -184,7 +184,7 @@ static void trace(struct hsr_clipper *c) {
   tie(c);
   for (uint32_t k = 0; k < c->border.n && !c->failed && !c->faulty; k++)
     if (!loose_edge(c, k)->taken) {
-      walk(c, loose_edge(c, k));
+      trace_cycle(c, loose_edge(c, k));
       if (!c->failed && !c->faulty)
         add_cycle(c);
     }
@@ -222,8 +222,8 @@ static bool is_first(struct hsr_clipper *c, uint32_t p, uint32_t q) {
   return by ? by < 0 : hsr_crossing_compare(c->lines, p, q, 1) < 0;
 }
 
-/* At the first of its points an outer cycle turns towards its interior, as often
- * as it passes there. A hole turns away there once. */
+/* At the first of its points an outer cycle turns towards its interior, as
+ * often as it passes there. A hole turns away there once. */
 static bool turns_inward(struct hsr_clipper *c, const struct hsr_border_edge *e,
                          uint32_t n) {
   uint32_t first = e[0].from;

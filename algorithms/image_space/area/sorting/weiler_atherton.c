@@ -31,6 +31,7 @@
  * Cost        every polygon is examined once at least, and once more for each
  *             clip polygon that is taken before it and does not remove it. */
 #include "algorithms/image_space/area/sorting/area_slots.h"
+#include "common/answers/kinds/polygons.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -381,7 +382,8 @@ static const struct hsr_counter counters[] = {
                   "polygons examined against a clip polygon; what of them is "
                   "left is examined again",
                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                  "boxes apart|outside|divided or inside"},
+                  "boxes apart|outside|divided or inside",
+                  .key = "examination"},
     [CLIPPED] = {"pieces", "pieces that clipping made, inside and outside",
                  HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE, "inside|outside"},
     [COMPARED] = {"depth comparisons",
@@ -439,7 +441,7 @@ const struct hsr_algorithm HSR_ALGORITHM(weiler_atherton) = {
     .coherence = "area: a polygon hides all that is behind it at once",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_POLYGONS,
+    .makes = {{HSR_POLYGONS}},
     .sorts = sorts,
     .counters = counters,
     .steps = steps,

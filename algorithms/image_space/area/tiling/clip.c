@@ -29,7 +29,7 @@ bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box) {
   return some;
 }
 
-/* A box that holds the piece at hand. */
+/* A box that holds the current piece. */
 static struct hsr_box box_of(const struct hsr_pieces_view *p) {
   const struct hsr_bsp *bsp = p->bsp;
   const double *at[3] = {bsp->x, bsp->y, bsp->z};
@@ -45,6 +45,8 @@ static struct hsr_box box_of(const struct hsr_pieces_view *p) {
   return box;
 }
 
+/* The line on the screen where the piece's plane meets the plane x = at across
+ * an axis; it is positive within the region. */
 static struct hsr_mask_line line_of(const struct hsr_clip *clip, int axis,
                                     bool is_above, double at) {
   const struct hsr_pieces_view *p = clip->pieces;
@@ -87,6 +89,7 @@ static int side_of_plane(const struct hsr_clip *clip, int axis, double at,
                            sx, sy, p->tally);
 }
 
+/* `inside` of the clipped polygon: a line of the piece, or of a plane. */
 static bool within(void *context, uint32_t k, double sx, double sy) {
   struct hsr_clip *clip = context;
   struct hsr_pieces_view *p = clip->pieces;

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/area/tiling/frame.h"
+#include "common/answers/kinds/filtered.h"
 
 #include <stdlib.h>
 
-enum { SPARE_LINES = 8 }; /* of a silhouette; or near, and clips */
+/* Lines that a polygon may have besides those of its corners, for near and for
+ * clips (clip.h); also enough for the silhouette of a box. */
+enum { SPARE_LINES = 8 };
 
 /* --- Where the samples are ------------------------------------------------ */
 
@@ -40,8 +43,8 @@ void hsr_sampling_free(struct hsr_sampling *s) {
   hsr_triage_free(&s->tables);
 }
 
-/* Samples along a side of a pixel: a mask; or of box64x64, a level more, 8 x 8
- * masks. */
+/* Samples along a side of a pixel. Not filtered: 1. Filtered: 8, one mask a
+ * pixel; by box64x64 64, which is 8 x 8 masks, a level more. */
 static int side_of(const struct hsr_filtering *filtering) {
   return filtering->filter ? HSR_SUB * hsr_filter_cells(filtering->filter) : 1;
 }
@@ -57,7 +60,8 @@ int hsr_tiling_pattern(const struct hsr_job *job) {
                                                          : HSR_MOST_PATTERNS;
 }
 
-/* The samples of a view that is not filtered may be displaced, all alike. */
+/* The places of samples in a mask if the view displaces all samples alike, as
+ * it may if the picture is not filtered. NULL: out of memory. */
 static struct hsr_mask_places *displaced(const struct hsr_job *job,
                                          const struct hsr_view *view) {
   struct hsr_mask_places *places =
@@ -146,23 +150,27 @@ static const struct hsr_counter counters[] = {
     {"cubes tested",
      "cubes, and boxes of instances, whose silhouettes "
      "were tiled",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible",
+     .key = "cube-tested"},
     {"cubes culled", "of these, those that are hidden", HSR_REJECT, HSR_OF_CELL,
-     HSR_OF_WINDOW},
+     HSR_OF_WINDOW, .key = "cube-culled"},
     {"cube cells", "cells of the mask pyramid visited for them", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES},
+     HSR_OF_CELL, HSR_OF_CELL, HSR_MASK_VISIT_OUTCOMES, .key = "cube-cell"},
     {"polygon cells",
      "cells of the mask pyramid visited for polygons, "
      "and the background",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_MASK_VISIT_OUTCOMES},
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_MASK_VISIT_OUTCOMES,
+     .key = "polygon-cell"},
     {"finest cells", "of all these, those of the finest level", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+     HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES,
+     .key = "finest-cell"},
     {"pixel cells", "of all these, those as large as a pixel or larger",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES},
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, HSR_MASK_VISIT_OUTCOMES,
+     .key = "pixel-cell"},
     {"samples",
      "written by masks, each once; of a filtered "
      "picture, 64 a pixel, or 4096",
-     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+     HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW, .key = "sample"},
     {"unsure samples", "put to the exact predicates", HSR_SAMPLE, HSR_OF_FACE,
      HSR_OF_WINDOW, "not covered|covered"},
     {NULL}};

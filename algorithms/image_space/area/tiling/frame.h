@@ -1,41 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the modules that tile with masks share: where the samples of a picture
- * are, filtered or not; how a module and a frame begin; the test of cubes; and
- * the counters.
+/* What the modules that tile with masks share (tiling, tiling-merged,
+ * tiling-lazy, tiling-solids): where the samples of a picture are, filtered or
+ * not; how a module and a frame begin; the test of cubes; and the counters.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 3.1, 4.3, 4.5 and 5.
- * Notation    a cube is the subject HSR_CELL(number, instance, 0): its number
- *             in the tree of that instance, or HSR_NO_ID where there is one
- *             tree for all. A cell of the mask pyramid is HSR_CELL(level,
- *             column, row); level 0 is the root.
- * Invariant   a cube is hidden if the mask pyramid has its silhouette covered
+ * Notation    As subjects of steps: a cube is HSR_CELL(number, instance, 0),
+ *             its number being that in the octree of the instance; the instance
+ *             is HSR_NO_ID if one octree has all faces. A cell of the mask
+ *             pyramid is HSR_CELL(level, column, row); level 0 is the root.
+ * Invariant   a cube is hidden if all samples within its silhouette are covered
  */
 #ifndef HSR_ALGORITHMS_TILING_FRAME_H
 #define HSR_ALGORITHMS_TILING_FRAME_H
 
 #include "algorithms/engines/masks/canvas.h"
 #include "algorithms/engines/masks/polygon.h"
+#include "common/answers/filter.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
 enum { HSR_PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
 
+/* What does not depend on the scene or the view. */
 struct hsr_sampling {
-  struct hsr_triage_tables tables;
-  struct hsr_mask_places places[HSR_PATTERNS];
-  struct hsr_kernel cosine, field;
+  struct hsr_triage_tables tables;             /* the masks of lines */
+  struct hsr_mask_places places[HSR_PATTERNS]; /* of the samples in a mask */
+  struct hsr_kernel cosine, field;             /* of the filters */
 };
 
-enum { HSR_TILING_INTERVALS = 64 }; /* the paper's, of a side */
+enum {
+  HSR_TILING_INTERVALS = 64
+}; /* a side of a square has, as in the paper */
 
-/* Makes what a module keeps from frame to frame: `size` bytes that begin with a
- * struct hsr_sampling; all the others are 0. HSR_E_NOMEM: then, too, *prepared
- * is the module's to release, which frees the sampling. */
+/* Allocates what a module keeps from frame to frame: *prepared, of `size`
+ * bytes. It begins with a struct hsr_sampling, which is filled in, with tables
+ * of so many intervals a side; the rest is 0. Also after a failure *prepared is
+ * the module's to free, unless it is NULL, and first its sampling by
+ * hsr_sampling_free. HSR_E_NOMEM. */
 enum hsr_status hsr_tiling_prepare(size_t size, long intervals, void **prepared,
                                    struct hsr_error *err);
 void hsr_sampling_free(struct hsr_sampling *sampling);
@@ -53,32 +59,36 @@ struct hsr_tiling {
   struct hsr_mask_sink sink; /* to the canvas */
 };
 
-/* With room for such trees; `tiling` must stay where it is. HSR_E_NOMEM. */
+/* Begins a frame of `job`, with a vacant mask pyramid and room for trees of
+ * that size. All is borrowed while *tiling is in use, which must stay where it
+ * is: its sink points into it. Memory from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_tiling_begin(struct hsr_tiling *tiling,
                                  const struct hsr_sampling *sampling,
                                  const struct hsr_job *job,
                                  struct hsr_pieces_room room);
 
-/* Makes other room. HSR_E_NOMEM. */
+/* Makes room for trees of another size. HSR_E_NOMEM. */
 enum hsr_status hsr_tiling_room(struct hsr_tiling *tiling,
                                 struct hsr_pieces_room room);
 
-/* The first of the patterns that a job needs. */
+/* The first of the patterns of jitter that a job needs, as an index of
+ * sampling->places[]. */
 int hsr_tiling_pattern(const struct hsr_job *job);
 
-/* Whether anything within a box that is moved may be seen; if `tested`, the
- * masks are asked, and not the window alone. hsr_tiling_whom has named the
- * cube. */
+/* May anything be seen of a box, moved by `shift`? If `tested`, its silhouette
+ * is tiled against the masks; otherwise only the window is asked. What it
+ * visits is counted for the cube that hsr_tiling_whom has named. */
 bool hsr_tiling_is_visible(struct hsr_tiling *tiling, const struct hsr_box *box,
                            const double shift[3], bool tested);
 
-/* Tiles whatever is vacant still, and of no polygon. */
+/* Tiles the background into all samples that are still vacant. */
 void hsr_tiling_background(struct hsr_tiling *tiling);
 
 /* --- Counters ------------------------------------------------------------- */
 
-/* What tiling with masks counts. The groups of lines: the test of a cube; listing 1;
- * its samples. */
+/* What tiling with masks counts; frame.c has the meanings, in this order.
+ * Groups of lines of its outline: the test of a cube; the cells of listing 1;
+ * the samples. */
 extern const struct hsr_part hsr_tiling_part;
 enum {
   HSR_CUBES_TESTED = HSR_FIRST_OF(HSR_PART_TILING),
@@ -92,7 +102,8 @@ enum {
 };
 enum { HSR_CUBE_LINES, HSR_CELL_LINES, HSR_SAMPLE_LINES };
 
-/* For whom cells are visited from now on: a face, or a cube. */
+/* From now on visits of cells are counted for `whom`: a face that is tiled, or
+ * a cube that is tested. */
 static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
                                    struct hsr_subject whom) {
   if (!HSR_COUNTING)
@@ -102,8 +113,8 @@ static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
   tiling->masks.count.whom = whom;
 }
 
-/* Counts a cube whose silhouette has been tiled: hsr_tiling_whom has named it,
- * and the silhouette is that of the pieces at hand. */
+/* Counts the test of a cube, whose silhouette has been tiled: the cube that
+ * hsr_tiling_whom has named, and the box that hsr_pieces_box was given last. */
 static inline void hsr_tiling_count_test(const struct hsr_tiling *tiling,
                                          bool visible) {
   struct hsr_tally *tally = tiling->job->tally;

@@ -39,10 +39,11 @@ static bool lies_in(const struct hsr_object *object, uint32_t f, int k,
   return true;
 }
 
-/* A number with the sign of component k of the normal of a convex face: the sum
- * of the turns of its corners about the first, all of which have one sign or
- * are 0. */
-static double turn(const struct hsr_object *object, uint32_t f, int k) {
+/* A number with the sign of component k of the normal of a convex face: twice
+ * the areas of the triangles about its first corner, as seen along axis k. All
+ * have one sign or are 0, so their sum has the right sign in spite of
+ * rounding. */
+static double normal_sign(const struct hsr_object *object, uint32_t f, int k) {
   int a = (k + 1) % 3, b = (k + 2) % 3;
   const double *xyz = object->xyz;
   const uint32_t *vertex = object->vertex + object->start[f];
@@ -57,8 +58,9 @@ static double turn(const struct hsr_object *object, uint32_t f, int k) {
   return sum;
 }
 
-/* No face in a side of the object's box can be seen from within the box. */
-static bool is_closed_off(const struct hsr_object *object) {
+/* Does each face that lies in a side of the object's box look outward? Then
+ * none of them can be seen from within the box. */
+static bool looks_outward(const struct hsr_object *object) {
   struct hsr_box box = box_of(object);
   for (uint32_t f = 0; f < object->n_faces; f++)
     for (int k = 0; k < 3; k++) {
@@ -66,7 +68,7 @@ static bool is_closed_off(const struct hsr_object *object) {
       bool high = lies_in(object, f, k, box.hi[k]);
       if (!low && !high)
         continue;
-      double outward = turn(object, f, k);
+      double outward = normal_sign(object, f, k);
       if (!object->one_sided || (low && !(outward < 0)) ||
           (high && !(outward > 0)))
         return false;
@@ -96,8 +98,9 @@ static int compare_keys(const void *a, const void *b) {
   return (k->instance > l->instance) - (k->instance < l->instance);
 }
 
-/* Sorts n instances along an axis and finds the most even division of them by a
- * plane. Returns how many are below; 0 if there is no such plane. */
+/* Sorts n instances along an axis, and finds the plane across it that separates
+ * them most evenly. Returns how many are below it; 0: no plane separates
+ * them. */
 static uint32_t divide(const struct ordering *o, uint32_t *instance, uint32_t n,
                        int axis, struct key *key, double *at) {
   for (uint32_t k = 0; k < n; k++)
@@ -127,8 +130,8 @@ static void enclose(struct hsr_box *box, const struct hsr_box *more) {
   }
 }
 
-/* Puts n instances in order: false if they cannot be, or the order is too deep.
- */
+/* Makes the nodes of n instances, *number being the topmost. False if no plane
+ * separates some of them, or if the nodes are nested too deep. */
 static bool put_in_order(struct ordering *o, uint32_t *instance, uint32_t n,
                          int depth, struct key *key, uint32_t *number) {
   struct hsr_grove *g = o->grove;
@@ -162,7 +165,8 @@ static bool put_in_order(struct ordering *o, uint32_t *instance, uint32_t n,
   return true;
 }
 
-/* Boxes of all instances: *fit is false if one is not exact. */
+/* Finds the boxes of all instances. *fit becomes false if an instance is not
+ * its object moved exactly, or may move from frame to frame. */
 static enum hsr_status place(struct hsr_grove *g, struct hsr_box *box,
                              bool *fit) {
   const struct hsr_scene *scene = g->world->roster.scene;
@@ -196,7 +200,8 @@ static enum hsr_status place(struct hsr_grove *g, struct hsr_box *box,
   return HSR_OK;
 }
 
-/* Makes the nodes: *fit is false if the instances cannot be put in order. */
+/* Makes the nodes of all instances. *fit becomes false if they cannot be put in
+ * order. */
 static enum hsr_status order_instances(struct hsr_grove *g, bool *fit) {
   const struct hsr_scene *scene = g->world->roster.scene;
   size_t n = scene->n_instances;
@@ -209,7 +214,7 @@ static enum hsr_status order_instances(struct hsr_grove *g, bool *fit) {
   if (!status && *fit) {
     struct ordering ordering = {.grove = g, .box = box, .may_touch = true};
     for (uint32_t k = 0; k < scene->n_objects; k++)
-      ordering.may_touch &= is_closed_off(&scene->objects[k]);
+      ordering.may_touch &= looks_outward(&scene->objects[k]);
     for (uint32_t k = 0; k < n; k++)
       instance[k] = k;
     uint32_t root;
@@ -251,7 +256,7 @@ static enum hsr_status check_faces(const struct hsr_world *world,
   return hsr_check_unadapted(world, what, err);
 }
 
-/* The median planes of an object's cubes must be moved exactly, too. */
+/* The median planes of an object's octree must be moved exactly, too. */
 static enum hsr_status check_medians(const struct hsr_grove *g, uint32_t object,
                                      const struct hsr_bsp *bsp,
                                      struct hsr_error *err) {
@@ -273,9 +278,10 @@ static enum hsr_status check_medians(const struct hsr_grove *g, uint32_t object,
   return HSR_OK;
 }
 
-static enum hsr_status plant(struct hsr_grove *g, uint32_t object,
-                             const struct hsr_bsp_rule *rule,
-                             struct hsr_error *err) {
+/* Makes the tree of one object. */
+static enum hsr_status make_tree(struct hsr_grove *g, uint32_t object,
+                                 const struct hsr_bsp_rule *rule,
+                                 struct hsr_error *err) {
   struct hsr_grove_tree *tree = &g->tree[object];
   tree->scene = *g->world->roster.scene;
   tree->scene.objects = &g->world->roster.scene->objects[object];
@@ -296,7 +302,7 @@ static enum hsr_status plant(struct hsr_grove *g, uint32_t object,
   return status;
 }
 
-static void fell(struct hsr_grove *g) {
+static void free_trees(struct hsr_grove *g) {
   for (uint32_t k = 0; k < g->n_trees; k++) {
     hsr_bsp_free(&g->tree[k].bsp);
     hsr_world_free(&g->tree[k].world);
@@ -304,24 +310,25 @@ static void fell(struct hsr_grove *g) {
   g->n_trees = 0;
 }
 
-/* A tree an object. */
-static enum hsr_status plant_all(struct hsr_grove *g,
-                                 const struct hsr_bsp_rule *rule,
-                                 struct hsr_error *err) {
+/* Makes a tree for each object. */
+static enum hsr_status make_trees(struct hsr_grove *g,
+                                  const struct hsr_bsp_rule *rule,
+                                  struct hsr_error *err) {
   const struct hsr_scene *scene = g->world->roster.scene;
   enum hsr_status status = HSR_OK;
   g->tree = HSR_NEW_ZEROED(&g->arena, struct hsr_grove_tree, scene->n_objects);
   if (!g->tree)
     return hsr_fail_nomem(err);
   for (uint32_t k = 0; k < scene->n_objects && !status; k++)
-    status = plant(g, k, rule, err);
+    status = make_tree(g, k, rule, err);
   return status;
 }
 
-static enum hsr_status plant_whole(struct hsr_grove *g,
-                                   const struct hsr_bsp_rule *rule,
-                                   struct hsr_error *err) {
-  fell(g);
+/* Makes one tree of all faces. */
+static enum hsr_status make_whole(struct hsr_grove *g,
+                                  const struct hsr_bsp_rule *rule,
+                                  struct hsr_error *err) {
+  free_trees(g);
   g->is_whole = true;
   enum hsr_status status = hsr_bsp_init(&g->whole, g->world, rule, err);
   if (!status)
@@ -334,24 +341,22 @@ enum hsr_status hsr_grove_init(struct hsr_grove *g,
                                const struct hsr_bsp_rule *rule,
                                struct hsr_error *err) {
   *g = (struct hsr_grove){.world = world};
-  bool outline = hsr_is_roster(world);
-  bool fit =
-      outline || (!world->pieces && world->roster.scene->n_instances > 1);
+  bool roster = hsr_is_roster(world);
+  bool fit = roster || (!world->pieces && world->roster.scene->n_instances > 1);
   if (fit && order_instances(g, &fit))
     return hsr_fail_nomem(err);
-  if (!fit && outline)
+  if (!fit && roster)
     return hsr_fail(err, HSR_E_REFUSED,
                     "its instances cannot be put in order: they are not all "
                     "moved only, and separated by planes across the axes");
   if (!fit)
-    return plant_whole(g, rule, err);
-  enum hsr_status status = plant_all(g, rule, err);
-  return status == HSR_E_REFUSED && !outline ? plant_whole(g, rule, err)
-                                             : status;
+    return make_whole(g, rule, err);
+  enum hsr_status status = make_trees(g, rule, err);
+  return status == HSR_E_REFUSED && !roster ? make_whole(g, rule, err) : status;
 }
 
 void hsr_grove_free(struct hsr_grove *g) {
-  fell(g);
+  free_trees(g);
   if (g->is_whole)
     hsr_bsp_free(&g->whole);
   hsr_arena_free(&g->arena);

@@ -4,23 +4,29 @@
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.1.
- * Notation    visit the cubes of an octree from front to back, the polygons of
- *             a cube in any order -> order=tree, the standard
+ * Notation    approximate front-to-back order -> order=tree, the standard: the
+ *             cubes of an octree from front to back, the faces of a cube in any
+ *             order. znear, zfar, fragment, pixel -> lazy_pyramid.h
  * Invariant   the picture is the same for any order (lazy_pyramid.h)
- * Ties        of faces in one plane the lowest number is seen; a sample that is
- *             too close to an edge is decided exactly (polygon.h)
- * Departures  the octree is made of the faces as they are laid out in a frame,
- *             so faces that move need no care. Other orders can be chosen, to
- *             be compared with that one. A face that is not flat is seen on its
- *             plane, which may lie outside its cubes: these come first. See
- *             lazy_pyramid.h, too.
- * Cost        that of tiling, where the order is exact and cells are not deep
+ * Ties        Of faces in one plane the lowest id is seen. A sample that is too
+ *             close to an edge for the error bounds is decided exactly
+ *             (polygon.h).
+ * Departures  - The octree is made once, of the faces as they are laid out in
+ *             the frame's world; faces that move need no care of their own.
+ *             - Other orders can be chosen, to be compared with the standard.
+ *             - A face that is not flat is seen on its plane, which may lie
+ *             outside of its cubes. With order=tree these faces come first.
+ *             - Boxes of what is in a cube are tested, as by `tiling`.
+ *             - Departures of the pyramid are named in lazy_pyramid.h.
+ * Cost        that of tiling, if polygons come from front to back and the
+ *             depths in a cell span little
  */
 #include "algorithms/algorithm.h"
 #include "algorithms/engines/bsp/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "algorithms/image_space/area/tiling/separate.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/trees/octree.h"
 #include "common/exact/order.h"
 #include "common/exact/predicates.h"
@@ -34,13 +40,13 @@ enum { OCTREE_OFF, OCTREE_ON };
 
 enum { POLYGONS, POLYGONS_HIDDEN };
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
 struct prepared {
-  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
-  struct hsr_bsp separate;      /* the faces as they are */
-  struct hsr_bsp tree;          /* their pieces in order; of some orders only */
-  struct hsr_octree octree;     /* of the faces that are flat; else */
+  struct hsr_sampling sampling; /* must be first: hsr_tiling_prepare */
+  struct hsr_bsp separate;      /* the faces, undivided (separate.h) */
+  struct hsr_bsp tree;          /* order=front, back: their pieces in order */
+  struct hsr_octree octree;     /* order=tree: the octree of the faces */
   struct hsr_arena arena;       /* holds the octree */
   struct hsr_pieces_room room;
 };
@@ -76,8 +82,8 @@ static double area_of(const void *context, uint32_t f) {
               w->mesh.nz[f] * w->mesh.nz[f]);
 }
 
-/* A face is in the smallest cube that holds it; a small one is in all cubes
- * that its box meets. */
+/* Makes the octree. A face is in the smallest cube that holds it, but a small
+ * one is in all octants that its box meets (common/trees/octree.h). */
 static enum hsr_status make_octree(struct prepared *p,
                                    const struct hsr_world *world, long leaf) {
   struct hsr_primitives faces = {world->n_faces, world, bounds_of, area_of,
@@ -102,9 +108,9 @@ static void release(void *prepared) {
   free(p);
 }
 
-/* Of the order of the tree only. */
-static const struct hsr_octree *octree_of(const void *prepared) {
-  return &((const struct prepared *)prepared)->octree;
+/* It is empty unless order=tree. */
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->octree = &((const struct prepared *)prepared)->octree;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world,
@@ -133,7 +139,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
 
 /* --- A frame -------------------------------------------------------------- */
 
-/* A polygon that waits for its turn. */
+/* A polygon that waits for its turn to be tiled: orders other than tree. */
 struct turn {
   const struct hsr_bsp_piece *piece;
   int facing;
@@ -145,9 +151,12 @@ struct frame {
   struct hsr_tiling tiling;
   struct hsr_lazy_pyramid pyramid;
   struct hsr_growing turn; /* struct turn */
-  bool *met;               /* a face, in a cube; or it has no turn */
-  uint16_t (*rgb)[3];      /* of a filtered picture: a face, */
-  bool *has_colour;        /* if it has been found; the last is background */
+  bool *met; /* by face. order=tree: it has been tiled. order=front, back: it is
+                loose, and gets no turn */
+  uint16_t (
+      *rgb)[3];     /* of a filtered picture: the colours of faces, and last of
+                         the background, */
+  bool *has_colour; /* where they have been found */
 };
 
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
@@ -167,7 +176,8 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
                         &f->tiling.view, job->tally, arena);
 }
 
-/* Makes a tree, with all of its points, the one whose pieces are tiled. */
+/* From now on the pieces that are tiled are those of this tree. All of its
+ * points are taken to the screen. */
 static void take_tree(struct frame *f, const struct hsr_bsp *bsp) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_cube all = hsr_all_points(bsp);
@@ -192,7 +202,8 @@ static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
              0);
 }
 
-/* On which side of a face the eye is; 0 if the face does not exist. */
+/* The side of a face on which the eye is, +1 or -1; 0: the face does not exist
+ * in this view. */
 static int facing_of(struct frame *f, uint32_t face) {
   struct hsr_screen *screen = &f->pyramid.screen;
   hsr_lazy_face(&f->pyramid, face);
@@ -221,8 +232,8 @@ static struct hsr_box corners_of(const struct hsr_octree_box *box) {
   return corners;
 }
 
-/* A bound of q over a box. t is a sum of three products, and within 8 u of
- * their sizes, as in polygon.c. */
+/* No point of a box has a greater q than this. t is a sum of three products,
+ * and within 8 u of their sizes, as in polygon.c. */
 static double nearest_of(const struct frame *f, const struct hsr_box *box) {
   const struct hsr_view *view = &f->tiling.view;
   const double *row = view->depth, *E = view->E;
@@ -237,7 +248,9 @@ static double nearest_of(const struct frame *f, const struct hsr_box *box) {
   return t > 0 ? (1 + 0x1p-50) / t : INFINITY;
 }
 
-/* hsr_tiling_whom has named the cube. */
+/* May anything be seen of what is in a cube? Its silhouette is tiled at the
+ * depth of its nearest point. Visits are counted for the cube that
+ * hsr_tiling_whom has named. */
 static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   static const double still[3] = {0, 0, 0};
   struct hsr_box box = corners_of(cube);
@@ -251,6 +264,7 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   return visible;
 }
 
+/* ProcessOctreeNode of the thesis (chapter 3), with masks for a z-buffer. */
 static void tile_cube(struct frame *f, uint32_t number) {
   const struct hsr_octree *octree = &f->prepared->octree;
   const struct hsr_octree_node *node = &octree->node[number];
@@ -287,6 +301,8 @@ static void tile_octree(struct frame *f) {
 
 /* --- Other orders --------------------------------------------------------- */
 
+/* The traversal of a tree gives a piece: it gets the next turn, unless its face
+ * is loose. */
 static void wait_for_turn(void *context, const struct hsr_bsp_piece *piece,
                           int facing) {
   struct frame *f = context;
@@ -305,8 +321,8 @@ static size_t draw_number(uint64_t *seed, size_t n) {
   return (size_t)(*seed * n / 2147483647);
 }
 
-/* Chooses so many per cent of the polygons at random and has them change places
- * at random. */
+/* disorder=: chooses so many per cent of the polygons at random, and permutes
+ * these at random. */
 static void disturb(struct frame *f, long per_cent) {
   struct turn *turn = f->turn.items;
   size_t n = f->turn.n, moved = n * (size_t)per_cent / 100;
@@ -341,6 +357,7 @@ static void tile_turns(struct frame *f) {
   }
 }
 
+/* order=input: the faces by their numbers. */
 static void tile_input(struct frame *f) {
   const struct hsr_bsp *separate = &f->prepared->separate;
   for (uint32_t face = 0; face < f->job->world->n_faces; face++) {
@@ -352,8 +369,9 @@ static void tile_input(struct frame *f) {
   tile_turns(f);
 }
 
-/* The pieces of a tree, and then the faces that have no place in it, or none
- * from this eye (common/trees/bsp.h, Not flat). */
+/* order=front, back: the pieces of the tree in its order, and then the loose
+ * faces, which the tree cannot order, or not for this eye (common/trees/bsp.h,
+ * Not flat). */
 static void tile_tree(struct frame *f) {
   static const double still[3] = {0, 0, 0};
   const struct hsr_bsp *bsp = &f->prepared->tree;
@@ -387,6 +405,7 @@ static void tile_tree(struct frame *f) {
 
 /* --- The picture ---------------------------------------------------------- */
 
+/* What is told next is of this face; finds its colour, if that is needed. */
 static void take_face(void *context, uint32_t face) {
   struct frame *f = context;
   f->tiling.canvas.id = face;
@@ -500,8 +519,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
                  "come nearly from front to back",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .flags = HSR_FILTERS,
+    .makes = {{HSR_IDS}, {HSR_FILTERED, HSR_WORDS_OF_64}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,
@@ -510,4 +528,4 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .prepare = prepare,
     .render = render,
     .release = release,
-    .octree = octree_of};
+    .show = show};

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Depth in a cell; u = 2^-53. On the plane of a face q is affine: at the
- * samples of a square it is within |a| half + |b| half of what it is in the
- * middle, and a sx + b sy + c is within the plane's error of it
- * (common/exact/screen.h). Middle and half differ from that sum by roundings,
- * at most five of its terms' sizes and half's: 8 u of these are added. Of a
- * face that is safely before the eye, it is within its extremes at the
- * vertices, too; behind the eye nothing is seen, so 1/t is not negative. */
+/* The bounds of q in a cell (depth_in); u = 2^-53. On the plane of a face q is
+ * affine. At the samples of a square it differs from its value in the middle by
+ * at most |a| half + |b| half, half being half the square's side. The computed
+ * a sx + b sy + c is within the plane's error of q (common/exact/screen.h). The
+ * computed middle and reach are off by roundings, at most five, each u times
+ * the sizes of the terms; 8 u times these are added. If a face is safely before
+ * the eye, its q is also between the extremes at its vertices. Nothing is seen
+ * behind the eye, so q = 1/t is not negative. */
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "common/base/numbers.h"
 #include "common/base/bits.h"
@@ -33,7 +34,7 @@ static bool is_behind(struct hsr_lazy_depth a, struct hsr_lazy_depth b) {
   return a.near < b.far;
 }
 
-/* The bounds of all that is seen of a face. */
+/* Bounds of q over all that is seen of a face. */
 static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
                                                uint32_t f) {
   const struct hsr_world *world = s->world;
@@ -57,7 +58,7 @@ void hsr_lazy_face(struct hsr_lazy_pyramid *p, uint32_t f) {
   p->depth[f] = depth_at_vertices(&p->screen, f);
 }
 
-/* A finest cell, and its samples of the window, as a step's subject. */
+/* A pixel as the subject of a step; and its samples in the window. */
 static struct hsr_subject subject_of(const struct hsr_lazy_pyramid *p,
                                      const struct hsr_mask_cell *cell) {
   const struct hsr_window *w = &p->masks->window;
@@ -73,6 +74,7 @@ static struct hsr_window samples_in(const struct hsr_lazy_pyramid *p,
                          y1 < w->y1 ? y1 : w->y1);
 }
 
+/* Bounds of q of face f in a cell: see the head. */
 static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
                                       uint32_t f,
                                       const struct hsr_mask_cell *cell) {
@@ -88,8 +90,8 @@ static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
   return depth;
 }
 
-/* Is the face at hand nearer than face g at sample `bit` of a pixel, which both
- * cover? */
+/* Is the face that is being tiled nearer than face g at sample `bit` of a
+ * pixel? Both cover the sample. */
 static bool is_nearer(struct hsr_lazy_pyramid *p, uint32_t g,
                       const struct hsr_mask_cell *cell, int bit) {
   const struct hsr_mask_places *places =
@@ -113,6 +115,7 @@ static struct hsr_lazy_samples *samples_of(const struct hsr_lazy_pyramid *p,
   return (struct hsr_lazy_samples *)p->samples.items + (pixel->samples - 1);
 }
 
+/* Leaves a pixel's fragments to be reused. */
 static void discard_fragments(struct hsr_lazy_pyramid *p,
                               struct hsr_lazy_pixel *pixel) {
   if (!pixel->fragments)
@@ -150,6 +153,7 @@ static void cache_fragment(struct hsr_lazy_pyramid *p,
 
 /* --- Pixels --------------------------------------------------------------- */
 
+/* Makes a pixel vacant. Samples outside of the window count as covered. */
 static void clear_pixel(struct hsr_lazy_pyramid *p,
                         const struct hsr_mask_cell *cell) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
@@ -159,6 +163,8 @@ static void clear_pixel(struct hsr_lazy_pyramid *p,
   p->masks->finest[cell->number] = ~hsr_masks_in_window(p->masks, cell);
 }
 
+/* Tiles a fragment of a face, which covers the samples of the mask, into a
+ * pixel. */
 static void tile_pixel(struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell, uint32_t face,
                        uint64_t mask) {
@@ -168,8 +174,8 @@ static void tile_pixel(struct hsr_lazy_pyramid *p,
   include(&pixel->depth, depth_in(p, face, cell));
 }
 
-/* Is the face at hand behind the fragments at all samples of the mask that they
- * cover? */
+/* Is the face that is being tiled behind the pixel's fragments, at all samples
+ * of the mask that they cover? */
 static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
                                 const struct hsr_mask_cell *cell,
                                 uint64_t mask) {
@@ -184,7 +190,7 @@ static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
   return true;
 }
 
-/* Changes a pixel to ordinary z-buffering. */
+/* Changes a pixel from tiling to ordinary z-buffering, by its fragments. */
 static void demote(struct hsr_lazy_pyramid *p,
                    const struct hsr_mask_cell *cell) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
@@ -217,6 +223,8 @@ static uint64_t same_face(const uint32_t face[64], uint64_t mask) {
   return same & mask;
 }
 
+/* Tiles the face, which covers the samples of the mask, into a z-buffered
+ * pixel. */
 static void z_buffer(struct hsr_lazy_pyramid *p,
                      const struct hsr_mask_cell *cell, uint64_t mask) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
@@ -245,6 +253,7 @@ static bool is_finest(const struct hsr_lazy_pyramid *p,
   return cell->level == p->masks->n_levels - 1;
 }
 
+/* Makes a cell vacant. */
 static void clear(struct hsr_lazy_pyramid *p,
                   const struct hsr_mask_cell *cell) {
   uint64_t vacant = hsr_masks_in_window(p->masks, cell);
@@ -257,7 +266,8 @@ static void clear(struct hsr_lazy_pyramid *p,
   p->cell[cell->level][cell->number] = (struct hsr_lazy_cell){.depth = NOTHING};
 }
 
-/* A face that hides all that was there makes the cell whole. */
+/* A face covers a cell and hides all that was there: the cell shows it
+ * alone. */
 static void make_whole(struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell, uint32_t face) {
   uint64_t all = hsr_masks_in_window(p->masks, cell);
@@ -281,7 +291,8 @@ static struct hsr_lazy_depth depth_of(const struct hsr_lazy_pyramid *p,
                            : p->cell[sub->level][sub->number].depth;
 }
 
-/* Makes a subcell ready to be entered. */
+/* Makes a subcell ready to be entered: if it is vacant or whole, what is kept
+ * of it is stale, and is made anew. */
 static void open(struct hsr_lazy_pyramid *p, const struct hsr_triage *mask,
                  struct hsr_lazy_cell *parent,
                  const struct hsr_mask_cell *sub) {
@@ -294,7 +305,7 @@ static void open(struct hsr_lazy_pyramid *p, const struct hsr_triage *mask,
   }
 }
 
-/* Finds the depth of a cell from those of its subcells. */
+/* Finds the depth bounds of a cell from those of its subcells. */
 static void find_depth(const struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell) {
   const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
@@ -307,7 +318,7 @@ static void find_depth(const struct hsr_lazy_pyramid *p,
   }
 }
 
-/* --- Once a frame --------------------------------------------------------- */
+/* --- How a frame begins --------------------------------------------------- */
 
 enum hsr_status
 hsr_lazy_begin(struct hsr_lazy_pyramid *p, struct hsr_masks *masks,
@@ -337,6 +348,8 @@ hsr_lazy_begin(struct hsr_lazy_pyramid *p, struct hsr_masks *masks,
 
 /* --- Tiling --------------------------------------------------------------- */
 
+/* Returns the samples of a pixel to ask about: if the polygon is behind all
+ * that is there, those that are not covered, otherwise all in the window. */
 static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
                             const struct hsr_mask_cell *cell) {
   p->own = depth_in(p, p->face, cell);
@@ -345,8 +358,9 @@ static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
   return hsr_masks_in_window(p->masks, cell);
 }
 
-/* Leaves out the subcells that are hidden, makes whole those that the polygon
- * hides, and has the others entered. */
+/* The polygon comes to a cell: leaves out the subcells where it is hidden,
+ * makes whole those that it covers and hides, and returns the others, to be
+ * entered. */
 static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
                       struct hsr_triage polygon) {
   struct hsr_lazy_pyramid *p = context;
@@ -382,6 +396,8 @@ static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
   return entered;
 }
 
+/* The polygon covers these samples of a pixel: tiles it if that is legal,
+ * otherwise z-buffers it. */
 static void take_samples(void *context, const struct hsr_mask_cell *cell,
                          uint64_t mask) {
   struct hsr_lazy_pyramid *p = context;
@@ -404,6 +420,8 @@ static void take_samples(void *context, const struct hsr_mask_cell *cell,
     p->changed[cell->level - 1] = true;
 }
 
+/* The polygon leaves a cell: propagates what changed below to its masks and
+ * depth bounds. */
 static void leave(void *context, const struct hsr_mask_cell *cell,
                   uint64_t entered) {
   struct hsr_lazy_pyramid *p = context;
@@ -441,7 +459,10 @@ bool hsr_lazy_tile(struct hsr_lazy_pyramid *p, uint32_t face,
   return hsr_masks_visit(p->masks, polygon, box, &visitor);
 }
 
-/* --- Asking --------------------------------------------------------------- */
+/* --- Would anything show? (hsr_lazy_shows) -------------------------------- */
+
+/* The visitor that only looks. It may make subcells ready to be entered, but
+ * changes nothing that shows. */
 
 static uint64_t look(void *context, const struct hsr_mask_cell *cell,
                      struct hsr_triage polygon) {
@@ -502,6 +523,7 @@ struct resolving {
   void (*take)(void *context, uint32_t face);
 };
 
+/* Tells the sink samples of a pixel that show a face. */
 static void tell_samples(const struct resolving *r,
                          const struct hsr_mask_cell *cell, uint32_t face,
                          uint64_t mask) {

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+/* Is any face of the tree not flat? */
 static bool has_any(const struct hsr_bsp *bsp) {
   for (uint32_t f = 0; f < bsp->world->n_faces; f++)
     if (bsp->reach[f] > 0)
@@ -47,6 +48,7 @@ enum hsr_status hsr_loose_refuse(const struct hsr_loose *l,
                   hsr_world_parent(world, l->face[0]));
 }
 
+/* Makes sure that the plane of face f is known. */
 static void find_plane(struct hsr_loose *l, uint32_t f) {
   if (!l->has_plane[f])
     hsr_screen_plane(&l->screen, f);

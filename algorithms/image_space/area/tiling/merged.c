@@ -1,38 +1,53 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hierarchical polygon tiling of rigid bodies that move by themselves, each an
- * octree of BSP trees: the octrees are gone through together, from front to
+/* Hierarchical polygon tiling of rigid bodies that move by themselves. Each has
+ * an octree of BSP trees. The octrees are traversed together, from front to
  * back, and merged where bodies meet.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.2.
- * Notation    body: all that does not move, whose octree is made once; or an
- *             instance of an object that moves, which is laid out in the world
- *             in every frame, and is made an octree when it may be seen and
- *             stands by itself. Region: a part of space between planes across
- *             the axes.
- * Invariants  all of a region is tiled before what it hides. A region is
- *             divided by a plane that separates the cubes in it, or if there is
- *             none by the planes of the largest cube, whose octants take its
- *             place; the eye's side of a plane comes first. Polygons of a cube
- *             that a plane crosses are clipped to both sides (clip.h). Leaves
- *             of several bodies that no plane separates are merged: one BSP
- *             tree is made of all of their faces in the region, which are taken
- *             whole.
- * Ties        faces in one plane are on one side of all planes wherever they
- *             meet, whatever their bodies; so they are in one tree, where the
- *             lower comes first
- * Departures  the paper takes the frontmost cube of all octrees, and clips to
- *             it what meets it; but a cube that meets it may reach before it.
- *             Cubes are across the axes of the world, not of the body. Memory
- *             is taken inside a frame, for trees. A scene is one body if
- *             nothing moves in it, if it has been adapted, or if not all of its
- *             faces are flat.
- * Cost        that of tiling, and of trees where bodies are visible and meet */
+ * Notation    - body: an instance of an object that moves, laid out in the
+ *             world anew in each frame. Its octree is made in the frame, and
+ *             only if it is opened or tiled by itself. One more body is all
+ *             that does not move; its octree is made once for all frames.
+ *             - node: a cube of a body's octree; or a body whose octree is not
+ *             made yet.
+ *             - region: a part of space between planes across the axes
+ *             (clip.h).
+ * Method      A region has a list of nodes, of which it has to tile what lies
+ *             in it. Nodes that are hidden are culled. Then, of what is left
+ *             (tile_region):
+ *             - one node: its octree is traversed, as by `tiling`;
+ *             - several, and a plane across an axis separates them: the region
+ *             is divided by it;
+ *             - else, one of them has octants: the region is divided by the
+ *             median planes of the largest such cube, whose octants take its
+ *             place. A large body whose octree is not made yet counts as such
+ *             a cube;
+ *             - else all are leaves, or small bodies: they are merged. One BSP
+ *             tree is made of all their faces in the region.
+ *             The part on the eye's side of a plane is tiled first.
+ * Invariants  All of a region is tiled before what it may hide. Polygons of a
+ *             cube that a plane crosses are clipped to both sides; a merged
+ *             tree takes faces whole, and clips them when it is traversed.
+ * Ties        Faces in one plane are on one side of all other planes wherever
+ *             they meet, whatever their bodies. So they come into one tree,
+ *             where the lower one comes first.
+ * Departures  - The paper takes the frontmost cube of all octrees, and clips to
+ *             it what meets it. But a cube that meets the frontmost one may
+ *             reach in front of it; so here space is divided by planes.
+ *             - Cubes are across the axes of the world, not of the body.
+ *             - Boxes of what is in a cube are tested, as by `tiling`.
+ *             - Memory for trees is taken inside a frame.
+ *             - A scene is one body if nothing moves in it, if it has been
+ *             adapted, or if not all of its faces are flat.
+ * Cost        that of tiling, and of making trees where bodies that move are
+ *             visible, or meet others */
 #include "algorithms/algorithm.h"
 #include "algorithms/engines/bsp/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/clip.h"
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/loose.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/adapt/adapt.h"
 #include "common/trees/octree.h"
 #include "common/base/numbers.h"
@@ -42,22 +57,21 @@
 #include <string.h>
 
 enum { LEAF };
-/* A body that has no more faces than so many leaves may have is merged as a
- * whole. */
+/* A body with no more faces than SMALL leaves may have is not opened: if it
+ * meets others, it is merged as a whole. */
 enum { SMALL = 8 };
 
 enum { REGIONS, TREES, MERGES, MERGED_FACES, PIECES, PIECES_CLIPPED };
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
 struct prepared {
-  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
-  bool is_whole;
-  uint32_t *id, n_still;  /* faces that do not move; unless whole */
-  struct hsr_world still; /* these; unless whole */
-  struct hsr_bsp tree;    /* of them, or of all */
-  uint32_t *mover;        /* instances */
-  uint32_t n_movers;
+  struct hsr_sampling sampling; /* must be first: hsr_tiling_prepare */
+  bool is_whole;                /* the scene is one body */
+  uint32_t *id, n_still;        /* unless whole: the faces that do not move, */
+  struct hsr_world still;       /* and a world of these */
+  struct hsr_bsp tree;          /* of these; or if whole, of all faces */
+  uint32_t *mover, n_movers;    /* the instances that move */
   struct hsr_arena arena;
 };
 
@@ -66,7 +80,7 @@ static bool moves(const struct hsr_world *world, uint32_t instance) {
   return scene->objects[scene->instances[instance].object].moves;
 }
 
-/* What moves, and what does not. */
+/* Parts the instances that move from the faces that do not. */
 static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
   uint32_t n = world->roster.scene->n_instances;
   p->mover = HSR_NEW(&p->arena, uint32_t, n);
@@ -90,14 +104,16 @@ static bool is_flat(const struct hsr_world *world) {
   return true;
 }
 
-static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
-                             const struct hsr_bsp_rule *rule,
-                             struct hsr_error *err) {
-  bool outline = hsr_is_roster(world);
-  p->is_whole = !outline && (world->pieces || !is_flat(world));
+/* Makes the octree of what does not move, or of the whole scene. */
+static enum hsr_status make_still_tree(struct prepared *p,
+                                       const struct hsr_world *world,
+                                       const struct hsr_bsp_rule *rule,
+                                       struct hsr_error *err) {
+  bool roster = hsr_is_roster(world);
+  p->is_whole = !roster && (world->pieces || !is_flat(world));
   if (!p->is_whole && part(p, world))
     return hsr_fail_nomem(err);
-  if (!outline && !p->n_movers)
+  if (!roster && !p->n_movers)
     p->is_whole = true;
   if (p->is_whole)
     return hsr_bsp_init(&p->tree, world, rule, err);
@@ -108,7 +124,7 @@ static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
                     p->n_still);
   enum hsr_status status =
       hsr_world_extract(&p->still, world, p->id, p->n_still, err);
-  if (!status && outline)
+  if (!status && roster)
     status = hsr_check_unadapted(&p->still, "the scene", err);
   return status ? status : hsr_bsp_init(&p->tree, &p->still, rule, err);
 }
@@ -128,31 +144,39 @@ static enum hsr_status prepare(const struct hsr_world *world,
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
   enum hsr_status status = hsr_tiling_prepare(
       sizeof(struct prepared), HSR_TILING_INTERVALS, prepared, err);
-  return status ? status : plant(*prepared, world, &rule, err);
+  return status ? status : make_still_tree(*prepared, world, &rule, err);
+}
+
+static void show(const void *prepared, struct hsr_shown *shown) {
+  const struct prepared *p = prepared;
+  shown->bsp = p->is_whole ? &p->tree : NULL;
 }
 
 /* --- A frame -------------------------------------------------------------- */
 
-/* A tree that can be tiled; that of a body that moves, or of several, is the
- * frame's own. */
+/* A body; or what is merged of several, for as long as it is tiled. */
 struct body {
-  uint32_t instance;          /* HSR_NO_ID: of several, or that do not move */
-  uint32_t first, n;          /* of one that moves: its faces */
+  uint32_t instance; /* HSR_NO_ID: all that does not move, or what is merged */
+  uint32_t first, n; /* of an instance: its faces in the scene */
   const struct hsr_bsp *tree; /* NULL: not made yet */
-  struct hsr_screen screen;   /* for what is clipped */
+  struct hsr_screen screen; /* of the tree's world, once it is needed to clip */
   bool has_screen;
+
+  /* Of a body that moves, and of what is merged: its tree, and the tree's
+   * world. They are made in the frame. */
   struct hsr_world own_world;
   struct hsr_bsp own_tree;
 };
 
-/* A cube of a body; HSR_NO_BSP: the body, whose tree is not made yet. */
+/* A cube of a body's octree; or if `cube` is HSR_NO_BSP, a body whose tree is
+ * not made yet. */
 struct node {
   struct body *body;
   uint32_t cube;
-  struct hsr_box box;
+  struct hsr_box box; /* of what is in it; in a region, clipped to that */
 };
 
-/* Lower and upper end of a box in one coordinate. */
+/* The lower and the upper end of a node's box along an axis. */
 struct key {
   double lo, hi;
 };
@@ -168,16 +192,17 @@ struct frame {
   struct hsr_clip clip;
 
   struct body still, *mover, merged;
-  struct hsr_growing stack;    /* struct node: of the regions at hand */
-  struct hsr_growing gathered; /* uint32_t: the faces of the last merge */
+  struct hsr_growing stack;    /* struct node: those of a region, upon those of
+                                  the regions around it */
+  struct hsr_growing gathered; /* uint32_t: faces to be merged */
   struct key *key;             /* room for `most_keys` */
   size_t most_keys;
 
-  /* The tree at hand. */
+  /* What is being tiled: the tree of this body in this region. */
   struct body *body;
   const struct hsr_region *region;
 
-  enum hsr_status status;
+  enum hsr_status status; /* the first failure; it ends the frame */
   struct hsr_error *err;
 };
 
@@ -190,7 +215,7 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-/* Makes room for a tree, if there is too little. */
+/* Makes room for a tree to be tiled, if there is too little. */
 static void make_room(struct frame *f, const struct hsr_bsp *tree) {
   struct hsr_pieces_room room = f->room;
   for (uint32_t k = 0; k < tree->n_cubes; k++) {
@@ -240,7 +265,8 @@ static void free_own(struct body *body) {
   hsr_world_free(&body->own_world);
 }
 
-/* Makes a tree of n faces of the scene; the array lasts as long as it. */
+/* Makes a body's tree of n faces of the scene. The array of ids is borrowed as
+ * long as the tree. leaf == 0: one BSP tree, without an octree. */
 static void make_tree(struct frame *f, struct body *body, const uint32_t *id,
                       uint32_t n, long leaf) {
   struct hsr_bsp_rule rule = {.most = (uint32_t)leaf};
@@ -255,6 +281,7 @@ static void make_tree(struct frame *f, struct body *body, const uint32_t *id,
   body->tree = &body->own_tree;
 }
 
+/* Makes the octree of a body that moves. */
 static void make_body(struct frame *f, struct body *body) {
   uint32_t *id = HSR_NEW(f->job->scratch, uint32_t, body->n);
   HSR_STEP(f->job->tally, TREES, HSR_VOLUME(body->instance), HSR_NOTHING,
@@ -268,20 +295,21 @@ static void make_body(struct frame *f, struct body *body) {
   make_tree(f, body, id, body->n, f->job->option[LEAF]);
 }
 
-/* What a face of a body is called in the frame's world. */
-static uint32_t name_of(const struct hsr_world *world, uint32_t face) {
+/* The id in the scene of a face of a body's world. */
+static uint32_t id_of(const struct hsr_world *world, uint32_t face) {
   return world->id ? world->id[face] : face;
 }
 
-/* Names a cube of a body as that for which cells are visited; HSR_NO_BSP: the
- * whole body. */
-static void name_cube(struct frame *f, const struct body *body, uint32_t cube) {
+/* From now on visits of cells are counted for a cube of a body; HSR_NO_BSP: for
+ * the whole body. */
+static void count_for_cube(struct frame *f, const struct body *body,
+                           uint32_t cube) {
   hsr_tiling_whom(&f->tiling, HSR_CELL(cube, body->instance, 0));
 }
 
 /* --- Tiling one tree ------------------------------------------------------ */
 
-/* Whether anything within the box, in the region, may be seen. */
+/* May anything be seen of what is in the box and in the region? */
 static bool is_visible(struct frame *f, const struct hsr_region *region,
                        struct hsr_box box) {
   static const double still[3] = {0, 0, 0};
@@ -291,7 +319,7 @@ static bool is_visible(struct frame *f, const struct hsr_region *region,
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
-  name_cube(f, f->body, (uint32_t)(cube - f->body->tree->cube));
+  count_for_cube(f, f->body, (uint32_t)(cube - f->body->tree->cube));
   if (f->status || !is_visible(f, f->region, cube->tight))
     return false;
   if (cube->root != HSR_NO_BSP)
@@ -326,7 +354,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
       screen ? hsr_clip_piece(&f->clip, pieces, screen, f->region) : NULL;
   if (!polygon)
     return;
-  uint32_t id = name_of(f->body->tree->world, piece->face);
+  uint32_t id = id_of(f->body->tree->world, piece->face);
   struct hsr_subject subject =
       HSR_PIECE(id, (uint32_t)(piece - pieces->bsp->piece));
   struct hsr_window window = hsr_window_make(pieces->box.x0, pieces->box.y0,
@@ -339,6 +367,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   hsr_masks_tile(&t->masks, polygon, pieces->box, &t->sink);
 }
 
+/* Tiles what is in a region of a body's tree, from a cube on. */
 static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
                       const struct hsr_region *region) {
   static const double still[3] = {0, 0, 0};
@@ -375,7 +404,7 @@ static void add_vertex(struct hsr_box *box, const struct hsr_object *object,
   }
 }
 
-/* Holds face `id` of the scene, exactly. */
+/* The box around face `id` of the scene, without rounding. */
 static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
   struct hsr_place place = hsr_place_of(world, id);
   const struct hsr_object *object = place.object;
@@ -388,6 +417,7 @@ static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
   return box;
 }
 
+/* Adds a face of the scene to those gathered, if its box meets the region. */
 static void gather_face(struct gathering *g, uint32_t id) {
   struct hsr_box box = box_of_face(g->frame->job->world, id);
   if (!hsr_region_clip(g->region, &box))
@@ -425,6 +455,7 @@ static void gather_node(struct gathering *g, const struct node *node) {
     gather_face(g, body->first + k);
 }
 
+/* Sorts ids, leaves out repeated ones, and returns how many are left. */
 static uint32_t sort_ids(uint32_t *id, size_t n) {
   uint32_t different = 0;
   qsort(id, n, sizeof *id, compare_ids);
@@ -437,8 +468,8 @@ static uint32_t sort_ids(uint32_t *id, size_t n) {
 static void tile_alone(struct frame *f, const struct hsr_region *region,
                        const struct node *node);
 
-/* One tree of what is in the region of all these leaves and bodies; if that is
- * not of one of them alone. */
+/* Tiles one BSP tree of all faces in the region that are in these leaves and
+ * bodies. If only one of them has any, that is tiled alone. */
 static void merge(struct frame *f, const struct hsr_region *region,
                   const struct node *node, size_t n) {
   struct gathering g = {f, region};
@@ -477,9 +508,10 @@ static int compare_keys(const void *a, const void *b) {
   return (k > l) - (k < l);
 }
 
-/* The plane x = *at across an axis that no box goes through and that leaves as
- * many as can be on both sides, if it is better than so many: how many are on
- * the lesser side. */
+/* Of the planes across an axis that cross no node's box, finds the one that
+ * divides the nodes most evenly: its coordinate *at. Returns how many nodes are
+ * on its lesser side. If that is not more than `least`, *at is left alone, and
+ * `least` is returned. */
 static size_t find_plane_across(const struct node *node, size_t n, int axis,
                                 size_t least, struct key *key, double *at) {
   double reach = -INFINITY;
@@ -518,14 +550,16 @@ static bool find_plane(struct frame *f, const struct node *node, size_t n,
   return most;
 }
 
-/* What is done with a region: its one cube is tiled, or a plane divides it, or
- * a cube, or all that is in it is merged. */
+/* What is done with a region, as the head says: its one node is tiled, or a
+ * plane divides it, or the octants of a cube do, or all its nodes are
+ * merged. */
 enum choice { ALONE, SEPARATED, OPENED, MERGED };
 
 static void tile_region(struct frame *f, const struct hsr_region *region,
                         const struct node *node, size_t n);
 
-/* The region's parts on both sides of a plane; that of the eye first. */
+/* Tiles the parts of a region on both sides of a plane, the eye's side
+ * first. */
 static void tile_sides(struct frame *f, const struct hsr_region *region,
                        const struct node *node, size_t n, int axis, double at) {
   bool eye_above = f->tiling.view.eye[axis] > at;
@@ -539,13 +573,14 @@ static void tile_sides(struct frame *f, const struct hsr_region *region,
   }
 }
 
+/* Has a node octants, or may it have them when its tree is made? */
 static bool is_openable(const struct frame *f, const struct node *node) {
   if (node->cube == HSR_NO_BSP)
     return (long)node->body->n > SMALL * f->job->option[LEAF];
   return node->body->tree->cube[node->cube].root == HSR_NO_BSP;
 }
 
-/* The largest cube that can be divided; n: there is none. */
+/* The largest node that can be opened; n: there is none. */
 static size_t find_openable(const struct frame *f, const struct node *node,
                             size_t n) {
   size_t best = n;
@@ -567,7 +602,8 @@ static struct node root_of(struct body *body) {
   return node;
 }
 
-/* Octants in the place of their cube, which is the last node. */
+/* Divides a region by the median planes of the last node's cube, and tiles the
+ * eight parts from front to back. In each the octant takes the cube's place. */
 static void open_cube(struct frame *f, const struct hsr_region *region,
                       struct node *node, size_t n) {
   struct body *body = node[n - 1].body;
@@ -592,6 +628,7 @@ static void open_cube(struct frame *f, const struct hsr_region *region,
   }
 }
 
+/* Opens node k: a cube, or a body whose tree is made now. */
 static void open_node(struct frame *f, const struct hsr_region *region,
                       struct node *node, size_t n, size_t k) {
   struct node opened = node[k];
@@ -609,6 +646,7 @@ static void open_node(struct frame *f, const struct hsr_region *region,
   }
 }
 
+/* Tiles a node that is the only one in a region. */
 static void tile_alone(struct frame *f, const struct hsr_region *region,
                        const struct node *node) {
   if (!node->body->tree)
@@ -618,13 +656,13 @@ static void tile_alone(struct frame *f, const struct hsr_region *region,
 
 static bool is_visible_in(struct frame *f, const struct hsr_region *region,
                           const struct node *node) {
-  name_cube(f, node->body, node->cube);
+  count_for_cube(f, node->body, node->cube);
   return is_visible(f, region, node->box);
 }
 
-/* Puts the nodes that may be seen in a region on the stack, their boxes clipped
- * to it. Where they are stays good when the stack grows: what it grew out of
- * stays where it was. */
+/* Puts those nodes on the stack that may be seen in a region, with their boxes
+ * clipped to it. Returns how many; *node is the first. *node stays valid when
+ * the stack grows and moves, since the arena keeps the old copy. */
 static size_t look_at(struct frame *f, const struct hsr_region *region,
                       const struct node *all, size_t n_all,
                       struct node **node) {
@@ -646,7 +684,7 @@ static size_t look_at(struct frame *f, const struct hsr_region *region,
   return f->stack.n - first;
 }
 
-/* All that the nodes have in a region. */
+/* Tiles all that the nodes have in a region: see Method, in the head. */
 static void tile_region(struct frame *f, const struct hsr_region *region,
                         const struct node *all, size_t n_all) {
   struct node *node = NULL;
@@ -676,7 +714,7 @@ static void tile_region(struct frame *f, const struct hsr_region *region,
 
 /* --- The picture ---------------------------------------------------------- */
 
-/* Holds an instance, exactly. */
+/* The box around an instance, without rounding. */
 static struct hsr_box box_of_instance(const struct hsr_scene *scene,
                                       uint32_t instance) {
   const struct hsr_instance *of = &scene->instances[instance];
@@ -688,6 +726,7 @@ static struct hsr_box box_of_instance(const struct hsr_scene *scene,
   return box;
 }
 
+/* Tiles all bodies, in a region that is all of space. */
 static void tile_bodies(struct frame *f) {
   const struct prepared *p = f->prepared;
   const struct hsr_world *world = f->job->world;
@@ -759,7 +798,7 @@ static const struct hsr_counter counters[] = {
                       HSR_OF_NOTHING},
     [PIECES] = {"pieces",
                 "pieces of faces in visible cubes, with a sample in their box",
-                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW, .key = "piece"},
     [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region", HSR_SPLIT,
                         HSR_OF_PIECE, HSR_OF_WINDOW},
     {NULL}};
@@ -803,9 +842,10 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
                  "bodies move, and fewer meet",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS |
-             HSR_FILTERS_FINELY,
+    .makes = {{HSR_IDS},
+              {HSR_FILTERED,
+               HSR_WORDS_OF_64 | HSR_WORD_OF(HSR_FILTER_BOX_64X64)}},
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT,
     .sorts = sorts,
     .parts = uses,
     .counters = counters,
@@ -813,4 +853,5 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
     .options = options,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

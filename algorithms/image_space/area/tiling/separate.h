@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A tree without nodes, whose pieces are the whole faces of a world: so these
- * can be tiled as the pieces of a tree are (polygon.h). */
+/* The faces of a world, undivided, in the form of a BSP tree's pieces: so they
+ * can be tiled as pieces are (polygon.h). The tree has no nodes and no
+ * order. */
 #ifndef HSR_ALGORITHMS_TILING_SEPARATE_H
 #define HSR_ALGORITHMS_TILING_SEPARATE_H
 
@@ -16,7 +17,7 @@ extern "C" {
 enum hsr_status hsr_separate_init(struct hsr_bsp *bsp,
                                   const struct hsr_world *world);
 
-/* A leaf that has all points of a tree. */
+/* An octree leaf that has all points of *bsp, and the box around them. */
 struct hsr_bsp_cube hsr_all_points(const struct hsr_bsp *bsp);
 
 #ifdef __cplusplus

@@ -4,15 +4,28 @@
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996; N. Greene, PhD thesis, UC Santa Cruz, 1995, 4.4 to
  *             4.6.
- * Notation    coverage pyramid, or mask pyramid -> masks (masks.h); the model,
- *             an octree of BSP trees -> grove (grove.h)
- * Invariant   all that has been tiled hides what is tiled next: a sample is
- *             written once, and never compared by depth
- * Ties        pieces in one plane come by ascending face; what is too close to
- *             an edge is decided exactly (polygon.h)
- * Departures  the masks of samples are exact; those of the table can be chosen.
- *             Nothing is clipped. Above the octrees, instances are in a tree of
- *             planes that separate them. See masks.h, too.
+ * Notation    coverage pyramid (1996), mask pyramid (thesis) -> masks
+ *             (masks.h). Octree of BSP trees -> struct hsr_bsp
+ *             (common/trees/bsp.h); replicated octrees -> grove (grove.h).
+ *             Polygon of a BSP tree -> piece, of a face. tile_poly ->
+ *             hsr_masks_tile and its kin.
+ * Invariant   Pieces come from front to back: all that has been tiled may hide
+ *             what is tiled next, and never the other way. So a sample is
+ *             written once, and depths are never compared. The exceptions are
+ *             loose faces, which come last (loose.h).
+ * Ties        Pieces in one plane come by ascending face. A sample that is too
+ *             close to an edge for the error bounds is decided exactly
+ *             (polygon.h).
+ * Departures  - The masks of samples are exact. Those of the paper's table can
+ *             be chosen (masks=table).
+ *             - Nothing is clipped to the near plane (polygon.h).
+ *             - What is tested for an octree cube is the silhouette of the box
+ *             of its contents (`tight`), not of the cube. It is smaller, so
+ *             more cubes are culled and fewer cells are visited.
+ *             - Instances are ordered by a tree of planes that separate them,
+ *             not by an octree above the octrees. Its nodes are tested as cubes
+ *             are.
+ *             - Departures of the mask pyramid are named in masks.h.
  * Cost        grows with the cells that visible edges cross, and with the
  *             visible cubes and their children */
 #include "algorithms/algorithm.h"
@@ -20,6 +33,7 @@
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/loose.h"
 #include "algorithms/image_space/area/tiling/grove.h"
+#include "common/answers/kinds/filtered.h"
 #include "common/base/bits.h"
 
 #include <stdlib.h>
@@ -33,16 +47,17 @@ enum { CORNERS = 4 };
 
 enum { PIECES, PIECES_HIDDEN, PIECES_LEFT_OUT, CELLS_EXHAUSTED };
 
-/* --- Once ----------------------------------------------------------------- */
+/* --- Once for all frames -------------------------------------------------- */
 
 struct prepared {
-  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
+  struct hsr_sampling sampling; /* must be first: hsr_tiling_prepare */
   struct hsr_grove grove;
-  uint64_t *samples; /* masks of the finest level, of all patterns; or NULL */
+  uint64_t *samples; /* masks=table: all tables, one after another; else NULL */
   const uint64_t *sample_tables[HSR_PATTERNS];
 };
 
-/* The paper's finest level: a table for each pattern of jitter. */
+/* masks=table: the paper's table of masks for the finest level, one for each
+ * pattern of jitter. */
 static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
   size_t entries = 6 * (size_t)intervals * (size_t)intervals;
   p->samples = malloc(HSR_PATTERNS * entries * sizeof *p->samples);
@@ -84,21 +99,31 @@ static enum hsr_status prepare(const struct hsr_world *world,
   return status;
 }
 
+static void show(const void *prepared, struct hsr_shown *shown) {
+  shown->grove = &((const struct prepared *)prepared)->grove;
+}
+
 /* --- A frame -------------------------------------------------------------- */
 
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
   struct hsr_tiling tiling;
-  struct hsr_bsp_waiting *waiting;
+  struct hsr_bsp_waiting *waiting; /* room for the traversal of a tree */
   struct hsr_loose loose;
-  uint32_t first_id;         /* of the tree at hand */
-  uint32_t instance;         /* it is that one's tree, or HSR_NO_ID */
-  struct hsr_mask_sink sink; /* to the canvas; counts what is covered first */
+
+  /* Of the tree that is being tiled: face f of its world has the id first_id +
+   * f in the picture; the instance whose tree it is, HSR_NO_ID if it has all
+   * faces of the scene. */
+  uint32_t first_id, instance;
+
+  struct hsr_mask_sink sink; /* the canvas; counts=on: by way of the counts */
 };
 
-/* --- Counts of visible samples -------------------------------------------- */
+/* --- counts=on: the visible samples of a cube ----------------------------- */
 
+/* A sink between the masks and the canvas: it takes what is covered off the
+ * counts (thesis, 4.6.3), and passes it on. */
 static void cover_samples(void *context, int x, int y, uint64_t mask) {
   struct frame *f = context;
   const struct hsr_mask_sink *sink = &f->tiling.sink;
@@ -126,7 +151,7 @@ static enum hsr_status begin_counts(struct frame *f) {
   return hsr_masks_counts_init(&f->tiling.masks, f->job->scratch);
 }
 
-/* --- A frame -------------------------------------------------------------- */
+/* --- How a frame begins --------------------------------------------------- */
 
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
@@ -148,6 +173,10 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
              : HSR_OK;
 }
 
+/* --- Is a cube visible? --------------------------------------------------- */
+
+/* May anything in a moved box be seen? With octree=off only the window is
+ * asked, not the masks. */
 static bool is_visible(struct frame *f, const struct hsr_box *box,
                        const double shift[3], struct hsr_subject cube) {
   hsr_tiling_whom(&f->tiling, cube);
@@ -155,9 +184,11 @@ static bool is_visible(struct frame *f, const struct hsr_box *box,
                                f->job->option[OCTREE] == OCTREE_ON);
 }
 
-/* The same of a cube with polygons, whose visible samples are counted. */
-static bool is_any_left(struct frame *f, const struct hsr_box *box,
-                        const double shift[3], struct hsr_subject cube) {
+/* counts=on: the same of a leaf of the octree; all its visible samples are
+ * counted. A leaf that is not wholly before the eye has no counts. */
+static bool is_visible_by_count(struct frame *f, const struct hsr_box *box,
+                                const double shift[3],
+                                struct hsr_subject cube) {
   struct hsr_tiling *t = &f->tiling;
   hsr_tiling_whom(t, cube);
   enum hsr_box_place place = hsr_pieces_box(&t->pieces, box, shift);
@@ -170,63 +201,68 @@ static bool is_any_left(struct frame *f, const struct hsr_box *box,
   return visible;
 }
 
-/* --- What comes next ------------------------------------------------------ */
+/* --- Prefetching ---------------------------------------------------------- */
 
-/* Asks memory for what is used soon. It may reach beyond an array: nothing is
- * read. */
-static void fetch(const void *from, size_t size) {
+/* Asks memory for what is used soon. It may reach beyond an array, since
+ * nothing is read. */
+static void prefetch(const void *from, size_t size) {
   const size_t line = 64;
   for (size_t k = 0; k < size; k += line)
     __builtin_prefetch((const char *)from + k);
 }
 
-/* While a cube is tested: its octants; or the points, and the first nodes. */
-static void fetch_cube(const struct hsr_bsp *bsp,
-                       const struct hsr_bsp_cube *cube) {
+/* Before a cube is tested: its octants; or of a leaf its points, and the first
+ * nodes of its BSP tree. */
+static void prefetch_cube(const struct hsr_bsp *bsp,
+                          const struct hsr_bsp_cube *cube) {
   if (cube->root == HSR_NO_BSP) {
     for (int k = 0; k < 8; k++)
       if (cube->child[k] != HSR_NO_BSP)
-        fetch(&bsp->cube[cube->child[k]], sizeof *cube);
+        prefetch(&bsp->cube[cube->child[k]], sizeof *cube);
     return;
   }
-  fetch(&bsp->node[cube->root], 8 * sizeof *bsp->node);
+  prefetch(&bsp->node[cube->root], 8 * sizeof *bsp->node);
   size_t first = cube->first_point, size = cube->n_points * sizeof(double);
-  fetch(bsp->x + first, size);
-  fetch(bsp->y + first, size);
-  fetch(bsp->z + first, size);
-  fetch(bsp->error + first, size);
+  prefetch(bsp->x + first, size);
+  prefetch(bsp->y + first, size);
+  prefetch(bsp->z + first, size);
+  prefetch(bsp->error + first, size);
 }
 
-/* Before the pieces of a leaf are told: the first of them, and their corners,
- * which are CORNERS for each point or fewer, as a rule. */
-static void fetch_pieces(const struct hsr_bsp *bsp,
-                         const struct hsr_bsp_cube *cube) {
+/* Before the pieces of a leaf are tiled: the first of them, and their corners.
+ * As a rule there are no more than CORNERS corners for each point. */
+static void prefetch_pieces(const struct hsr_bsp *bsp,
+                            const struct hsr_bsp_cube *cube) {
   const struct hsr_bsp_piece *piece =
       &bsp->piece[bsp->node[cube->root].first_piece];
-  fetch(piece, 10 * sizeof *piece);
-  fetch(&bsp->corner[piece->first_corner],
-        CORNERS * cube->n_points * sizeof *bsp->corner);
+  prefetch(piece, 10 * sizeof *piece);
+  prefetch(&bsp->corner[piece->first_corner],
+           CORNERS * cube->n_points * sizeof *bsp->corner);
 }
 
 /* --- Cubes and pieces ----------------------------------------------------- */
 
+/* The traversal asks whether to enter a cube: if it may be visible. The points
+ * of a leaf are taken to the screen. */
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
-  fetch_cube(pieces->bsp, cube);
+  prefetch_cube(pieces->bsp, cube);
   uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
   bool counts = f->tiling.masks.counts && cube->root != HSR_NO_BSP &&
                 f->job->option[OCTREE] == OCTREE_ON;
-  if (!(counts ? is_any_left : is_visible)(f, &cube->tight, pieces->shift,
-                                           HSR_CELL(number, f->instance, 0)))
+  if (!(counts ? is_visible_by_count : is_visible)(
+          f, &cube->tight, pieces->shift, HSR_CELL(number, f->instance, 0)))
     return false;
   if (cube->root != HSR_NO_BSP) {
-    fetch_pieces(pieces->bsp, cube);
+    prefetch_pieces(pieces->bsp, cube);
     hsr_pieces_leaf(pieces, cube);
   }
   return true;
 }
 
+/* The traversal gives a piece: tiles it. Loose faces are left for the end.
+ * counts=on: a piece is left out if no visible sample of its cube is left. */
 static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
                        int facing) {
   struct frame *f = context;
@@ -262,6 +298,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   }
 }
 
+/* Tiles an octree of BSP trees, moved by `shift`. */
 static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                       const double shift[3], uint32_t first_id,
                       uint32_t instance) {
@@ -279,14 +316,15 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
   hsr_bsp_walk_tree(&walk);
 }
 
-/* Instances in order, the nearer side of each plane first. */
+/* Tiles the instances of a node of the grove from front to back: of each plane
+ * that separates them, the eye's side comes first. */
 static void tile_instances(struct frame *f, uint32_t number) {
   static const double still[3] = {0, 0, 0};
   const struct hsr_grove *grove = &f->prepared->grove;
   const struct hsr_grove_node *node = &grove->node[number];
   if (node->axis >= 0) {
-    fetch(&grove->node[node->below], sizeof *node);
-    fetch(&grove->node[node->above], sizeof *node);
+    prefetch(&grove->node[node->below], sizeof *node);
+    prefetch(&grove->node[node->above], sizeof *node);
     if (!is_visible(f, &node->box, still, HSR_CELL(number, HSR_NO_ID, 0)))
       return;
     bool above = f->tiling.view.eye[node->axis] > node->at;
@@ -384,7 +422,7 @@ static const struct hsr_use uses[] = {
 static const struct hsr_counter counters[] = {
     [PIECES] = {"pieces",
                 "pieces of faces in visible cubes, with a sample in their box",
-                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW, .key = "piece"},
     [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden",
                        HSR_REJECT, HSR_OF_PIECE, HSR_OF_WINDOW},
     [PIECES_LEFT_OUT] = {"pieces left out",
@@ -430,9 +468,10 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .coherence = "area coherence; hidden cubes hide all that is in them",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
-    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS |
-             HSR_FILTERS_FINELY,
+    .makes = {{HSR_IDS},
+              {HSR_FILTERED,
+               HSR_WORDS_OF_64 | HSR_WORD_OF(HSR_FILTER_BOX_64X64)}},
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT,
     .sorts = sorts,
     .parts = uses,
     .counters = counters,
@@ -440,4 +479,5 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .options = options,
     .prepare = prepare,
     .render = render,
+    .show = show,
     .release = release};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Warnock's subdivision as other algorithms use it: until few faces are left in
- * a window. See warnock.c.
+/* Warnock's subdivision as other modules use it: windows are subdivided until
+ * few faces are left in them; another algorithm solves these. See warnock.c.
  *
  * Source      Sutherland et al. 1974, "Other Combinations of Sorting": some
  *             subdivision, "say until fewer than 100 polygons remained", then
@@ -31,30 +31,34 @@
 extern "C" {
 #endif
 
-/* Solves windows that are neither homogeneous nor simple, once few faces are
- * open in them: no more than most_faces, with no more than most_corners corners
- * in all. Open faces are the surrounders and intersecters that no surrounder
- * hides. */
+/* The other algorithm. It gets the windows that are neither homogeneous nor
+ * simple, as soon as few faces are open in them: no more than most_faces, with
+ * no more than most_corners corners in all. Open faces are the surrounders and
+ * intersecters that no surrounder hides. */
 struct hsr_finisher {
   uint32_t most_faces, most_corners;
+  /* Solves a window, none of whose samples is covered by other faces than these
+   * n. */
   void (*finish)(void *context, const struct hsr_window *window,
                  const uint32_t *faces, uint32_t n);
   void *context;
 };
 
-/* Few faces: fewer than 100. Scenes have four corners a face or so. */
+/* The survey's number: fewer than 100 faces. Faces have about four corners in
+ * most scenes. */
 enum { HSR_FEW_FACES = 99, HSR_FEW_CORNERS = 8 * HSR_FEW_FACES };
 
-/* The view's window. 
- * HSR_E_NOMEM. */
+/* Solves the view's window, with windows left to `finisher`; NULL: Warnock's
+ * algorithm solves all. The screen's faces have been culled. Memory from
+ * job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_warnock_run(const struct hsr_job *job,
                                 const struct hsr_screen *screen,
                                 const struct hsr_finisher *finisher);
 
-/* What these count, and the windows that are left to another algorithm. Faces that
- * are inherited as disjoint or hidden are not looked at: their counters are computed. The groups
- * of lines: of a window; and what is done with it else, alone or with another
- * algorithm. */
+/* The part of the subdivision; and that of windows left to another algorithm.
+ * Faces that a window inherits as disjoint or hidden are not looked at: their
+ * counters are computed. Groups of lines of each outline: the tests of a
+ * window; and what is done with a window that they do not decide. */
 extern const struct hsr_part hsr_warnock_part, hsr_finished_part;
 enum {
   HSR_WARNOCK_Z_SORT = HSR_FIRST_OF(HSR_PART_WARNOCK),

@@ -28,7 +28,7 @@ struct warnock {
                                       */
   struct hsr_bsp_side *side;         /* for all levels */
 
-  /* The polygon at hand. */
+  /* The current polygon. */
   struct hsr_piece piece;
   bool is_asked; /* what it covers is asked sample by sample */
 };
@@ -231,11 +231,12 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .coherence = "frame; area",
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
-    .kind = HSR_IDS,
+    .makes = {{HSR_IDS}},
     .sorts = sorts,
     .parts = uses,
     .counters = counters,
     .outline = outline,
     .prepare = hsr_bsp_prepare,
     .render = render,
+    .show = hsr_bsp_show,
     .release = hsr_bsp_release};

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Drawing, with or without a listener. */
+#include "bench/library/library.h"
+#include "bench/run/crew.h"
+#include "common/base/clock.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST_THREADS = 64, LEAST_BANDS = 16 };
+
+/* --- The view ------------------------------------------------------------- */
+
+static enum hsr_status take_camera(const struct lib_camera *from,
+                                   struct hsr_camera *camera,
+                                   struct hsr_error *err) {
+  struct lib_camera taken;
+  enum hsr_status status = lib_take("camera", &taken, sizeof taken, from, err);
+  *camera = (struct hsr_camera){
+      .fov = taken.fov, .near = taken.near, .parallel = taken.parallel};
+  memcpy(camera->eye, taken.eye, sizeof camera->eye);
+  memcpy(camera->at, taken.at, sizeof camera->at);
+  memcpy(camera->up, taken.up, sizeof camera->up);
+  memcpy(camera->light, taken.light, sizeof camera->light);
+  return status;
+}
+
+enum hsr_status lib_view(const struct lib_scene *scene,
+                         const struct hsr_request *request,
+                         struct hsr_view *view, struct hsr_error *err) {
+  const struct hsr_scene *s = scene->scene;
+  if (request->camera) {
+    struct hsr_camera camera;
+    enum hsr_status status = take_camera(request->camera, &camera, err);
+    return status ? status
+                  : hsr_view_init(view, &camera, request->m, request->n, err);
+  }
+  if (request->view >= s->n_views)
+    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %u",
+                    s->name, s->n_views, request->view);
+  return hsr_view_init_of(view, s, request->view, request->m, request->n, err);
+}
+
+enum hsr_status lib_window(const struct hsr_request *request,
+                           const struct hsr_answer_type *type,
+                           struct hsr_view *view, struct hsr_error *err) {
+  const int *w = request->window;
+  if (!w[0] && !w[1] && !w[2] && !w[3])
+    return HSR_OK;
+  if (w[0] < 0 || w[1] < 0 || w[2] > view->m || w[3] > view->n ||
+      w[0] >= w[2] || w[1] >= w[3])
+    return hsr_fail(err, HSR_E_USAGE,
+                    "window %d, %d, %d, %d: must not be empty, and must be in "
+                    "the picture of %d x %d",
+                    w[0], w[1], w[2], w[3], view->m, view->n);
+  if (!type->by_windows)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "an answer of the kind %s is made as a whole; it has no "
+                    "windows",
+                    type->name);
+  view->window = (struct hsr_window){w[0], w[1], w[2], w[3]};
+  return HSR_OK;
+}
+
+/* --- The answer ----------------------------------------------------------- */
+
+void hsr_free(struct lib_answer *answer) {
+  if (!answer)
+    return;
+  free(answer->polygons.face);
+  free(answer->polygons.cycle);
+  free(answer->polygons.point);
+  free(answer->polygons.xy);
+  hsr_answer_free(&answer->answer);
+  if (answer->setup.algorithm)
+    hsr_setup_free(&answer->setup);
+  hsr_close(answer->scene);
+  free(answer);
+}
+
+static enum hsr_status take_request(const struct lib_scene *scene,
+                                    const struct hsr_request *from,
+                                    struct hsr_request *request,
+                                    struct hsr_error *err) {
+  if (!scene || !from)
+    return lib_null(scene ? "request" : "scene", err);
+  enum hsr_status status =
+      lib_take("request", request, sizeof *request, from, err);
+  if (!status && !request->algorithm)
+    return lib_null("request: algorithm", err);
+  if (!status && (request->threads < 0 || request->threads > MOST_THREADS))
+    return hsr_fail(err, HSR_E_USAGE, "request: threads must be 0 to %d",
+                    MOST_THREADS);
+  return status;
+}
+
+/* Makes an answer in which nothing is drawn, of what a request asks for. It is
+ * to be freed also after a failure, when it may be NULL. */
+static enum hsr_status begin_answer(const struct lib_scene *scene,
+                                    const struct hsr_request *request,
+                                    struct lib_answer **made,
+                                    struct hsr_error *err) {
+  struct lib_answer *answer = *made = calloc(1, sizeof *answer);
+  if (!answer)
+    return hsr_fail_nomem(err);
+  answer->scene = lib_scene_share(scene);
+  answer->counts = request->counts;
+  answer->is_own_view = !request->camera;
+  answer->number = request->view;
+  enum hsr_status status =
+      hsr_variant_parse(request->algorithm, &answer->variant, err);
+  if (!status)
+    status = lib_view(scene, request, &answer->view, err);
+  if (!status)
+    status = lib_window(request, answer->variant.choice.form.type,
+                        &answer->view, err);
+  return status;
+}
+
+/* Keeps what is known of the setup, and the setup itself if the answer may name
+ * faces of its adapted world. */
+static void keep_setup(struct lib_answer *answer, struct hsr_setup *setup) {
+  size_t n = 0, size = sizeof answer->adapted;
+  answer->adapt_seconds = setup->adapt_seconds;
+  answer->prepare_seconds = setup->prepare_seconds;
+  for (int k = 0; k < setup->n_adaptations && n < size; k++)
+    n += (size_t)snprintf(answer->adapted + n, size - n, "%s%s", k ? ", " : "",
+                          setup->adaptation[k].name);
+  if (answer->variant.choice.form.type->by_places)
+    hsr_setup_free(setup);
+  else
+    answer->setup = *setup;
+}
+
+/* --- Drawing -------------------------------------------------------------- */
+
+/* Who is told how far a drawing is. */
+struct told {
+  int (*progress)(void *context, double share);
+  void *context;
+};
+
+static bool tell(void *whom, double share) {
+  const struct told *told = whom;
+  return told->progress(told->context, share);
+}
+
+/* Draws by a crew. The scene is held for reading. */
+static enum hsr_status draw_by_crew(struct lib_answer *answer,
+                                    const struct hsr_setup *setup,
+                                    const struct hsr_request *request,
+                                    struct hsr_error *err) {
+  struct told told = {request->progress, request->context};
+  struct crew_watch watch = {tell, &told, request->counts ? 1 : LEAST_BANDS};
+  struct crew *crew = crew_new(request->threads);
+  if (!crew)
+    return hsr_fail_nomem(err);
+  if (request->progress)
+    crew_watch(crew, &watch);
+  double begin = hsr_seconds_now();
+  enum hsr_status status = crew_render(crew, setup, &answer->view,
+                                       &answer->answer, &answer->tally, err);
+  answer->draw_seconds = hsr_seconds_now() - begin;
+  crew_free(crew);
+  return status;
+}
+
+/* Draws an answer in which nothing is drawn. */
+static enum hsr_status draw(struct lib_answer *answer,
+                            const struct hsr_request *request,
+                            struct hsr_error *err) {
+  const struct hsr_variant *v = &answer->variant;
+  const struct hsr_algorithm *build =
+      request->counts ? v->listed->counting : v->listed->plain;
+  struct hsr_setup setup;
+  enum hsr_status status =
+      lib_scene_world(answer->scene, build, &v->choice, &answer->world, err);
+  if (status)
+    return status;
+  lib_scene_read(answer->scene);
+  status = hsr_setup_init(&setup, build, &v->choice, answer->world, err);
+  if (!status)
+    status = answer_init(&answer->answer, &setup, &answer->view, err);
+  if (!status)
+    status = draw_by_crew(answer, &setup, request, err);
+  keep_setup(answer, &setup);
+  if (!status)
+    status = lib_polygons_make(answer, err);
+  lib_scene_leave(answer->scene);
+  return status;
+}
+
+enum hsr_status hsr_draw(const struct lib_scene *scene,
+                         const struct hsr_request *request,
+                         struct lib_answer **answer, struct hsr_error *err) {
+  struct hsr_request taken;
+  struct lib_answer *made = NULL;
+  if (!answer)
+    return lib_null("answer", err);
+  *answer = NULL;
+  enum hsr_status status = take_request(scene, request, &taken, err);
+  if (!status)
+    status = begin_answer(scene, &taken, &made, err);
+  if (!status)
+    status = draw(made, &taken, err);
+  if (status)
+    hsr_free(made);
+  else
+    *answer = made;
+  return status;
+}
+
+/* --- Tracing -------------------------------------------------------------- */
+
+/* Whether the algorithm has steps to tell of. */
+static enum hsr_status check_trace(const struct hsr_variant *variant,
+                                   struct hsr_error *err) {
+  const struct hsr_algorithm *a = variant->listed->counting;
+  const struct hsr_answer_type *type = variant->choice.form.type;
+  const char *why = NULL;
+  if (a->flags & HSR_JUDGE)
+    why = "a judge has no steps to trace";
+  else if (a->flags & HSR_NO_PICTURE)
+    why = "it draws nothing";
+  else if ((type != hsr_own_kind(a) && !hsr_makes_also(a, type)) ||
+           !type->paint)
+    why = "answers of this kind are not traced";
+  else if (!a->outline)
+    why = "it has no outline, and cannot be traced";
+  return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)
+             : HSR_OK;
+}
+
+/* Who listens to a trace. */
+struct listener {
+  void (*listen)(void *context, const struct lib_event *event);
+  void *context;
+  const struct hsr_algorithm *algorithm;
+};
+
+static struct lib_subject subject_of(const struct hsr_subject *own) {
+  return (struct lib_subject){.kind = hsr_subject_kind_name[own->kind],
+                              .id = {own->id[0], own->id[1], own->id[2]}};
+}
+
+static void listen(void *context, const struct hsr_event *own) {
+  const struct listener *l = context;
+  const struct hsr_counter *counter = &l->algorithm->counters[own->counter];
+  const struct hsr_window *w = &own->window;
+  struct lib_event event = {.size = sizeof event,
+                            .number = own->number,
+                            .counter = (size_t)own->counter,
+                            .step = hsr_step_kind_name[counter->kind],
+                            .a = subject_of(&own->a),
+                            .b = subject_of(&own->b),
+                            .window = {w->x0, w->y0, w->x1, w->y1},
+                            .outcome = own->outcome};
+  l->listen(l->context, &event);
+}
+
+enum hsr_status
+hsr_trace(const struct lib_scene *scene, const struct hsr_request *request,
+          void (*hear)(void *context, const struct lib_event *event),
+          void *context, struct lib_answer **answer, struct hsr_error *err) {
+  struct hsr_request taken;
+  struct lib_answer *made = NULL;
+  if (!answer || !hear)
+    return lib_null(answer ? "listen" : "answer", err);
+  *answer = NULL;
+  enum hsr_status status = take_request(scene, request, &taken, err);
+  taken.threads = taken.counts = 1;
+  if (!status)
+    status = begin_answer(scene, &taken, &made, err);
+  if (!status)
+    status = check_trace(&made->variant, err);
+  if (!status) {
+    struct listener listener = {hear, context, made->variant.listed->counting};
+    struct hsr_trace trace = {.listen = listen, .context = &listener};
+    made->tally.trace = &trace;
+    status = draw(made, &taken, err);
+    made->tally.trace = NULL;
+  }
+  if (status)
+    hsr_free(made);
+  else
+    *answer = made;
+  return status;
+}

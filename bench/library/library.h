@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Between the files of the library.
+ *
+ * Names       the structs of hsr.h have the names that suit its users. Some are
+ *             those of hsr's own structs. So here a public struct hsr_scene is
+ *             a struct lib_scene, and so on. Its own names have no linkage, so
+ *             the linker knows nothing of that. */
+#ifndef HSR_BENCH_LIBRARY_H
+#define HSR_BENCH_LIBRARY_H
+
+#include "algorithms/setup.h"
+#include "bench/modules/variant.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+
+#define hsr_answer lib_answer
+#define hsr_camera lib_camera
+#define hsr_event lib_event
+#define hsr_scene lib_scene
+#define hsr_segment lib_segment
+#define hsr_subject lib_subject
+#include "bench/library/hsr.h"
+#undef hsr_answer
+#undef hsr_camera
+#undef hsr_event
+#undef hsr_scene
+#undef hsr_segment
+#undef hsr_subject
+
+/* --- Structs that cross the border (structs.c) ---------------------------- */
+
+/* Copies a struct of the caller's, whose first member is its size, to *to,
+ * which has `known` bytes. If `from` is NULL, *to becomes all 0. HSR_E_USAGE if
+ * it is too small, or has more than is known. `what` names it in the error. */
+enum hsr_status lib_take(const char *what, void *to, size_t known,
+                         const void *from, struct hsr_error *err);
+
+/* Fills a struct of the caller's with *from, which has `known` bytes, but for
+ * its first member. HSR_E_USAGE if `to` is NULL or too small. */
+enum hsr_status lib_give(const char *what, void *to, size_t known,
+                         const void *from, struct hsr_error *err);
+
+/* HSR_E_USAGE: "WHAT is NULL". */
+enum hsr_status lib_null(const char *what, struct hsr_error *err);
+
+/* --- Scenes (scenes.c) ---------------------------------------------------- */
+
+/* A scene, and its worlds, made when they are first needed. Who reads the scene
+ * or a world holds the lock for reading; who makes a world, or the faces of a
+ * grid, holds it for writing. */
+struct lib_scene {
+  struct hsr_scene *scene;
+  atomic_long users; /* the handle, and each answer */
+  pthread_rwlock_t lock;
+  struct hsr_world laid_out, roster;
+  bool has_laid_out, has_roster;
+  uint64_t n_dropped;
+  char notes[1000];
+};
+
+/* A handle without a scene, which hsr_close frees. NULL for lack of memory. */
+struct lib_scene *lib_scene_new(void);
+
+/* The options of opening, checked. HSR_E_USAGE. */
+enum hsr_status lib_open_options(const struct hsr_open_options *from,
+                                 struct hsr_open_options *options,
+                                 struct hsr_error *err);
+
+/* One more user. */
+struct lib_scene *lib_scene_share(const struct lib_scene *scene);
+
+/* Sets *world to the one that suits an algorithm, as hsr_setup_world makes it.
+ * It is the scene's. The caller does not hold the lock. Errors as
+ * hsr_setup_world. */
+enum hsr_status lib_scene_world(struct lib_scene *scene,
+                                const struct hsr_algorithm *algorithm,
+                                const struct hsr_choice *choice,
+                                const struct hsr_world **world,
+                                struct hsr_error *err);
+
+/* Begins and ends reading. */
+void lib_scene_read(struct lib_scene *scene);
+void lib_scene_leave(struct lib_scene *scene);
+
+/* --- Answers (draw.c) ----------------------------------------------------- */
+
+/* The arrays of struct hsr_polygon_arrays. */
+struct lib_polygons {
+  uint32_t *face;
+  size_t *cycle, *point;
+  double *xy;
+};
+
+struct lib_answer {
+  struct lib_scene *scene; /* shared */
+  const struct hsr_world *world;
+  struct hsr_variant variant;
+  struct hsr_view view;
+  bool is_own_view; /* of the scene, number `number` */
+  uint32_t number;
+  struct hsr_setup setup; /* of answers that name faces of an adapted world;
+                             else its algorithm is NULL */
+  struct hsr_answer answer;
+  struct hsr_tally tally;
+  bool counts;
+  char adapted[200];
+  double adapt_seconds, prepare_seconds, draw_seconds;
+  struct lib_polygons polygons;
+};
+
+/* Sets the view that a request asks for, but not its window. Errors as
+ * hsr_draw. */
+enum hsr_status lib_view(const struct lib_scene *scene,
+                         const struct hsr_request *request,
+                         struct hsr_view *view, struct hsr_error *err);
+
+/* Sets the window of a view for a kind of answer. HSR_E_USAGE. */
+enum hsr_status lib_window(const struct hsr_request *request,
+                           const struct hsr_answer_type *type,
+                           struct hsr_view *view, struct hsr_error *err);
+
+/* Fills the arrays of an answer of polygons (polygons.c). HSR_E_NOMEM. */
+enum hsr_status lib_polygons_make(struct lib_answer *answer,
+                                  struct hsr_error *err);
+
+/* --- Showing (write.c) ---------------------------------------------------- */
+
+/* How an answer is shown. */
+struct hsr_showing lib_showing(const struct lib_answer *answer,
+                               enum hsr_shading_choice shading);
+
+/* Whether the kind of the answer takes account of a setting, HSR_SHADING and so
+ * on. HSR_E_USAGE with `what` if not. */
+enum hsr_status lib_takes(const struct lib_answer *answer, int setting,
+                          const char *what, struct hsr_error *err);
+
+#endif

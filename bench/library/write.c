@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How answers are shown, and written to files. */
+#include "config.h"
+
+#include "bench/library/library.h"
+#include "common/answers/kinds/segments.h"
+
+#include <math.h>
+#include <stdio.h>
+
+struct hsr_showing lib_showing(const struct lib_answer *answer,
+                               enum hsr_shading_choice shading) {
+  return (struct hsr_showing){.world = answer->world,
+                              .view = &answer->view,
+                              .scene = answer->scene->scene->name,
+                              .shading = (enum hsr_shading)shading,
+                              .depth = true,
+                              .supersamples = 1,
+                              .crease = -1};
+}
+
+enum hsr_status lib_takes(const struct lib_answer *answer, int setting,
+                          const char *what, struct hsr_error *err) {
+  const struct hsr_answer_type *type = answer->answer.form.type;
+  return type->takes & 1u << setting
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_USAGE,
+                        "an answer of the kind %s takes no account of %s",
+                        type->name, what);
+}
+
+/* --- The style ------------------------------------------------------------ */
+
+/* Whether the style has only values that there are. */
+static enum hsr_status check_values(const struct hsr_style *s,
+                                    struct hsr_error *err) {
+  if ((int)s->shading < 0 || (int)s->shading > HSR_COLOUR_GOURAUD)
+    return hsr_fail(err, HSR_E_USAGE, "style: there is no shading %d",
+                    (int)s->shading);
+  if ((int)s->hidden < 0 || (int)s->hidden > HSR_LINES_ALL)
+    return hsr_fail(err, HSR_E_USAGE, "style: hidden cannot be %d",
+                    (int)s->hidden);
+  if (!(s->crease >= 0 && s->crease <= 180))
+    return hsr_fail(err, HSR_E_USAGE, "style: crease must be 0 to 180");
+  for (int c = 0; s->background && c < 3; c++)
+    if (!(s->background[c] >= 0 && s->background[c] <= 1))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "style: background must be from 0 to 1");
+  return HSR_OK;
+}
+
+/* Whether the answer takes account of the style. */
+static enum hsr_status check_style(const struct lib_answer *answer,
+                                   const struct hsr_style *s,
+                                   struct hsr_error *err) {
+  enum hsr_status status = check_values(s, err);
+  if (!status && s->shading)
+    status = lib_takes(answer, HSR_SHADING, "shading", err);
+  if (!status && (s->hidden || s->crease > 0))
+    status = lib_takes(answer, HSR_LINES, "hidden and crease", err);
+  if (!status && s->background)
+    status = lib_takes(answer, HSR_BACKDROP, "background", err);
+  return status;
+}
+
+/* --- Writing -------------------------------------------------------------- */
+
+/* Shades and writes an answer, which is as it is to be shown. */
+static enum hsr_status write_shown(const struct hsr_answer *answer,
+                                   const struct hsr_showing *showing,
+                                   const char *path, struct hsr_error *err) {
+  const struct hsr_answer_type *type = answer->form.type;
+  struct hsr_shaded shaded = {.rgb = NULL};
+  enum hsr_status status =
+      type->shade ? type->shade(answer, showing, &shaded, err) : HSR_OK;
+  if (!status)
+    status = type->write(answer, showing, &shaded, path, err);
+  hsr_shaded_free(&shaded);
+  return status;
+}
+
+/* Writes a copy of a line drawing without the edges that are not to be shown.
+ * */
+static enum hsr_status write_trimmed(const struct lib_answer *answer,
+                                     const struct hsr_drawing *drawing,
+                                     const struct hsr_showing *showing,
+                                     const char *path, struct hsr_error *err) {
+  struct hsr_drawing copy = {.segment = NULL};
+  enum hsr_status status = HSR_OK;
+  for (size_t k = 0; k < drawing->n && !status; k++)
+    if (hsr_drawing_add(&copy, &drawing->segment[k]))
+      status = hsr_fail_nomem(err);
+  struct hsr_answer trimmed =
+      hsr_answer_of_drawing(&copy, answer->view.m, answer->view.n);
+  if (!status)
+    status = trimmed.form.type->trim(&trimmed, showing, err);
+  if (!status)
+    status = write_shown(&trimmed, showing, path, err);
+  hsr_drawing_free(&copy);
+  return status;
+}
+
+/* Writes with the texts that go into a file. The scene is held for reading. */
+static enum hsr_status write_file(const struct lib_answer *answer,
+                                  struct hsr_showing *showing, const char *path,
+                                  struct hsr_error *err) {
+  char text[300], title[200], description[200];
+  const struct hsr_algorithm *a = answer->variant.listed->plain;
+  const struct hsr_drawing *drawing = hsr_answer_lines(&answer->answer);
+  snprintf(text, sizeof text, "Software=hsr\nScene=%.200s\nAlgorithm=%s\n",
+           showing->scene, a->name);
+  if (answer->is_own_view)
+    snprintf(title, sizeof title, "%.150s, view %u", showing->scene,
+             answer->number + 1);
+  else
+    snprintf(title, sizeof title, "%.150s", showing->scene);
+  snprintf(description, sizeof description,
+           "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  showing->text = text;
+  showing->title = title;
+  showing->description = description;
+  return drawing && showing->crease >= 0
+             ? write_trimmed(answer, drawing, showing, path, err)
+             : write_shown(&answer->answer, showing, path, err);
+}
+
+enum hsr_status hsr_write(const struct lib_answer *answer, const char *path,
+                          const struct hsr_style *style,
+                          struct hsr_error *err) {
+  struct hsr_style s;
+  if (!answer || !path)
+    return lib_null(answer ? "path" : "answer", err);
+  const struct hsr_answer_type *type = answer->answer.form.type;
+  enum hsr_status status = lib_take("style", &s, sizeof s, style, err);
+  if (!status)
+    status = check_style(answer, &s, err);
+  if (status)
+    return status;
+  if (!type->fits(path))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: cannot hold an answer of the kind %s", path,
+                    type->name);
+  struct hsr_showing showing = lib_showing(answer, s.shading);
+  showing.hidden = (enum hsr_hidden)s.hidden;
+  showing.crease = s.crease > 0 ? s.crease : -1;
+  showing.background.given = s.background;
+  if (s.background)
+    memcpy(showing.background.rgb, s.background, sizeof showing.background.rgb);
+  lib_scene_read(answer->scene);
+  status = write_file(answer, &showing, path, err);
+  lib_scene_leave(answer->scene);
+  return status;
+}

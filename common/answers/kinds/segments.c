@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every edge in intervals of one quantitative invisibility:
+ * docs/correct-drawing.md. Two answers are equal if all edges agree. */
+#include "common/answers/kinds/segments.h"
+#include "common/answers/coded.h"
+#include "common/files/image.h"
+#include "common/files/mesh/exchange.h"
+#include "common/files/plot.h"
+#include "common/files/suffix.h"
+#include "common/lines/crease.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer) {
+  return answer->form.type == &hsr_answer_segments ? answer->body : NULL;
+}
+
+struct hsr_answer hsr_answer_of_drawing(struct hsr_drawing *drawing, int m,
+                                        int n) {
+  return (struct hsr_answer){.form = hsr_form_standard(&hsr_answer_segments),
+                             .m = m,
+                             .n = n,
+                             .body = drawing};
+}
+
+static const struct hsr_drawing *lines(const struct hsr_answer *answer) {
+  return answer->body;
+}
+
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  answer->body = calloc(1, sizeof(struct hsr_drawing));
+  return answer->body ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void clear(struct hsr_answer *answer) {
+  hsr_drawing_clear(answer->body);
+}
+
+static void free_body(struct hsr_answer *answer) {
+  hsr_drawing_free(answer->body);
+  free(answer->body);
+}
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  struct hsr_drawing_difference found;
+  hsr_drawing_compare(c->got->body, c->wanted->body, c->coarse, &found);
+  difference->compared = found.edges;
+  difference->differing = found.differing;
+  const struct hsr_edge_name *e = &found.first;
+  if (found.differing && e->implied)
+    snprintf(difference->first, sizeof difference->first,
+             "the implied one of faces %u and %u, number %u", e->a, e->b,
+             e->part);
+  else if (found.differing)
+    snprintf(difference->first, sizeof difference->first,
+             "from vertex %u to %u", e->a, e->b);
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+static enum hsr_status trim(struct hsr_answer *answer,
+                            const struct hsr_showing *showing,
+                            struct hsr_error *err) {
+  if (showing->crease < 0)
+    return HSR_OK;
+  return hsr_drawing_crease(answer->body, showing->world, showing->view,
+                            showing->crease, err);
+}
+
+static enum hsr_status write_image(const struct hsr_plot *plot,
+                                   const char *path, const char *text,
+                                   struct hsr_error *err) {
+  struct hsr_picture image = {plot->m, plot->n, NULL, NULL, NULL};
+  float *rgb = malloc(3 * (size_t)plot->m * (size_t)plot->n * sizeof *rgb);
+  if (!rgb)
+    return hsr_fail_nomem(err);
+  image.rgb = rgb;
+  enum hsr_status status = hsr_plot_raster(plot, rgb, err);
+  if (!status)
+    status = hsr_image_write(path, &image, text, err);
+  free(rgb);
+  return status;
+}
+
+static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
+                                  const char *text, struct hsr_error *err) {
+  if (hsr_ends_in(path, ".svg"))
+    return hsr_plot_write_svg(plot, path, err);
+  if (hsr_ends_in(path, ".pdf"))
+    return hsr_plot_write_pdf(plot, path, err);
+  return write_image(plot, path, text, err);
+}
+
+/* A .vtp file holds all intervals, in world space. The other files are drawings
+ * on paper. */
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  (void)shaded;
+  if (hsr_ends_in(path, ".vtp"))
+    return hsr_drawing_write_vtp(answer->body, path, err);
+  struct hsr_plot plot;
+  enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
+                                         showing->view, showing->hidden, err);
+  plot.page = showing->page;
+  plot.title = showing->title;
+  plot.description = showing->description;
+  if (!status)
+    status = write_plot(&plot, path, showing->text, err);
+  hsr_plot_free(&plot);
+  return status;
+}
+
+static bool fits(const char *path) {
+  (void)path;
+  return true;
+}
+
+/* The length on the paper, in pixels. */
+static double length(const struct hsr_segment *segment,
+                     const struct hsr_view *view) {
+  double from[2], to[2];
+  return hsr_plot_point(view, segment->from, from) &&
+                 hsr_plot_point(view, segment->to, to)
+             ? hypot(to[0] - from[0], to[1] - from[1])
+             : 0;
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  const struct hsr_drawing *drawing = answer->body;
+  size_t edges = 0;
+  double visible = 0, all = 0;
+  for (size_t k = 0; k < drawing->n; k++) {
+    const struct hsr_segment *segment = &drawing->segment[k];
+    double part = length(segment, showing->view);
+    all += part;
+    visible += segment->invisibility ? 0 : part;
+    edges += !k || hsr_edge_name_compare(&segment->edge, &segment[-1].edge);
+  }
+  fprintf(out, "%zu edges, %zu intervals, %.1f %% of their length visible\n",
+          edges, drawing->n, all > 0 ? 100 * visible / all : 0);
+}
+
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The part of an accepted event is a struct hsr_segment. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  return event->part ? hsr_drawing_add(answer->body, event->part) : HSR_OK;
+}
+
+static enum hsr_status settle(struct hsr_answer *answer) {
+  return hsr_drawing_sort(answer->body);
+}
+
+/* The edge, coded like the subject of an event. Its own face is left open: the
+ * edge may belong to several faces. */
+/* Whether a point is beyond the view's `near`; and its place in samples. */
+static bool is_seen(const struct hsr_view *view, const double point[3],
+                    double at[2]) {
+  double image[3];
+  hsr_view_project(view, point, image);
+  for (int k = 0; k < 2; k++)
+    at[k] = image[k] / hsr_view_w(view, image);
+  return image[2] > view->near && isfinite(at[0]) && isfinite(at[1]);
+}
+
+/* The visible intervals. */
+static void sketch(const struct hsr_answer *painted,
+                   const struct hsr_event *event, enum hsr_step_kind step,
+                   const struct hsr_view *view, uint32_t face,
+                   const struct hsr_slide *slide) {
+  const struct hsr_segment *s = event->part;
+  double from[2], to[2];
+  (void)painted, (void)face;
+  if (step == HSR_ACCEPT && s && !s->invisibility &&
+      is_seen(view, s->from, from) && is_seen(view, s->to, to))
+    slide->line(slide->on, from, to);
+}
+
+static json_t *edge_json(const struct hsr_edge_name *edge) {
+  return hsr_subject_json(edge->implied
+                              ? HSR_IMPLIED(edge->a, edge->b, edge->part)
+                              : HSR_EDGE(edge->a, edge->b, HSR_NO_ID));
+}
+
+static json_t *segment_json(const void *part, const struct hsr_view *view) {
+  const struct hsr_segment *s = part;
+  return json_pack("[o I f f [fff] [fff] o o]", edge_json(&s->edge),
+                   (json_int_t)s->invisibility, s->t0, s->t1, s->from[0],
+                   s->from[1], s->from[2], s->to[0], s->to[1], s->to[2],
+                   hsr_point_json(view, s->from), hsr_point_json(view, s->to));
+}
+
+static json_t *drawing_json(const struct hsr_answer *answer,
+                            const struct hsr_view *view) {
+  const struct hsr_drawing *drawing = answer->body;
+  json_t *segments = json_array();
+  for (size_t k = 0; k < drawing->n; k++)
+    hsr_json_append(&segments, segment_json(&drawing->segment[k], view));
+  return segments;
+}
+
+const struct hsr_answer_type hsr_answer_segments = {
+    .name = "segments",
+    .meaning = "every edge in intervals of one quantitative invisibility",
+    .draws = "lines",
+    .places = "edges",
+    .grains = "samples",
+    .takes = 1 << HSR_LINES,
+    .make = make,
+    .clear = clear,
+    .free = free_body,
+    .compare = compare,
+    .trim = trim,
+    .fits = fits,
+    .write = write,
+    .lines = lines,
+    .print = print,
+    .paint = paint,
+    .sketch = sketch,
+    .settle = settle,
+    .json = drawing_json,
+    .part_json = segment_json};

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the library says that there is, and scenes and cameras. Through hsr.h
+ * alone. */
+#include "tests/library/public.h"
+
+#include <math.h>
+
+/* Whether info about item `end` is refused and the struct left alone. */
+#define ENDS(call, info) ((call) == HSR_E_USAGE && !(info).name)
+
+static size_t count_builtins(void) {
+  struct hsr_builtin_info info = {.size = sizeof info};
+  size_t n = 0;
+  while (!hsr_get_builtin(n, &info, NULL) && info.name && info.usage &&
+         info.about)
+    n++;
+  return n;
+}
+
+static size_t count_kinds(void) {
+  struct hsr_kind_info info = {.size = sizeof info};
+  size_t n = 0;
+  while (!hsr_get_kind(n, &info, NULL) && info.name && info.meaning &&
+         info.places)
+    n++;
+  return n;
+}
+
+/* Whether a request may have such a text: it is read before the view, which is
+ * not there. */
+static bool is_read(const struct hsr_scene *scene, const char *text) {
+  struct hsr_request request = request_of(text, 4, 3);
+  struct hsr_answer *answer = NULL;
+  struct hsr_error err = {.text = ""};
+  request.view = 1000000;
+  bool read = hsr_draw(scene, &request, &answer, &err) == HSR_E_USAGE &&
+              strstr(err.text, "there is no view");
+  if (!read)
+    printf("# %s\n", err.text);
+  return read;
+}
+
+/* Whether all words of an option can be chosen and have a meaning, and there
+ * are no more. */
+static bool words_are_said(const struct hsr_scene *scene, size_t a, size_t o,
+                           const char *algorithm,
+                           const struct hsr_option_info *option) {
+  struct hsr_word_info word = {.size = sizeof word};
+  for (size_t w = 0; w < option->n_words; w++) {
+    char text[300];
+    if (hsr_get_word(a, o, w, &word, NULL) || !word.meaning)
+      return false;
+    snprintf(text, sizeof text, "%s:%s=%s", algorithm, option->name, word.name);
+    if (!is_read(scene, text))
+      return false;
+  }
+  return hsr_get_word(a, o, option->n_words, &word, NULL) == HSR_E_USAGE;
+}
+
+static bool options_are_said(const struct hsr_scene *scene, size_t a,
+                             const struct hsr_algorithm_info *algorithm) {
+  struct hsr_option_info option = {.size = sizeof option};
+  for (size_t o = 0; o < algorithm->n_options; o++) {
+    if (hsr_get_option(a, o, &option, NULL) || !option.name || !option.meaning)
+      return false;
+    bool in_range =
+        option.standard >= option.least && option.standard <= option.most;
+    if (!option.n_words && !in_range)
+      return false;
+    if (option.n_words && option.standard >= (double)option.n_words)
+      return false;
+    if (!words_are_said(scene, a, o, algorithm->name, &option))
+      return false;
+  }
+  return hsr_get_option(a, algorithm->n_options, &option, NULL) == HSR_E_USAGE;
+}
+
+static bool counters_are_said(size_t a,
+                              const struct hsr_algorithm_info *algorithm) {
+  struct hsr_counter_info c = {.size = sizeof c};
+  for (size_t k = 0; k < algorithm->n_counters; k++)
+    if (hsr_get_counter(a, k, &c, NULL) || !c.name || !c.meaning || !c.step ||
+        !c.a || !c.b || (c.line > 0) != (c.line_text != NULL))
+      return false;
+  return hsr_get_counter(a, algorithm->n_counters, &c, NULL) == HSR_E_USAGE;
+}
+
+static void test_algorithms(struct tap *tap) {
+  struct hsr_algorithm_info info = {.size = sizeof info};
+  struct hsr_scene *scene = open_scene("coplanar");
+  size_t n = 0, found = 0, oracles = 0;
+  bool said = true, options = true, counters = true;
+  for (; !hsr_get_algorithm(n, &info, NULL); n++) {
+    said = said && info.name && info.title && info.class_name &&
+           info.kinds >> info.kind & 1;
+    options = options && options_are_said(scene, n, &info);
+    counters = counters && counters_are_said(n, &info);
+    oracles += info.is_oracle > 0;
+    size_t k = 0;
+    found += !hsr_find_algorithm(info.name, &k, NULL) && k == n;
+  }
+  hsr_close(scene);
+  struct hsr_error err = {.text = ""};
+  size_t k = 7;
+  ok(tap, n > 50 && found == n, "%zu algorithms are listed and found by name",
+     n);
+  ok(tap, said && oracles > 5, "they have names and kinds; %zu are oracles",
+     oracles);
+  ok(tap, options, "their options and words have meanings");
+  ok(tap, counters, "their counters have meanings");
+  ok(tap,
+     hsr_find_algorithm("watkin", &k, &err) == HSR_E_USAGE && k == 7 &&
+         strstr(err.text, "watkins"),
+     "one that is misspelt is refused: %s", err.text);
+  ok(tap,
+     hsr_find_algorithm("watkins:x-list=tree", &k, NULL) == HSR_E_USAGE &&
+         hsr_find_algorithm(NULL, &k, NULL) == HSR_E_USAGE &&
+         hsr_find_algorithm("watkins", NULL, NULL) == HSR_E_USAGE,
+     "a name is without options, and nothing is NULL");
+}
+
+static void test_lists(struct tap *tap) {
+  struct hsr_builtin_info builtin = {.size = sizeof builtin};
+  struct hsr_kind_info kind = {.size = sizeof kind};
+  struct hsr_algorithm_info small = {.size = 8};
+  size_t big = SIZE_MAX;
+  ok(tap, strlen(hsr_version()) > 2, "the version is %s", hsr_version());
+  ok(tap, count_builtins() > 30, "%zu scenes are listed", count_builtins());
+  ok(tap, count_kinds() == 9, "%zu kinds of answers are listed", count_kinds());
+  ok(tap,
+     ENDS(hsr_get_builtin(big, &builtin, NULL), builtin) &&
+         ENDS(hsr_get_kind(big, &kind, NULL), kind) &&
+         hsr_get_algorithm(big, &small, NULL) == HSR_E_USAGE &&
+         hsr_get_option(big, 0, NULL, NULL) == HSR_E_USAGE &&
+         hsr_get_word(big, 0, 0, NULL, NULL) == HSR_E_USAGE &&
+         hsr_get_word(0, big, 0, NULL, NULL) == HSR_E_USAGE &&
+         hsr_get_counter(big, 0, NULL, NULL) == HSR_E_USAGE,
+     "what is beyond an end is refused");
+  ok(tap,
+     hsr_get_builtin(0, NULL, NULL) == HSR_E_USAGE &&
+         hsr_get_kind(0, NULL, NULL) == HSR_E_USAGE &&
+         hsr_get_algorithm(0, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  ok(tap, hsr_get_algorithm(0, &small, NULL) == HSR_E_USAGE,
+     "a struct that is too small is refused");
+}
+
+/* A struct of a later version. */
+struct later {
+  struct hsr_kind_info info;
+  char more[16];
+};
+
+static void test_sizes(struct tap *tap) {
+  struct later later = {.info = {.size = sizeof later}, .more = "xyz"};
+  struct {
+    struct hsr_open_options options;
+    char more[16];
+  } options = {.options = {.size = sizeof options}};
+  struct hsr_scene *scene = NULL;
+  ok(tap,
+     !hsr_get_kind(0, &later.info, NULL) && later.info.name && !later.more[0] &&
+         !later.more[2],
+     "what a later version has is filled with 0");
+  ok(tap, !hsr_open("house", &options.options, &scene, NULL),
+     "what a later version may ask for is 0");
+  hsr_close(scene);
+  options.more[3] = 1;
+  ok(tap, hsr_open("house", &options.options, &scene, NULL) == HSR_E_USAGE,
+     "or is refused");
+}
+
+/* --- Scenes --------------------------------------------------------------- */
+
+static void test_scenes(struct tap *tap) {
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_scene *scene = open_scene("soup:100:7");
+  ok(tap,
+     !hsr_get_scene(scene, &info, NULL) && info.n_faces == 100 &&
+         info.n_vertices == 300 && info.n_views > 0 && info.n_objects == 1 &&
+         !info.is_grid && !strcmp(info.name, "soup:100:7") && !*info.notes,
+     "a soup has as many faces as its name says");
+  ok(tap,
+     hsr_get_scene(NULL, &info, NULL) == HSR_E_USAGE &&
+         hsr_get_scene(scene, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  hsr_close(scene);
+  struct hsr_error err = {.text = ""};
+  scene = (struct hsr_scene *)&info;
+  ok(tap,
+     hsr_open("no-such-scene", NULL, &scene, &err) == HSR_E_INPUT && !scene &&
+         err.status == HSR_E_INPUT,
+     "a scene that is not there: %s", err.text);
+  ok(tap, hsr_open("house@eye=1,2", NULL, &scene, &err) == HSR_E_USAGE,
+     "a camera that is wrong: %s", err.text);
+  ok(tap, hsr_open("no-such-file.off", NULL, &scene, &err) == HSR_E_INPUT,
+     "a file that is not there: %s", err.text);
+  ok(tap,
+     hsr_open(NULL, NULL, &scene, NULL) == HSR_E_USAGE &&
+         hsr_open("house", NULL, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  struct hsr_open_options options = {.size = sizeof options, .threads = 65};
+  ok(tap, hsr_open("house", &options, &scene, NULL) == HSR_E_USAGE,
+     "too many threads are refused");
+  hsr_close(NULL);
+}
+
+static void test_files(struct tap *tap) {
+  static const char text[] = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n"
+                             "3 0 1 2\n3 0 1 3\n";
+  struct hsr_open_options options = {.size = sizeof options};
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene = NULL;
+  FILE *file = fopen("library-lists.off", "w");
+  if (file) {
+    fputs(text, file);
+    fclose(file);
+  }
+  ok(tap, hsr_open("library-lists.off", NULL, &scene, &err) == HSR_E_INPUT,
+     "a face without area is refused: %s", err.text);
+  options.drop_degenerate = 1;
+  ok(tap,
+     !hsr_open("library-lists.off", &options, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.n_faces == 1 &&
+         info.n_dropped == 1,
+     "or left out and counted");
+  hsr_close(scene);
+  remove("library-lists.off");
+}
+
+static void test_cameras(struct tap *tap) {
+  struct hsr_scene *scene = open_scene("house");
+  struct hsr_camera camera = {.size = sizeof camera};
+  ok(tap,
+     !hsr_get_camera(scene, 0, &camera, NULL) && camera.fov > 0 &&
+         fabs(camera.eye[0]) + fabs(camera.eye[1]) + fabs(camera.eye[2]) > 0,
+     "the house has a camera");
+  ok(tap,
+     hsr_get_camera(scene, 1000, &camera, NULL) == HSR_E_USAGE &&
+         hsr_get_camera(NULL, 0, &camera, NULL) == HSR_E_USAGE &&
+         hsr_get_camera(scene, 0, NULL, NULL) == HSR_E_USAGE,
+     "another is refused, and NULL");
+  hsr_close(scene);
+}
+
+/* --- Arrays --------------------------------------------------------------- */
+
+static const double corners[] = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4,
+                                 0, 1, 1, 1, 3, 1, 1, 2, 3, 1};
+static const uint32_t rings[] = {4, 3}, vertices[] = {0, 1, 2, 3, 4, 5, 6};
+static const float colours[] = {1, 0, 0, 0, 0.5f, 1};
+
+static struct hsr_arrays two_faces(void) {
+  struct hsr_arrays arrays = {.size = sizeof arrays,
+                              .name = "two",
+                              .xyz = corners,
+                              .n_vertices = 7,
+                              .ring = rings,
+                              .n_faces = 2,
+                              .vertex = vertices,
+                              .n_corners = 7,
+                              .rgb = colours};
+  return arrays;
+}
+
+/* The status of making a scene of arrays. */
+static enum hsr_status status_of(const struct hsr_arrays *arrays,
+                                 struct hsr_error *err) {
+  struct hsr_scene *scene = NULL;
+  enum hsr_status status = hsr_open_arrays(arrays, NULL, &scene, err);
+  if (!status != !!scene)
+    status = HSR_E_INTERNAL;
+  hsr_close(scene);
+  return status;
+}
+
+/* The triangle is in front of the square. */
+static bool is_seen(struct hsr_scene *scene) {
+  struct hsr_camera camera = {.size = sizeof camera,
+                              .eye = {2, 2, 10},
+                              .at = {2, 2, 0},
+                              .up = {0, 1, 0},
+                              .parallel = 6};
+  struct hsr_request request = request_of("zbuffer", 30, 30);
+  struct hsr_answer *answer = NULL;
+  const uint32_t *ids = NULL;
+  float rgb[2700];
+  request.camera = &camera;
+  bool good = !hsr_draw(scene, &request, &answer, NULL) &&
+              !hsr_get_ids(answer, &ids, NULL) &&
+              !hsr_get_colours(answer, HSR_COLOUR_FLAT, rgb, 2700, NULL);
+  good = good && ids[0] == HSR_NO_FACE && ids[15 * 30 + 15] == 1 &&
+         ids[15 * 30 + 6] == 0 && rgb[3 * (15 * 30 + 6)] == 1 &&
+         rgb[3 * (15 * 30 + 15) + 1] == 0.5f;
+  hsr_free(answer);
+  return good;
+}
+
+static void test_arrays(struct tap *tap) {
+  struct hsr_arrays arrays = two_faces();
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_scene *scene = NULL;
+  ok(tap,
+     !hsr_open_arrays(&arrays, NULL, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.n_faces == 2 &&
+         info.n_vertices == 7 && !strcmp(info.name, "two"),
+     "a square and a triangle are a scene");
+  ok(tap, is_seen(scene), "and are seen, in their colours");
+  hsr_close(scene);
+  arrays.name = NULL;
+  arrays.rgb = NULL;
+  arrays.ring = NULL;
+  arrays.vertex += 4;
+  arrays.n_faces = 1;
+  arrays.n_corners = 3;
+  ok(tap, !status_of(&arrays, NULL), "without a name, colours and rings too");
+}
+
+static void test_wrong_lengths(struct tap *tap) {
+  struct hsr_open_options options = {.size = sizeof options,
+                                     .drop_degenerate = 1};
+  struct hsr_scene *scene = NULL;
+  struct hsr_error err = {.text = ""};
+  struct hsr_arrays wrong = two_faces();
+  wrong.n_corners = 8;
+  ok(tap, status_of(&wrong, &err) == HSR_E_USAGE, "%s", err.text);
+  wrong = two_faces();
+  wrong.n_faces = 0;
+  ok(tap, status_of(&wrong, &err) == HSR_E_USAGE, "%s", err.text);
+  wrong = two_faces();
+  wrong.n_vertices = SIZE_MAX;
+  ok(tap, status_of(&wrong, &err) == HSR_E_USAGE, "%s", err.text);
+  wrong = two_faces();
+  wrong.xyz = NULL;
+  bool refused = status_of(&wrong, NULL) == HSR_E_USAGE;
+  wrong = two_faces();
+  wrong.vertex = NULL;
+  ok(tap,
+     refused && status_of(&wrong, NULL) == HSR_E_USAGE &&
+         status_of(NULL, NULL) == HSR_E_USAGE &&
+         hsr_open_arrays(&wrong, NULL, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  wrong = two_faces();
+  ok(tap, hsr_open_arrays(&wrong, &options, &scene, &err) == HSR_E_USAGE, "%s",
+     err.text);
+}
+
+static void test_wrong_contents(struct tap *tap) {
+  struct hsr_error err = {.text = ""};
+  double xyz[21];
+  uint32_t vertex[7] = {0, 1, 2, 3, 4, 5, 7}, ring[2] = {5, 2};
+  float rgb[6] = {0, 0, 0, 2, 0, 0};
+  struct hsr_arrays wrong = two_faces();
+  wrong.vertex = vertex;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  vertex[6] = 5;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong = two_faces();
+  wrong.ring = ring;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong = two_faces();
+  wrong.rgb = rgb;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong = two_faces();
+  wrong.xyz = xyz;
+  memcpy(xyz, corners, sizeof xyz);
+  xyz[4] = NAN;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  xyz[4] = 1e31;
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  memcpy(xyz, corners, sizeof xyz);
+  memcpy(xyz + 18, (const double[]){2, 1, 1}, 3 * sizeof *xyz);
+  ok(tap, status_of(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+}
+
+int main(void) {
+  struct tap tap = plan(41);
+  test_lists(&tap);
+  test_algorithms(&tap);
+  test_sizes(&tap);
+  test_scenes(&tap);
+  test_files(&tap);
+  test_cameras(&tap);
+  test_arrays(&tap);
+  test_wrong_lengths(&tap);
+  test_wrong_contents(&tap);
+  return finish(&tap);
+}
