@@ -245,12 +245,13 @@ struct hsr_arrays {
   size_t n_instances;
 };
 
-/* Makes a scene of arrays. Face f of the arrays is face f of the scene, and
- * face f + k n_faces in instance k. Its own cameras are eight around it. The caller frees *scene by hsr_close.
- * HSR_E_USAGE if the lengths do not fit one another, or
- * options->drop_degenerate is set; HSR_E_INPUT, with the face or vertex, if a
- * coordinate is not finite or above 1e30 in size, a vertex is out of range or
- * twice in a face, a face has no area, or a colour is not in 0 to 1. */
+/* Makes a scene of arrays. Face f of the arrays is face f of the scene; with
+ * instances, face f of instance k is face f + k n_faces. Its own cameras are
+ * eight around it. The caller frees *scene by hsr_close. HSR_E_USAGE if the
+ * lengths do not fit one another, or options->drop_degenerate is set;
+ * HSR_E_INPUT, with the face, vertex or instance, if a coordinate is not finite
+ * or above 1e30 in size, a vertex is out of range or twice in a face, a face has
+ * no area, or a colour is not in 0 to 1. */
 HSR_API enum hsr_status hsr_open_arrays(const struct hsr_arrays *arrays,
                                         const struct hsr_open_options *options,
                                         struct hsr_scene **scene,
@@ -271,9 +272,10 @@ struct hsr_grid_arrays {
                             of their square root; NULL: all grey */
 };
 
-/* Makes a scene of a grid. Its faces are the sides of kept boxes that no kept
- * box covers, by box, with x fastest, then z slowest; and in a box towards lower
- * x, higher x, lower y, higher y, lower z, higher z. The caller frees *scene by
+/* Makes a scene of a grid. Its faces are the sides of the kept boxes, without
+ * those between two kept boxes. Their ids ascend from box to box as the samples
+ * do in `density`. The sides of one box follow in this order: towards lower x,
+ * higher x, lower y, higher y, lower z, higher z. The caller frees *scene by
  * hsr_close. HSR_E_USAGE if n or the bounds are out of range, or
  * options->drop_degenerate is set; HSR_E_INPUT if places do not ascend, no
  * sample is kept, or a colour is not in 0 to 1; HSR_E_REFUSED for more than 2^32

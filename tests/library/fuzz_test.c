@@ -202,6 +202,9 @@ static void open_arrays(struct fuzz *f) {
   double xyz[3 * 8];
   uint32_t ring[4], vertex[16];
   float rgb[12];
+  double places[2 * 12];
+  for (int k = 0; k < 24; k++)
+    places[k] = one_in(f, 200) ? real(f) : (double)below(f, 9) - 4;
   for (int k = 0; k < 24; k++)
     xyz[k] = one_in(f, 50) ? real(f) : (double)below(f, 100) / 16;
   for (int k = 0; k < 16; k++)
@@ -212,15 +215,17 @@ static void open_arrays(struct fuzz *f) {
   for (size_t k = 0; k < faces; k++)
     corners += ring[k] = one_in(f, 40) ? below(f, 3) : 3 + below(f, 2);
   ROOMY(hsr_arrays, arrays);
-  FILL(arrays,
-       (struct hsr_arrays){.name = one_in(f, 2) ? NULL : "made",
-                           .xyz = one_in(f, 40) ? NULL : xyz,
-                           .n_vertices = one_in(f, 40) ? SIZE_MAX : 8,
-                           .ring = one_in(f, 6) ? NULL : ring,
-                           .n_faces = one_in(f, 40) ? UINT32_MAX : faces,
-                           .vertex = one_in(f, 40) ? NULL : vertex,
-                           .n_corners = corners,
-                           .rgb = one_in(f, 2) ? NULL : rgb});
+  FILL(arrays, (struct hsr_arrays){
+                   .name = one_in(f, 2) ? NULL : "made",
+                   .xyz = one_in(f, 40) ? NULL : xyz,
+                   .n_vertices = one_in(f, 40) ? SIZE_MAX : 8,
+                   .ring = one_in(f, 6) ? NULL : ring,
+                   .n_faces = one_in(f, 40) ? UINT32_MAX : faces,
+                   .vertex = one_in(f, 40) ? NULL : vertex,
+                   .n_corners = corners,
+                   .rgb = one_in(f, 2) ? NULL : rgb,
+                   .instance = one_in(f, 40) ? NULL : places,
+                   .n_instances = one_in(f, 40) ? SIZE_MAX : below(f, 3)});
   /* What the caller says of lengths must be true, or be refused before it is
    * used. */
   if (!arrays.its.ring && 3 * arrays.its.n_faces > 16)
@@ -230,6 +235,32 @@ static void open_arrays(struct fuzz *f) {
   enum hsr_status status = hsr_open_arrays(&arrays.its, NULL, &scene, err);
   check(f, "hsr_open_arrays", status, err);
   take_scene(f, "hsr_open_arrays", status, scene);
+}
+
+static void open_grid(struct fuzz *f) {
+  double at[3];
+  float density[27], rgb[81];
+  for (int k = 0; k < 3; k++)
+    at[k] = one_in(f, 30) ? real(f) : k + (double)below(f, 8) / 8;
+  for (int k = 0; k < 27; k++)
+    density[k] = one_in(f, 50) ? (float)real(f) : (float)below(f, 3);
+  for (int k = 0; k < 81; k++)
+    rgb[k] = one_in(f, 1000) ? (float)real(f) : (float)below(f, 5) / 4;
+  ROOMY(hsr_grid_arrays, grid);
+  FILL(grid, (struct hsr_grid_arrays){.name = one_in(f, 2) ? NULL : "made",
+                                      .density = one_in(f, 40) ? NULL : density,
+                                      .least = one_in(f, 20) ? real(f) : 1,
+                                      .most = one_in(f, 20) ? real(f) : 2,
+                                      .rgb = one_in(f, 2) ? NULL : rgb});
+  for (int axis = 0; axis < 3; axis++) {
+    grid.its.n[axis] = one_in(f, 60) ? UINT32_MAX : below(f, 4);
+    grid.its.at[axis] = one_in(f, 2) ? NULL : at;
+  }
+  struct hsr_scene *scene = NULL;
+  struct hsr_error *err = error_of(f);
+  enum hsr_status status = hsr_open_grid(&grid.its, NULL, &scene, err);
+  check(f, "hsr_open_grid", status, err);
+  take_scene(f, "hsr_open_grid", status, scene);
 }
 
 static void ask_scene(struct fuzz *f) {
@@ -386,8 +417,10 @@ static void call_one(struct fuzz *f) {
     list(f);
   else if (what < 270)
     open_name(f);
-  else if (what < 350)
+  else if (what < 310)
     open_arrays(f);
+  else if (what < 350)
+    open_grid(f);
   else if (what < 500)
     ask_scene(f);
   else if (what < 600)

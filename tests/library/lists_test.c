@@ -317,6 +317,193 @@ static void test_arrays(struct tap *tap) {
   ok(tap, !status_of(&arrays, NULL), "without a name, colours and rings too");
 }
 
+/* The face in the middle of a picture of 4 x 4 world units around (x, 2). */
+static uint32_t face_at(struct hsr_scene *scene, double x) {
+  struct hsr_camera camera = {.size = sizeof camera,
+                              .eye = {x, 2, 10},
+                              .at = {x, 2, 0},
+                              .up = {0, 1, 0},
+                              .parallel = 4};
+  struct hsr_request request = request_of("zbuffer", 9, 9);
+  struct hsr_answer *answer = NULL;
+  const uint32_t *ids = NULL;
+  uint32_t face = HSR_NO_FACE - 1;
+  request.camera = &camera;
+  if (!hsr_draw(scene, &request, &answer, NULL) &&
+      !hsr_get_ids(answer, &ids, NULL))
+    face = ids[4 * 9 + 4];
+  hsr_free(answer);
+  return face;
+}
+
+/* Two places: as they are, and 10 to the right, twice as wide. */
+static void test_instances(struct tap *tap) {
+  static const double places[] = {1, 0, 0, 0,  0, 1, 0, 0, 0, 0, 1, 0,
+                                  2, 0, 0, 10, 0, 1, 0, 0, 0, 0, 1, 0};
+  struct hsr_arrays arrays = two_faces();
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene = NULL;
+  arrays.instance = places;
+  arrays.n_instances = 2;
+  ok(tap,
+     !hsr_open_arrays(&arrays, NULL, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.n_faces == 4 &&
+         info.n_objects == 1 && info.n_instances == 2,
+     "two instances are a scene");
+  ok(tap,
+     face_at(scene, 0.5) == 0 && face_at(scene, 2) == 1 &&
+         face_at(scene, 11) == 2 && face_at(scene, 14) == 3 &&
+         face_at(scene, 17) == 2 && face_at(scene, 8) == HSR_NO_FACE,
+     "face f of instance k is f + k n_faces, where M puts it");
+  hsr_close(scene);
+  double wrong[24];
+  memcpy(wrong, places, sizeof wrong);
+  wrong[17] = NAN;
+  arrays.instance = wrong;
+  ok(tap,
+     status_of(&arrays, &err) == HSR_E_INPUT && strstr(err.text, "instance 1"),
+     "%s", err.text);
+  arrays.instance = NULL;
+  bool refused = status_of(&arrays, NULL) == HSR_E_USAGE;
+  arrays.instance = places;
+  arrays.n_instances = SIZE_MAX;
+  ok(tap, refused && status_of(&arrays, &err) == HSR_E_USAGE, "%s", err.text);
+}
+
+/* --- Grids ---------------------------------------------------------------- */
+
+/* Samples at x = 0, 1, 4 and y = z = 0, 1. Those of 5 and more are kept: two
+ * that touch, and one behind the first. */
+static const double grid_x[] = {0, 1, 4};
+static const float densities[] = {5, 6, 0, 0, 0, 0, 7, NAN, 0, 0, 0, 1};
+
+static struct hsr_grid_arrays three_boxes(void) {
+  struct hsr_grid_arrays grid = {.size = sizeof grid,
+                                 .n = {3, 2, 2},
+                                 .at = {grid_x, NULL, NULL},
+                                 .density = densities,
+                                 .least = 5,
+                                 .most = INFINITY};
+  return grid;
+}
+
+static enum hsr_status status_of_grid(const struct hsr_grid_arrays *grid,
+                                      struct hsr_error *err) {
+  struct hsr_scene *scene = NULL;
+  enum hsr_status status = hsr_open_grid(grid, NULL, &scene, err);
+  if (!status != !!scene)
+    status = HSR_E_INTERNAL;
+  hsr_close(scene);
+  return status;
+}
+
+/* The face that is seen along an axis from outside at a point, and its depth
+ * from 10 away. */
+static uint32_t side_at(struct hsr_scene *scene, const double at[3], int axis,
+                        double sign, double *depth) {
+  struct hsr_camera camera = {.size = sizeof camera, .parallel = 0.01};
+  struct hsr_request request = request_of("zbuffer", 3, 3);
+  struct hsr_answer *answer = NULL;
+  const uint32_t *ids = NULL;
+  float depths[9] = {0};
+  uint32_t face = HSR_NO_FACE - 1;
+  memcpy(camera.eye, at, sizeof camera.eye);
+  memcpy(camera.at, at, sizeof camera.at);
+  camera.eye[axis] = sign * 10;
+  camera.up[(axis + 1) % 3] = 1;
+  request.camera = &camera;
+  if (!hsr_draw(scene, &request, &answer, NULL) &&
+      !hsr_get_ids(answer, &ids, NULL) &&
+      !hsr_get_depths(answer, depths, 9, NULL))
+    face = ids[4];
+  hsr_free(answer);
+  *depth = depths[4];
+  return face;
+}
+
+/* Box 0 is x -0.5 to 0.5; box 1 is 0.5 to 2.5 and touches it; box 6 is behind
+ * box 0, and touches it too. So box 0 has sides 0 to 3, box 1 has 4 to 8, box 6
+ * has 9 to 13. */
+static bool sides_are_right(struct hsr_scene *scene) {
+  static const struct {
+    double at[3];
+    int axis, sign;
+    uint32_t face;
+    double depth;
+  } seen[] = {{{0, 0, 0}, 0, -1, 0, 9.5},  {{0, 0, 0}, 1, -1, 1, 9.5},
+              {{0, 0, 0}, 1, 1, 2, 9.5},   {{0, 0, 0}, 2, -1, 3, 9.5},
+              {{1.5, 0, 0}, 0, 1, 4, 7.5}, {{1.5, 0, 0}, 1, -1, 5, 9.5},
+              {{1.5, 0, 0}, 1, 1, 6, 9.5}, {{1.5, 0, 0}, 2, -1, 7, 9.5},
+              {{1.5, 0, 0}, 2, 1, 8, 9.5}, {{0, 0, 1}, 0, -1, 9, 9.5},
+              {{0, 0, 1}, 0, 1, 10, 9.5},  {{0, 0, 1}, 1, -1, 11, 9.5},
+              {{0, 0, 1}, 1, 1, 12, 9.5},  {{0, 0, 1}, 2, 1, 13, 8.5}};
+  bool good = true;
+  for (size_t k = 0; k < sizeof seen / sizeof *seen; k++) {
+    double depth;
+    uint32_t face =
+        side_at(scene, seen[k].at, seen[k].axis, seen[k].sign, &depth);
+    if (face == seen[k].face && depth == seen[k].depth)
+      continue;
+    printf("# %zu: face %u at depth %g\n", k, face, depth);
+    good = false;
+  }
+  return good;
+}
+
+static void test_grids(struct tap *tap) {
+  struct hsr_grid_arrays grid = three_boxes();
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_scene *scene = NULL;
+  ok(tap,
+     !hsr_open_grid(&grid, NULL, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.is_grid &&
+         info.n_faces == 14 && !strcmp(info.name, "grid"),
+     "three boxes have 14 sides that nothing covers");
+  ok(tap, sides_are_right(scene), "they are numbered and placed as hsr.h says");
+  hsr_close(scene);
+}
+
+static void test_wrong_grids(struct tap *tap) {
+  static const double back[] = {0, 2, 1};
+  static const float red[36] = {[35] = 2};
+  struct hsr_open_options options = {.size = sizeof options,
+                                     .drop_degenerate = 1};
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene = NULL;
+  struct hsr_grid_arrays wrong = three_boxes();
+  wrong.at[0] = back;
+  ok(tap, status_of_grid(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong = three_boxes();
+  wrong.rgb = red;
+  ok(tap, status_of_grid(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong = three_boxes();
+  wrong.least = 100;
+  ok(tap, status_of_grid(&wrong, &err) == HSR_E_INPUT, "%s", err.text);
+  wrong.most = 99;
+  ok(tap, status_of_grid(&wrong, &err) == HSR_E_USAGE, "%s", err.text);
+  wrong.least = NAN;
+  bool refused = status_of_grid(&wrong, NULL) == HSR_E_USAGE;
+  wrong = three_boxes();
+  wrong.n[1] = 0;
+  refused = refused && status_of_grid(&wrong, NULL) == HSR_E_USAGE;
+  wrong.n[1] = UINT32_MAX;
+  ok(tap, refused && status_of_grid(&wrong, &err) == HSR_E_USAGE, "%s",
+     err.text);
+  wrong = three_boxes();
+  wrong.density = NULL;
+  ok(tap,
+     status_of_grid(&wrong, NULL) == HSR_E_USAGE &&
+         status_of_grid(NULL, NULL) == HSR_E_USAGE &&
+         hsr_open_grid(&wrong, NULL, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  wrong = three_boxes();
+  ok(tap, hsr_open_grid(&wrong, &options, &scene, &err) == HSR_E_USAGE, "%s",
+     err.text);
+}
+
+/* --- What is wrong with arrays -------------------------------------------- */
+
 static void test_wrong_lengths(struct tap *tap) {
   struct hsr_open_options options = {.size = sizeof options,
                                      .drop_degenerate = 1};
@@ -375,7 +562,7 @@ static void test_wrong_contents(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(41);
+  struct tap tap = plan(55);
   test_lists(&tap);
   test_algorithms(&tap);
   test_sizes(&tap);
@@ -383,6 +570,9 @@ int main(void) {
   test_files(&tap);
   test_cameras(&tap);
   test_arrays(&tap);
+  test_instances(&tap);
+  test_grids(&tap);
+  test_wrong_grids(&tap);
   test_wrong_lengths(&tap);
   test_wrong_contents(&tap);
   return finish(&tap);

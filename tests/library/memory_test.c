@@ -88,14 +88,33 @@ static enum hsr_status open_by_arrays(const struct hsr_scene *scene,
   (void)scene, (void)word;
   static const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   static const uint32_t vertex[] = {0, 1, 2, 0, 1, 3};
+  static const double places[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0,
+                                  1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0};
   struct hsr_arrays arrays = {.size = sizeof arrays,
                               .xyz = xyz,
                               .n_vertices = 4,
                               .n_faces = 2,
                               .vertex = vertex,
-                              .n_corners = 6};
+                              .n_corners = 6,
+                              .instance = places,
+                              .n_instances = 2};
   struct hsr_scene *own;
   enum hsr_status status = hsr_open_arrays(&arrays, NULL, &own, NULL);
+  hsr_close(own);
+  return status;
+}
+
+static enum hsr_status open_by_grid(const struct hsr_scene *scene,
+                                    const char *word) {
+  (void)scene, (void)word;
+  static const float density[8] = {1, 0, 0, 1};
+  struct hsr_grid_arrays grid = {.size = sizeof grid,
+                                 .n = {2, 2, 2},
+                                 .density = density,
+                                 .least = 1,
+                                 .most = 1};
+  struct hsr_scene *own;
+  enum hsr_status status = hsr_open_grid(&grid, NULL, &own, NULL);
   hsr_close(own);
   return status;
 }
@@ -237,13 +256,14 @@ int main(int argc, char **argv) {
       "appel",    "roberts", "schumacker", "weiler-atherton"};
   enum { N_ALGORITHMS = sizeof algorithm / sizeof *algorithm };
   long step = argc > 1 ? atol(argv[1]) : 0;
-  struct tap tap = plan(6 + N_ALGORITHMS + 7);
+  struct tap tap = plan(7 + N_ALGORITHMS + 7);
   struct hsr_scene *house = open_scene("t-junction"),
                    *grid = open_scene("grid:3");
   test(&tap, open_by_name, "open", NULL, "house", step);
   test(&tap, open_by_name, "open", NULL, "lattice:20:3", step);
   test(&tap, open_by_name, "open", NULL, "checker-cube:3", step);
   test(&tap, open_by_arrays, "open", NULL, "arrays", step);
+  test(&tap, open_by_grid, "open", NULL, "a grid of arrays", step);
   test(&tap, draw_by_threads, "by threads", house, "watkins", step);
   test(&tap, draw, "draw", grid, "btf", step);
   for (int k = 0; k < N_ALGORITHMS; k++)

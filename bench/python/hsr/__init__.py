@@ -27,6 +27,7 @@ A scene is built in, a file, or made of arrays:
 
     hsr.scene("bunny.ply")
     hsr.scene_from_arrays([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    hsr.scene_from_grid(density, least=0.5)
 
 Conventions: the world is right-handed, in any unit. Arrays of pictures are
 [row, column], rows from the top. Depth is the parameter of a point on its ray,
@@ -74,6 +75,7 @@ from ._scene import (
     Subject,
     scene,
     scene_from_arrays,
+    scene_from_grid,
 )
 
 __version__: str = _text(_lib.hsr_version()) or ""
@@ -122,6 +124,7 @@ __all__ = [
     "library_path",
     "scene",
     "scene_from_arrays",
+    "scene_from_grid",
     "scenes",
 ]
 

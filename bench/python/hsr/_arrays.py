@@ -69,14 +69,17 @@ def _format(type_: Any) -> Any:
 # --- The caller's -------------------------------------------------------------
 
 
-def taken(what: str, value: Any, dtype: Any, columns: int) -> Any:
-    """The caller's numbers as an array of so many columns that C can read."""
+def taken(what: str, value: Any, dtype: Any, shape: tuple[Any, ...]) -> Any:
+    """The caller's numbers as an array that C can read. A word in the shape stands
+    for any number."""
     try:
         array = np.ascontiguousarray(value, dtype)
     except (TypeError, ValueError) as error:
         raise UsageError(f"{what}: {_line(error)}") from None
-    if array.ndim != 2 or array.shape[1] != columns:
-        raise UsageError(f"{what}: the shape is {array.shape}, not (n, {columns})")
+    fits = [isinstance(want, str) or want == n for n, want in zip(array.shape, shape)]
+    if array.ndim != len(shape) or not all(fits):
+        wanted = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
+        raise UsageError(f"{what}: the shape is {array.shape}, not ({wanted})")
     return array
 
 

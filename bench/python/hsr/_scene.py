@@ -389,20 +389,24 @@ def scene_from_arrays(
     faces: Any,
     colors: Any = None,
     *,
+    instances: Any = None,
     name: str = "arrays",
     threads: int = 1,
     two_sided: bool = False,
 ) -> Scene:
     """Makes a scene of polygons with common vertices. Face f of the arrays is
-    face f of the scene. Its own cameras are eight around it.
+    face f of the scene; with instances, face f of instance k is face
+    f + k * len(faces). Its own cameras are eight around it.
 
     vertices  (n, 3) coordinates, world units
     faces     (n, k) vertices of each face, counter-clockwise seen from the front;
               or a list of faces of different lengths
     colors    (n, 3) linear red, green and blue of each face, 0 to 1; None: grey
+    instances (n, 3, 4) where the faces stand: world = M (x, y, z, 1); None: as
+              they are
 
     All are copied."""
-    xyz = _arrays.taken("vertices", vertices, np.float64, 3)
+    xyz = _arrays.taken("vertices", vertices, np.float64, ("n", 3))
     ring, vertex = _rings(faces)
     arrays = struct(
         "hsr_arrays",
@@ -413,10 +417,63 @@ def scene_from_arrays(
         n_faces=len(ring),
         vertex=_arrays.pointer_to("uint32_t[]", vertex),
         n_corners=len(vertex),
-        rgb=None if colors is None else _colors(colors, len(ring)),
+        rgb=None if colors is None else _colors(colors, (len(ring),)),
+        **_places(instances),
     )
     options = struct("hsr_open_options", threads=threads, two_sided=bool(two_sided))
     return _opened(lib.hsr_open_arrays, arrays, options)
+
+
+def _places(instances: Any) -> dict[str, Any]:
+    if instances is None:
+        return {}
+    matrices = _arrays.taken("instances", instances, np.float64, ("n", 3, 4))
+    pointer = _arrays.pointer_to("double[]", matrices)
+    return {"instance": pointer, "n_instances": len(matrices)}
+
+
+def scene_from_grid(
+    density: Any,
+    least: float,
+    most: float = float("inf"),
+    colors: Any = None,
+    *,
+    places: tuple[Any, Any, Any] = (None, None, None),
+    name: str = "grid",
+    threads: int = 1,
+) -> Scene:
+    """Makes a scene of a volume. A sample with a density of least to most, both
+    included, is kept: it is an opaque box that reaches half-way to its
+    neighbours. hsr_open_grid in hsr.h says how its faces are numbered.
+
+    density  (z, y, x), as float32; NaN is never kept
+    colors   (z, y, x, 3) linear red, green and blue, 0 to 1; None: grey
+    places   ascending x, y and z of the samples, world units; None: 0, 1, 2 ...
+
+    All are copied."""
+    samples = _arrays.taken("density", density, np.float32, ("z", "y", "x"))
+    shape = samples.shape
+    at = [_axis(k, places[k], shape[2 - k]) for k in range(3)]
+    grid = struct(
+        "hsr_grid_arrays",
+        name=string("name", name),
+        n=shape[::-1],
+        at=at,
+        density=_arrays.pointer_to("float[]", samples),
+        least=least,
+        most=most,
+        rgb=None if colors is None else _colors(colors, shape),
+    )
+    options = struct("hsr_open_options", threads=threads)
+    return _opened(lib.hsr_open_grid, grid, options)
+
+
+def _axis(k: int, places: Any, n: int) -> Any:
+    """A pointer to the places of n samples along axis k."""
+    if places is None:
+        return ffi.NULL
+    numbers = _arrays.taken(f"places[{k}]", places, np.float64, (n,))
+    return _arrays.pointer_to("double[]", numbers)
 
 
 def _opened(function: Any, what: Any, options: Any) -> Scene:
@@ -438,8 +495,6 @@ def _rings(faces: Any) -> tuple[Any, Any]:
     return ring, np.concatenate(rows or [ring])
 
 
-def _colors(colors: Any, n: int) -> Any:
-    rgb = _arrays.taken("colors", colors, np.float32, 3)
-    if len(rgb) != n:
-        raise UsageError(f"there are {len(rgb)} colors for {n} faces")
+def _colors(colors: Any, shape: tuple[int, ...]) -> Any:
+    rgb = _arrays.taken("colors", colors, np.float32, (*shape, 3))
     return _arrays.pointer_to("float[]", rgb)
