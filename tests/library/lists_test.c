@@ -562,7 +562,7 @@ static void test_wrong_contents(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(55);
+  struct tap tap = plan(54);
   test_lists(&tap);
   test_algorithms(&tap);
   test_sizes(&tap);

@@ -146,6 +146,40 @@ def test_faces():
     ok(same.render("zbuffer", SIZE).judge().is_right, "arrays with gaps")
 
 
+def test_instances():
+    places = np.zeros((2, 3, 4))
+    places[:] = np.eye(3, 4)
+    places[1, 0, 3] = 5
+    s = hsr.scene_from_arrays(TETRAHEDRON, SIDES, instances=places)
+    ok((s.n_faces, s.info.n_instances, s.info.n_objects) == (8, 2, 1), f"{s.info}")
+    front = hsr.Camera(eye=(5.2, 0.2, -9), at=(5.2, 0.2, 0), parallel=0.1)
+    p = s.render("zbuffer", (3, 3), camera=front)
+    ok(p.ids[1, 1] == 4, "face 0 of instance 1")
+    make, usage = hsr.scene_from_arrays, hsr.UsageError
+    raises(usage, "(n, 3, 4)", make, TETRAHEDRON, SIDES, instances=np.eye(4))
+    places[1, 0, 3] = np.inf
+    raises(hsr.InputError, "instance 1", make, TETRAHEDRON, SIDES, instances=places)
+
+
+def test_grid():
+    density = np.zeros((2, 3, 4))
+    density[1, 2, 3] = 9
+    colors = np.zeros((2, 3, 4, 3))
+    colors[1, 2, 3] = (1, 0, 0)
+    make, usage = hsr.scene_from_grid, hsr.UsageError
+    s = make(density, 5, 9, colors, places=(None, None, [1, 4]), name="box")
+    ok((s.name, s.n_faces, s.info.is_grid) == ("box", 6, True), f"{s.info}")
+    front = hsr.Camera(eye=(3, 2, 10), at=(3, 2, 0), parallel=0.1)
+    p = s.render("btf", (3, 3), camera=front)
+    ok(p.ids[1, 1] == 5 and p.depth[1, 1] == 4.5, "x, y, z are where they should be")
+    ok((p.shaded("flat")[1, 1] == (1, 0, 0)).all(), "it is red")
+    ok(p.judge().is_right, "it is right")
+    raises(usage, "(z, y, x)", make, density[0], 1)
+    raises(usage, "colors", make, density, 1, colors=colors[:1])
+    raises(usage, "places[2]", make, density, 1, places=(None, None, [1]))
+    raises(hsr.InputError, "kept", make, density, 10)
+
+
 def test_bad_arrays():
     make, usage = hsr.scene_from_arrays, hsr.UsageError
     raises(usage, "shape", make, [[0, 0]], SIDES)
