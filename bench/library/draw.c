@@ -67,21 +67,17 @@ enum hsr_status lib_window(const struct hsr_request *request,
 void hsr_free(struct lib_answer *answer) {
   if (!answer)
     return;
-  free(answer->polygons.face);
-  free(answer->polygons.cycle);
-  free(answer->polygons.point);
-  free(answer->polygons.xy);
+  lib_polygons_free(&answer->polygons);
   hsr_answer_free(&answer->answer);
-  if (answer->setup.algorithm)
-    hsr_setup_free(&answer->setup);
+  lib_ready_free(answer->ready);
   hsr_close(answer->scene);
   free(answer);
 }
 
-static enum hsr_status take_request(const struct lib_scene *scene,
-                                    const struct hsr_request *from,
-                                    struct hsr_request *request,
-                                    struct hsr_error *err) {
+enum hsr_status lib_take_request(const struct lib_scene *scene,
+                                 const struct hsr_request *from,
+                                 struct hsr_request *request,
+                                 struct hsr_error *err) {
   if (!scene || !from)
     return lib_null(scene ? "request" : "scene", err);
   enum hsr_status status =
@@ -94,42 +90,40 @@ static enum hsr_status take_request(const struct lib_scene *scene,
   return status;
 }
 
-/* Makes an answer in which nothing is drawn, of what a request asks for. It is
- * to be freed also after a failure, when it may be NULL. */
-static enum hsr_status begin_answer(const struct lib_scene *scene,
-                                    const struct hsr_request *request,
-                                    struct lib_answer **made,
-                                    struct hsr_error *err) {
+enum hsr_status lib_answer_aim(struct lib_answer *answer,
+                               const struct hsr_request *request,
+                               struct hsr_error *err) {
+  answer->is_own_view = !request->camera;
+  answer->number = request->view;
+  enum hsr_status status = lib_view(answer->scene, request, &answer->view, err);
+  return status ? status
+                : lib_window(request, answer->variant.choice.form.type,
+                             &answer->view, err);
+}
+
+enum hsr_status lib_answer_begin(struct lib_ready *ready,
+                                 const struct hsr_request *request,
+                                 struct lib_answer **made,
+                                 struct hsr_error *err) {
   struct lib_answer *answer = *made = calloc(1, sizeof *answer);
   if (!answer)
     return hsr_fail_nomem(err);
-  answer->scene = lib_scene_share(scene);
-  answer->counts = request->counts;
-  answer->is_own_view = !request->camera;
-  answer->number = request->view;
-  enum hsr_status status =
-      hsr_variant_parse(request->algorithm, &answer->variant, err);
-  if (!status)
-    status = lib_view(scene, request, &answer->view, err);
-  if (!status)
-    status = lib_window(request, answer->variant.choice.form.type,
-                        &answer->view, err);
-  return status;
+  answer->scene = lib_scene_share(ready->scene);
+  answer->ready = lib_ready_share(ready);
+  answer->variant = ready->variant;
+  answer->counts = ready->counts;
+  return lib_answer_aim(answer, request, err);
 }
 
-/* Keeps what is known of the setup, and the setup itself if the answer may name
- * faces of its adapted world. */
-static void keep_setup(struct lib_answer *answer, struct hsr_setup *setup) {
+/* Says what is known of the setup. */
+static void say_setup(struct lib_answer *answer,
+                      const struct hsr_setup *setup) {
   size_t n = 0, size = sizeof answer->adapted;
   answer->adapt_seconds = setup->adapt_seconds;
   answer->prepare_seconds = setup->prepare_seconds;
   for (int k = 0; k < setup->n_adaptations && n < size; k++)
     n += (size_t)snprintf(answer->adapted + n, size - n, "%s%s", k ? ", " : "",
                           setup->adaptation[k].name);
-  if (answer->variant.choice.form.type->by_places)
-    hsr_setup_free(setup);
-  else
-    answer->setup = *setup;
 }
 
 /* --- Drawing -------------------------------------------------------------- */
@@ -145,48 +139,73 @@ static bool tell(void *whom, double share) {
   return told->progress(told->context, share);
 }
 
-/* Draws by a crew. The scene is held for reading. */
+/* The scene is held for reading. */
 static enum hsr_status draw_by_crew(struct lib_answer *answer,
-                                    const struct hsr_setup *setup,
+                                    struct crew *crew,
                                     const struct hsr_request *request,
                                     struct hsr_error *err) {
+  const struct hsr_setup *setup = &answer->ready->setup;
   struct told told = {request->progress, request->context};
-  struct crew_watch watch = {tell, &told, request->counts ? 1 : LEAST_BANDS};
-  struct crew *crew = crew_new(request->threads);
-  if (!crew)
-    return hsr_fail_nomem(err);
-  if (request->progress)
-    crew_watch(crew, &watch);
+  struct crew_watch watch = {request->progress ? tell : NULL, &told,
+                             answer->counts ? 1 : LEAST_BANDS};
+  crew_watch(crew, &watch);
+  enum hsr_status status =
+      answer->answer.body
+          ? HSR_OK
+          : answer_init(&answer->answer, setup, &answer->view, err);
   double begin = hsr_seconds_now();
-  enum hsr_status status = crew_render(crew, setup, &answer->view,
-                                       &answer->answer, &answer->tally, err);
+  if (!status)
+    status = crew_render(crew, setup, &answer->view, &answer->answer,
+                         &answer->tally, err);
   answer->draw_seconds = hsr_seconds_now() - begin;
-  crew_free(crew);
   return status;
 }
 
-/* Draws an answer in which nothing is drawn. */
-static enum hsr_status draw(struct lib_answer *answer,
-                            const struct hsr_request *request,
-                            struct hsr_error *err) {
-  const struct hsr_variant *v = &answer->variant;
-  const struct hsr_algorithm *build =
-      request->counts ? v->listed->counting : v->listed->plain;
-  struct hsr_setup setup;
-  enum hsr_status status =
-      lib_scene_world(answer->scene, build, &v->choice, &answer->world, err);
-  if (status)
-    return status;
+enum hsr_status lib_answer_draw(struct lib_answer *answer, struct crew *crew,
+                                const struct hsr_request *request,
+                                struct hsr_error *err) {
+  struct hsr_trace *trace = answer->tally.trace;
+  answer->world = answer->ready->world;
+  answer->tally = (struct hsr_tally){.trace = trace};
+  say_setup(answer, &answer->ready->setup);
   lib_scene_read(answer->scene);
-  status = hsr_setup_init(&setup, build, &v->choice, answer->world, err);
-  if (!status)
-    status = answer_init(&answer->answer, &setup, &answer->view, err);
-  if (!status)
-    status = draw_by_crew(answer, &setup, request, err);
-  keep_setup(answer, &setup);
+  enum hsr_status status = draw_by_crew(answer, crew, request, err);
   if (!status)
     status = lib_polygons_make(answer, err);
   lib_scene_leave(answer->scene);
+  return status;
+}
+
+/* Makes the algorithm of an answer ready and draws once. Unless the answer may
+ * name faces of an adapted world, what was ready is freed then. */
+static enum hsr_status draw_once(struct lib_answer *answer,
+                                 const struct hsr_request *request,
+                                 struct hsr_error *err) {
+  enum hsr_status status = lib_ready_prepare(answer->ready, err);
+  if (status)
+    return status;
+  struct crew *crew = crew_new(request->threads);
+  if (!crew)
+    return hsr_fail_nomem(err);
+  status = lib_answer_draw(answer, crew, request, err);
+  crew_free(crew);
+  if (answer->variant.choice.form.type->by_places) {
+    lib_ready_free(answer->ready);
+    answer->ready = NULL;
+  }
+  return status;
+}
+
+/* Begins an answer for what a request asks for. */
+static enum hsr_status begin(const struct lib_scene *scene,
+                             const struct hsr_request *request,
+                             struct lib_answer **answer,
+                             struct hsr_error *err) {
+  struct lib_ready *ready = NULL;
+  enum hsr_status status = lib_ready_new(scene, request, &ready, err);
+  if (!status)
+    status = lib_answer_begin(ready, request, answer, err);
+  lib_ready_free(ready);
   return status;
 }
 
@@ -198,11 +217,11 @@ enum hsr_status hsr_draw(const struct lib_scene *scene,
   if (!answer)
     return lib_null("answer", err);
   *answer = NULL;
-  enum hsr_status status = take_request(scene, request, &taken, err);
+  enum hsr_status status = lib_take_request(scene, request, &taken, err);
   if (!status)
-    status = begin_answer(scene, &taken, &made, err);
+    status = begin(scene, &taken, &made, err);
   if (!status)
-    status = draw(made, &taken, err);
+    status = draw_once(made, &taken, err);
   if (status)
     hsr_free(made);
   else
@@ -267,17 +286,17 @@ hsr_trace(const struct lib_scene *scene, const struct hsr_request *request,
   if (!answer || !hear)
     return lib_null(answer ? "listen" : "answer", err);
   *answer = NULL;
-  enum hsr_status status = take_request(scene, request, &taken, err);
+  enum hsr_status status = lib_take_request(scene, request, &taken, err);
   taken.threads = taken.counts = 1;
   if (!status)
-    status = begin_answer(scene, &taken, &made, err);
+    status = begin(scene, &taken, &made, err);
   if (!status)
     status = check_trace(&made->variant, err);
   if (!status) {
     struct listener listener = {hear, context, made->variant.listed->counting};
     struct hsr_trace trace = {.listen = listen, .context = &listener};
     made->tally.trace = &trace;
-    status = draw(made, &taken, err);
+    status = draw_once(made, &taken, err);
     made->tally.trace = NULL;
   }
   if (status)

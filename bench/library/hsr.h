@@ -371,6 +371,33 @@ HSR_API enum hsr_status hsr_draw(const struct hsr_scene *scene,
                                  struct hsr_answer **answer,
                                  struct hsr_error *err);
 
+/* An algorithm that is ready to draw a scene, from any eye. */
+struct hsr_drawer;
+
+/* Makes an algorithm ready: what is the same for all pictures is done once. Of
+ * the request only `algorithm`, `threads` and `counts` have an effect. The
+ * caller frees *drawer by hsr_release. Errors as hsr_draw. */
+HSR_API enum hsr_status hsr_prepare(const struct hsr_scene *scene,
+                                    const struct hsr_request *request,
+                                    struct hsr_drawer **drawer,
+                                    struct hsr_error *err);
+
+/* Draws as hsr_draw, by an algorithm that is ready. `algorithm`, `threads` and
+ * `counts` of the request have no effect. If *answer is NULL it is made, and
+ * the caller frees it by hsr_free. Otherwise it is the last answer of this
+ * drawer that had this size, and is drawn over: what was read of it is not
+ * valid any more. If that fails once drawing has begun, *answer is freed and
+ * becomes NULL. HSR_E_USAGE if *answer is another. Other errors as hsr_draw.
+ * Several threads that call with one drawer take turns. An algorithm that keeps
+ * something from picture to picture is made ready anew for another size. */
+HSR_API enum hsr_status hsr_redraw(struct hsr_drawer *drawer,
+                                   const struct hsr_request *request,
+                                   struct hsr_answer **answer,
+                                   struct hsr_error *err);
+
+/* Frees a drawer; NULL is allowed. Its answers stay valid. */
+HSR_API void hsr_release(struct hsr_drawer *drawer);
+
 /* What a step is about, in the scene's ids. */
 struct hsr_subject {
   const char *kind; /* "nothing"; "face": face; "piece": face, number; "edge":

@@ -83,7 +83,59 @@ enum hsr_status lib_scene_world(struct lib_scene *scene,
 void lib_scene_read(struct lib_scene *scene);
 void lib_scene_leave(struct lib_scene *scene);
 
+/* --- Algorithms that are ready (ready.c) ---------------------------------- */
+
+/* An algorithm, chosen for a scene, and made ready for it. A drawer and its
+ * answers share it. */
+struct lib_ready {
+  atomic_long users;
+  struct lib_scene *scene; /* shared */
+  struct hsr_variant variant;
+  bool counts;
+  long threads;                  /* that draw */
+  const struct hsr_world *world; /* the scene's */
+  struct hsr_setup setup;        /* its algorithm is NULL until it is ready */
+};
+
+/* Chooses the algorithm that a request names. HSR_E_USAGE, HSR_E_NOMEM. */
+enum hsr_status lib_ready_new(const struct lib_scene *scene,
+                              const struct hsr_request *request,
+                              struct lib_ready **ready, struct hsr_error *err);
+
+/* Makes it ready, once. Errors as hsr_setup_world and hsr_setup_init. */
+enum hsr_status lib_ready_prepare(struct lib_ready *ready,
+                                  struct hsr_error *err);
+
+/* One user more, and one fewer; the last one frees it. NULL is allowed. */
+struct lib_ready *lib_ready_share(struct lib_ready *ready);
+void lib_ready_free(struct lib_ready *ready);
+
 /* --- Answers (draw.c) ----------------------------------------------------- */
+
+/* Takes a request to draw a scene, which must not be NULL. HSR_E_USAGE if there
+ * is no algorithm, or threads are out of range. */
+enum hsr_status lib_take_request(const struct lib_scene *scene,
+                                 const struct hsr_request *from,
+                                 struct hsr_request *request,
+                                 struct hsr_error *err);
+
+/* Makes an answer in which nothing is drawn, for the view of a request. Errors
+ * as hsr_draw. *answer may be not NULL also after a failure. */
+enum hsr_status lib_answer_begin(struct lib_ready *ready,
+                                 const struct hsr_request *request,
+                                 struct lib_answer **answer,
+                                 struct hsr_error *err);
+
+/* Sets the view of an answer to that of a request. Errors as hsr_draw. */
+enum hsr_status lib_answer_aim(struct lib_answer *answer,
+                               const struct hsr_request *request,
+                               struct hsr_error *err);
+
+/* Draws it by a crew, when answer->ready is. Errors as hsr_draw. */
+struct crew;
+enum hsr_status lib_answer_draw(struct lib_answer *answer, struct crew *crew,
+                                const struct hsr_request *request,
+                                struct hsr_error *err);
 
 /* The arrays of struct hsr_polygon_arrays. */
 struct lib_polygons {
@@ -96,11 +148,10 @@ struct lib_answer {
   struct lib_scene *scene; /* shared */
   const struct hsr_world *world;
   struct hsr_variant variant;
+  struct lib_ready *ready; /* shared; NULL: it is needed no more */
   struct hsr_view view;
   bool is_own_view; /* of the scene, number `number` */
   uint32_t number;
-  struct hsr_setup setup; /* of answers that name faces of an adapted world;
-                             else its algorithm is NULL */
   struct hsr_answer answer;
   struct hsr_tally tally;
   bool counts;
@@ -120,9 +171,10 @@ enum hsr_status lib_window(const struct hsr_request *request,
                            const struct hsr_answer_type *type,
                            struct hsr_view *view, struct hsr_error *err);
 
-/* Fills the arrays of an answer of polygons (polygons.c). HSR_E_NOMEM. */
+/* Fills the arrays of an answer of polygons anew (polygons.c). HSR_E_NOMEM. */
 enum hsr_status lib_polygons_make(struct lib_answer *answer,
                                   struct hsr_error *err);
+void lib_polygons_free(struct lib_polygons *polygons);
 
 /* --- Showing (write.c) ---------------------------------------------------- */
 

@@ -11,6 +11,7 @@ libpublic_a_SOURCES = \
   %D%/lists.c \
   %D%/polygons.c \
   %D%/read.c \
+  %D%/ready.c \
   %D%/scenes.c \
   %D%/structs.c \
   %D%/twins.c \

@@ -16,12 +16,21 @@ static enum hsr_status make_room(struct lib_polygons *to,
                                                       : hsr_fail_nomem(err);
 }
 
+void lib_polygons_free(struct lib_polygons *polygons) {
+  free(polygons->face);
+  free(polygons->cycle);
+  free(polygons->point);
+  free(polygons->xy);
+  *polygons = (struct lib_polygons){.face = NULL};
+}
+
 enum hsr_status lib_polygons_make(struct lib_answer *answer,
                                   struct hsr_error *err) {
   const struct hsr_polygons *from = hsr_answer_polygons_of(&answer->answer);
   struct lib_polygons *to = &answer->polygons;
   if (!from)
     return HSR_OK;
+  lib_polygons_free(to);
   enum hsr_status status = make_room(to, from, err);
   if (status)
     return status;

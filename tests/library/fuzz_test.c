@@ -14,7 +14,8 @@ enum { MOST = 16 }; /* samples in a row and rows, of most pictures */
 struct fuzz {
   uint64_t state;
   struct hsr_scene *scene;
-  struct hsr_answer *answer;
+  struct hsr_drawer *drawer;
+  struct hsr_answer *answer, *redrawn; /* by hsr_redraw */
   struct hsr_error err;
   long calls, failed, wrong;
 };
@@ -339,11 +340,50 @@ static void draw(struct fuzz *f) {
   }
 }
 
-static size_t places(const struct fuzz *f) {
+static void prepare(struct fuzz *f) {
+  struct hsr_request request = random_request(f, NULL);
+  struct hsr_drawer *drawer = NULL;
+  struct hsr_error *err = error_of(f);
+  enum hsr_status status =
+      hsr_prepare(one_in(f, 40) ? NULL : f->scene,
+                  one_in(f, 40) ? NULL : &request, &drawer, err);
+  check(f, "hsr_prepare", status, err);
+  check_handle(f, "hsr_prepare", status, drawer);
+  if (drawer) {
+    hsr_release(f->drawer);
+    f->drawer = drawer;
+  }
+}
+
+/* Over the last picture, over one of anybody, or anew. */
+static void redraw(struct fuzz *f) {
+  struct hsr_camera camera = random_camera(f);
+  struct hsr_request request = random_request(f, &camera);
+  struct hsr_answer *fresh = NULL, **answer = one_in(f, 3)    ? &fresh
+                                              : one_in(f, 20) ? &f->answer
+                                                              : &f->redrawn;
   struct hsr_answer_info info = {.size = sizeof info};
-  return hsr_get_answer(f->answer, &info, NULL)
-             ? 1
-             : (size_t)info.m * (size_t)info.n;
+  if (one_in(f, 2) && !hsr_get_answer(f->redrawn, &info, NULL)) {
+    request.m = info.m;
+    request.n = info.n;
+  }
+  struct hsr_error *err = error_of(f);
+  enum hsr_status status =
+      hsr_redraw(one_in(f, 40) ? NULL : f->drawer,
+                 one_in(f, 40) ? NULL : &request, answer, err);
+  check(f, "hsr_redraw", status, err);
+  if (fresh || !status)
+    check_handle(f, "hsr_redraw", status, *answer);
+  if (fresh) {
+    hsr_free(f->redrawn);
+    f->redrawn = fresh;
+  }
+}
+
+static size_t places(const struct hsr_answer *answer) {
+  struct hsr_answer_info info = {.size = sizeof info};
+  return hsr_get_answer(answer, &info, NULL) ? 1
+                                             : (size_t)info.m * (size_t)info.n;
 }
 
 static void read_answer(struct fuzz *f) {
@@ -351,14 +391,16 @@ static void read_answer(struct fuzz *f) {
   ROOMY(hsr_answer_info, info);
   ROOMY(hsr_polygon_arrays, polygons);
   ROOMY(hsr_voxel_array, voxels);
-  const struct hsr_answer *a = one_in(f, 40) ? NULL : f->answer;
+  const struct hsr_answer *a = one_in(f, 40)  ? NULL
+                               : one_in(f, 4) ? f->redrawn
+                                              : f->answer;
   const struct hsr_segment *segment;
   const uint32_t *ids;
   const unsigned char *lit;
   const double *bounds;
   const uint16_t *rgba;
   const uint64_t *count;
-  size_t n = places(f) + (one_in(f, 20) ? 1 : 0);
+  size_t n = places(a) + (one_in(f, 20) ? 1 : 0);
   int channels;
   bool no = one_in(f, 40);
   CALL(hsr_get_answer, a, no ? NULL : &info.its);
@@ -388,7 +430,7 @@ static void judge(struct fuzz *f) {
     ids[k] = one_in(f, 9) ? (uint32_t)number(f, 30) : HSR_NO_FACE;
   if (!verdict.its.place)
     verdict.its.room = 0;
-  CALL(hsr_judge, one_in(f, 40) ? NULL : f->answer,
+  CALL(hsr_judge, one_in(f, 4) ? f->redrawn : f->answer,
        one_in(f, 40) ? NULL : &verdict.its);
   CALL(hsr_judge_ids, one_in(f, 40) ? NULL : f->scene, &request,
        one_in(f, 40) ? NULL : ids, &verdict.its);
@@ -421,8 +463,12 @@ static void call_one(struct fuzz *f) {
     open_arrays(f);
   else if (what < 350)
     open_grid(f);
-  else if (what < 500)
+  else if (what < 450)
     ask_scene(f);
+  else if (what < 470)
+    prepare(f);
+  else if (what < 520)
+    redraw(f);
   else if (what < 600)
     draw(f);
   else if (what < 960)
@@ -445,6 +491,8 @@ int main(int argc, char **argv) {
   f.answer = draw_by(f.scene, "watkins", 12, 9);
   while (f.calls < calls)
     call_one(&f);
+  hsr_free(f.redrawn);
+  hsr_release(f.drawer);
   hsr_free(f.answer);
   hsr_close(f.scene);
   ok(&tap, !f.wrong && f.failed < f.calls, "%ld calls, %ld refused, %ld wrong",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests of the library, through hsr.h alone.
 library_tests = %D%/draw_test %D%/fuzz_test %D%/judge_test %D%/lists_test \
-  %D%/memory_test
+  %D%/memory_test %D%/redraw_test
 library_scripts = %D%/install.test %D%/same.test
 check_PROGRAMS += $(library_tests) %D%/write
 dist_check_SCRIPTS += $(library_scripts)
@@ -19,5 +19,7 @@ library_test_flags = -I$(top_srcdir) -I$(top_srcdir)/bench/library
 %C%_lists_test_LDADD = libhsr.so.1
 %C%_memory_test_CPPFLAGS = $(library_test_flags)
 %C%_memory_test_LDADD = libhsr.so.1
+%C%_redraw_test_CPPFLAGS = $(library_test_flags)
+%C%_redraw_test_LDADD = libhsr.so.1
 %C%_write_CPPFLAGS = $(library_test_flags)
 %C%_write_LDADD = libhsr.so.1

@@ -128,6 +128,21 @@ static enum hsr_status draw(const struct hsr_scene *scene, const char *word) {
   return status;
 }
 
+/* Makes it ready, draws a picture and another over it. */
+static enum hsr_status redraw(const struct hsr_scene *scene, const char *word) {
+  struct hsr_request request = request_of(word, M, N);
+  struct hsr_drawer *drawer;
+  struct hsr_answer *answer = NULL;
+  enum hsr_status status = hsr_prepare(scene, &request, &drawer, NULL);
+  if (!status)
+    status = hsr_redraw(drawer, &request, &answer, NULL);
+  if (!status)
+    status = hsr_redraw(drawer, &request, &answer, NULL);
+  hsr_free(answer);
+  hsr_release(drawer);
+  return status;
+}
+
 static enum hsr_status draw_by_threads(const struct hsr_scene *scene,
                                        const char *word) {
   struct hsr_request request = request_of(word, M, N);
@@ -256,7 +271,7 @@ int main(int argc, char **argv) {
       "appel",    "roberts", "schumacker", "weiler-atherton"};
   enum { N_ALGORITHMS = sizeof algorithm / sizeof *algorithm };
   long step = argc > 1 ? atol(argv[1]) : 0;
-  struct tap tap = plan(7 + N_ALGORITHMS + 7);
+  struct tap tap = plan(7 + N_ALGORITHMS + 10);
   struct hsr_scene *house = open_scene("t-junction"),
                    *grid = open_scene("grid:3");
   test(&tap, open_by_name, "open", NULL, "house", step);
@@ -268,6 +283,9 @@ int main(int argc, char **argv) {
   test(&tap, draw, "draw", grid, "btf", step);
   for (int k = 0; k < N_ALGORITHMS; k++)
     test(&tap, draw, "draw", house, algorithm[k], step);
+  test(&tap, redraw, "redraw", house, "newell-previous", step);
+  test(&tap, redraw, "redraw", house, "appel", step);
+  test(&tap, redraw, "redraw", house, "weiler-atherton", step);
   test(&tap, trace, "trace", house, "watkins", step);
   test(&tap, judge, "judge", house, "watkins", step);
   test(&tap, judge, "judge", house, "appel", step);

@@ -180,6 +180,20 @@ def test_grid():
     raises(hsr.InputError, "kept", make, density, 10)
 
 
+def test_drawer():
+    d = house.prepare("bsp-front", threads=2, counts=True)
+    for k, size in enumerate([SIZE, (31, 17), SIZE]):
+        p, once = d.render(size, view=k), house.render("bsp-front", size, view=k)
+        ok((p.ids == once.ids).all() and p.judge().is_right, f"view {k}")
+    ok(p.counts and "bsp-front" in repr(d), repr(d))
+    ids = p.ids
+    del d, p
+    gc.collect()
+    ok((ids == once.ids).all(), "the array outlives its drawer")
+    raises(hsr.UsageError, "no algorithm", house.prepare, "newel")
+    raises(hsr.RefusedError, "btf", house.prepare, "btf")
+
+
 def test_bad_arrays():
     make, usage = hsr.scene_from_arrays, hsr.UsageError
     raises(usage, "shape", make, [[0, 0]], SIDES)
@@ -519,7 +533,7 @@ def test_help():
     ok(not bare, f"all have docstrings: {bare}")
     methods = [
         getattr(cls, name)
-        for cls in (hsr.Scene, hsr.Answer)
+        for cls in (hsr.Scene, hsr.Answer, hsr.Drawer)
         for name in vars(cls)
         if not name.startswith("_")
     ]

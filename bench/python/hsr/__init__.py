@@ -23,6 +23,11 @@ Other kinds of answers are drawn by algorithms that make them:
     house.render("weiler-atherton").polygons    # the visible regions
     house.render("zbuffer-fast:filter=box").colors
 
+Many pictures of one scene are drawn by an algorithm that is made ready once:
+
+    d = house.prepare("bsp-front")
+    frames = [d.render(view=k) for k in range(len(house.cameras))]
+
 A scene is built in, a file, or made of arrays:
 
     hsr.scene("bunny.ply")
@@ -69,6 +74,7 @@ from ._lists import (
 )
 from ._scene import (
     Camera,
+    Drawer,
     Event,
     Scene,
     SceneInfo,
@@ -100,6 +106,7 @@ __all__ = [
     "Builtin",
     "Camera",
     "Counter",
+    "Drawer",
     "Error",
     "Event",
     "InputError",

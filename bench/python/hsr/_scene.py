@@ -259,6 +259,21 @@ class Scene:
         caller.call(lib.hsr_draw, self._handle, request, answer)
         return Answer(ffi.gc(answer[0], lib.hsr_free))
 
+    def prepare(
+        self, algorithm: str, *, threads: int = 1, counts: bool = False
+    ) -> Drawer:
+        """Makes an algorithm ready to draw many pictures: what is the same for all
+        of them is done once. The arguments are as in `render`."""
+        request = struct(
+            "hsr_request",
+            algorithm=string("algorithm", algorithm),
+            threads=threads,
+            counts=bool(counts),
+        )
+        drawer = ffi.new("struct hsr_drawer **")
+        call(lib.hsr_prepare, self._handle, request, drawer)
+        return Drawer(ffi.gc(drawer[0], lib.hsr_release), algorithm)
+
     def trace(
         self,
         algorithm: str,
@@ -324,6 +339,34 @@ class Scene:
             return "<hsr.Scene, closed>"
         info = self.info
         return f"<hsr.Scene {info.name}: {info.n_faces} faces, {info.n_views} views>"
+
+
+class Drawer:
+    """An algorithm that is ready to draw a scene. Scene.prepare makes it. Threads
+    that use one at once take turns."""
+
+    def __init__(self, handle: Any, algorithm: str):
+        self._handle = handle
+        self._algorithm = algorithm
+
+    def render(
+        self,
+        size: tuple[int, int] = (640, 480),
+        *,
+        camera: Camera | None = None,
+        view: int = 0,
+        window: tuple[int, int, int, int] | None = None,
+        progress: Progress | None = None,
+    ) -> Answer:
+        """Draws. The arguments are those of Scene.render."""
+        caller = _Caller(progress)
+        request = _request(size, camera, view, window, progress=caller.progress)
+        answer = ffi.new("struct hsr_answer **")
+        caller.call(lib.hsr_redraw, self._handle, request, answer)
+        return Answer(ffi.gc(answer[0], lib.hsr_free))
+
+    def __repr__(self) -> str:
+        return f"<hsr.Drawer: {self._algorithm}>"
 
 
 def _request(
