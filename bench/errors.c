@@ -6,13 +6,12 @@
  * are linear, from 0 to 1. A picture of one sample a place can be asked for
  * with N x N samples a pixel: it is then the mean of N x N pictures, whose
  * colours are rounded to the nearest 65535th as in the definition. */
+#include "bench/client/client.h"
 #include "bench/modules/variant.h"
 #include "bench/options/command.h"
 #include "bench/options/picture.h"
-#include "bench/options/place.h"
 #include "bench/options/words.h"
 #include "bench/results/json.h"
-#include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/answers/kinds/area.h"
 #include "common/files/image.h"
@@ -133,16 +132,17 @@ static const struct argp argp = {
 
 /* --- Pictures ------------------------------------------------------------- */
 
-/* The scene and view, and the exact values of the pixels. */
+/* The scene, and the exact values of the pixels. */
 struct comparison {
   const struct options *options;
-  struct place place;
-  struct crew *crew;
-  struct hsr_answer exact;
-  float *share; /* m n: what the picture of errors shows */
+  struct lib_scene *scene;
+  struct lib_answer *exact;
+  const double (*bounds)[2]; /* of 3 m n channels */
+  float *share;              /* m n: what the picture of errors shows */
+  float *rgb;                /* 3 m n: of one drawing */
 };
 
-/* One picture, from the variant and N of N x N. */
+/* One picture, from an algorithm and N of N x N. */
 struct made {
   const char *name;
   long side;                  /* 0: the algorithm makes pixels */
@@ -153,54 +153,43 @@ struct made {
 };
 
 static size_t n_pixels(const struct comparison *c) {
-  return (size_t)c->place.view.m * (size_t)c->place.view.n;
+  return (size_t)c->options->view.m * (size_t)c->options->view.n;
 }
 
-/* Draws one picture with an algorithm that is prepared, and shades it. */
+static struct hsr_request request_by(const struct comparison *c,
+                                     const char *algorithm) {
+  struct hsr_request request = client_request(&c->options->view, algorithm, 1);
+  request.threads = (int)c->options->threads;
+  return request;
+}
+
+/* Draws into *answer, and its colours into c->rgb. */
 static enum hsr_status draw(const struct comparison *c,
-                            const struct hsr_setup *setup,
-                            const struct hsr_view *view,
-                            struct hsr_answer *answer,
-                            struct hsr_shaded *shaded, struct hsr_error *err) {
-  struct hsr_tally tally = {.out_of_memory = false};
-  const struct hsr_showing showing = {.world = &c->place.world,
-                                      .view = view,
-                                      .scene = c->options->scene.name,
-                                      .shading = HSR_SHADE_LAMBERT,
-                                      .supersamples = 1};
-  enum hsr_status status =
-      crew_render(c->crew, setup, view, answer, &tally, err);
+                            struct hsr_drawer *drawer,
+                            const struct hsr_request *request,
+                            struct lib_answer **answer, struct hsr_error *err) {
+  enum hsr_status status = hsr_redraw(drawer, request, answer, err);
   return status ? status
-                : answer->form.type->shade(answer, &showing, shaded, err);
+                : hsr_get_colours(*answer, HSR_COLOUR_LAMBERT, c->rgb,
+                                  3 * n_pixels(c), err);
 }
 
-/* Adds sample (a, b) of the N x N in each pixel. */
-static enum hsr_status add_sample(const struct comparison *c,
-                                  const struct hsr_setup *setup,
-                                  struct hsr_answer *answer, long a, long b,
-                                  struct made *made, struct hsr_error *err) {
-  struct hsr_view view = c->place.view;
-  struct hsr_shaded shaded = {NULL, NULL};
-  view.offset_x = ((double)a + .5) / (double)made->side - .5;
-  view.offset_y = ((double)b + .5) / (double)made->side - .5;
-  enum hsr_status status = draw(c, setup, &view, answer, &shaded, err);
-  for (size_t k = 0; !status && k < 3 * n_pixels(c); k++)
-    made->rgb[k] += rint(65535 * (double)shaded.rgb[k]); /* exact */
-  hsr_shaded_free(&shaded);
-  return status;
-}
-
+/* Adds each sample of the N x N in each pixel. */
 static enum hsr_status add_samples(const struct comparison *c,
-                                   const struct hsr_setup *setup,
-                                   struct hsr_answer *answer, struct made *made,
-                                   struct hsr_error *err) {
+                                   struct hsr_drawer *drawer,
+                                   struct lib_answer **answer,
+                                   struct made *made, struct hsr_error *err) {
+  struct hsr_request request = request_by(c, made->name);
   struct progress progress = progress_begin(stderr);
-  size_t n = (size_t)(made->side * made->side);
+  const size_t side = (size_t)made->side, n = side * side;
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < n && !status; k++) {
     progress_tell(&progress, k, n, "samples", made->name);
-    status = add_sample(c, setup, answer, (long)k % made->side,
-                        (long)k / made->side, made, err);
+    request.offset[0] = ((double)(k % side) + .5) / (double)side - .5;
+    request.offset[1] = ((double)(k / side) + .5) / (double)side - .5;
+    status = draw(c, drawer, &request, answer, err);
+    for (size_t p = 0; !status && p < 3 * n_pixels(c); p++)
+      made->rgb[p] += rint(65535 * (double)c->rgb[p]); /* exact */
   }
   progress_end(&progress);
   for (size_t k = 0; k < 3 * n_pixels(c); k++)
@@ -209,57 +198,47 @@ static enum hsr_status add_samples(const struct comparison *c,
 }
 
 static enum hsr_status take_pixels(const struct comparison *c,
-                                   const struct hsr_setup *setup,
-                                   struct hsr_answer *answer, struct made *made,
-                                   struct hsr_error *err) {
-  struct hsr_shaded shaded = {NULL, NULL};
-  enum hsr_status status = draw(c, setup, &c->place.view, answer, &shaded, err);
+                                   struct hsr_drawer *drawer,
+                                   struct lib_answer **answer,
+                                   struct made *made, struct hsr_error *err) {
+  struct hsr_request request = request_by(c, made->name);
+  enum hsr_status status = draw(c, drawer, &request, answer, err);
   for (size_t k = 0; !status && k < 3 * n_pixels(c); k++)
-    made->rgb[k] = (double)shaded.rgb[k];
-  hsr_shaded_free(&shaded);
+    made->rgb[k] = (double)c->rgb[k];
   return status;
 }
 
-static bool draws_samples(const struct hsr_variant *variant) {
-  return variant->choice.form.type->takes & 1u << HSR_SUPERSAMPLES;
-}
-
-static enum hsr_status make(const struct comparison *c,
-                            const struct hsr_variant *variant,
-                            struct made *made, struct hsr_error *err) {
-  struct hsr_setup setup;
-  struct hsr_answer answer = {.body = NULL};
-  enum hsr_status status = hsr_setup_init(
-      &setup, variant->listed->plain, &variant->choice, &c->place.world, err);
+static enum hsr_status make(const struct comparison *c, struct made *made,
+                            struct hsr_error *err) {
+  const struct hsr_request request = request_by(c, made->name);
+  struct hsr_drawer *drawer = NULL;
+  struct lib_answer *answer = NULL;
   made->rgb = calloc(3 * n_pixels(c), sizeof *made->rgb);
-  if (!status && !made->rgb)
-    status = hsr_fail_nomem(err);
+  enum hsr_status status = made->rgb
+                               ? hsr_prepare(c->scene, &request, &drawer, err)
+                               : hsr_fail_nomem(err);
   if (!status)
-    status = answer_init(&answer, &setup, &c->place.view, err);
-  if (!status)
-    status = draws_samples(variant)
-                 ? add_samples(c, &setup, &answer, made, err)
-                 : take_pixels(c, &setup, &answer, made, err);
-  hsr_answer_free(&answer);
-  hsr_setup_free(&setup);
+    status = made->side ? add_samples(c, drawer, &answer, made, err)
+                        : take_pixels(c, drawer, &answer, made, err);
+  hsr_free(answer);
+  hsr_release(drawer);
   return status;
 }
 
 /* --- Errors --------------------------------------------------------------- */
 
-static double error_of(const double *got, const struct hsr_area_bounds *exact) {
+static double error_of(const double *got, const double (*exact)[2]) {
   double worst = 0;
   for (int c = 0; c < 3; c++)
-    worst = fmax(worst, fabs(got[c] - (exact[c].lo + exact[c].hi) / 2));
+    worst = fmax(worst, fabs(got[c] - (exact[c][0] + exact[c][1]) / 2));
   return worst;
 }
 
 static void measure(const struct comparison *c, struct made *made) {
-  const struct hsr_area_bounds *exact = hsr_answer_areas_of(&c->exact);
-  size_t n = n_pixels(c), m = (size_t)c->place.view.m, over = 0;
+  size_t n = n_pixels(c), m = (size_t)c->options->view.m, over = 0;
   double sum = 0;
   for (size_t k = 0; k < n; k++) {
-    double error = error_of(made->rgb + 3 * k, exact + 3 * k);
+    double error = error_of(made->rgb + 3 * k, c->bounds + 3 * k);
     sum += error;
     over += error > much;
     c->share[k] = (float)fmin(1, fmax(0, 1 + log2(error) / MOST_DARK));
@@ -280,8 +259,8 @@ static enum hsr_status write_where(const struct comparison *c, long number,
     return HSR_OK;
   if (!series_name(file, number, made->where))
     snprintf(made->where, sizeof made->where, "%s", file);
-  return hsr_image_write_ramp(made->where, c->place.view.m, c->place.view.n,
-                              c->share, err);
+  return hsr_image_write_ramp(made->where, c->options->view.m,
+                              c->options->view.n, c->share, err);
 }
 
 /* --- Output --------------------------------------------------------------- */
@@ -291,7 +270,7 @@ static void print_head(const struct comparison *c) {
   printf("%s, view %ld, %d x %d pixels, against the exact integrals, %s\n\n"
          "    mean    largest  at           over 1/256  picture\n",
          terminal_plain(c->options->scene.name, name, sizeof name),
-         c->options->view.view, c->place.view.m, c->place.view.n,
+         c->options->view.view, c->options->view.m, c->options->view.n,
          hsr_area_filters[c->options->filter].name);
 }
 
@@ -316,7 +295,7 @@ static json_t *made_json(const struct made *made) {
 static json_t *all_json(const struct comparison *c, json_t *pictures) {
   return json_pack("{ss ss si si si ss so}", "schema", "hsr-errors/1", "scene",
                    c->options->scene.name, "view", (int)c->options->view.view,
-                   "width", c->place.view.m, "height", c->place.view.n,
+                   "width", c->options->view.m, "height", c->options->view.n,
                    "filter", hsr_area_filters[c->options->filter].name,
                    "pictures", pictures);
 }
@@ -328,11 +307,11 @@ struct told {
   long number;
 };
 
-static enum hsr_status tell(struct comparison *c,
-                            const struct hsr_variant *variant, long side,
-                            struct told *told, struct hsr_error *err) {
-  struct made made = {.name = variant->name, .side = side};
-  enum hsr_status status = make(c, variant, &made, err);
+static enum hsr_status tell(struct comparison *c, const char *algorithm,
+                            long side, struct told *told,
+                            struct hsr_error *err) {
+  struct made made = {.name = algorithm, .side = side};
+  enum hsr_status status = make(c, &made, err);
   if (!status) {
     measure(c, &made);
     status = write_where(c, ++told->number, &made, err);
@@ -358,32 +337,24 @@ static enum hsr_status tell_all(struct comparison *c, const char *algorithm,
   if (!variant.choice.form.type->shade)
     return hsr_fail(err, HSR_E_USAGE, "errors: %s draws %s, not pixels",
                     algorithm, variant.choice.form.type->draws);
-  if (!draws_samples(&variant))
-    return tell(c, &variant, 0, told, err);
+  if (!(variant.choice.form.type->takes & 1u << HSR_SUPERSAMPLES))
+    return tell(c, algorithm, 0, told, err);
   const long *side = o->n_sides ? o->side : &one;
   for (int k = 0; k < (o->n_sides ? o->n_sides : 1) && !status; k++)
-    status = tell(c, &variant, side[k], told, err);
+    status = tell(c, algorithm, side[k], told, err);
   return status;
 }
 
 static enum hsr_status find_exact(struct comparison *c, struct hsr_error *err) {
   char name[40];
-  struct hsr_variant variant;
-  struct hsr_setup setup;
-  struct hsr_tally tally = {.out_of_memory = false};
+  const double *bounds = NULL;
   snprintf(name, sizeof name, "area-oracle:filter=%s",
            hsr_area_filters[c->options->filter].name);
-  enum hsr_status status = hsr_variant_parse(name, &variant, err);
-  if (status)
-    return status;
-  status = hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
-                          &c->place.world, err);
+  const struct hsr_request request = request_by(c, name);
+  enum hsr_status status = hsr_draw(c->scene, &request, &c->exact, err);
   if (!status)
-    status = answer_init(&c->exact, &setup, &c->place.view, err);
-  if (!status)
-    status =
-        crew_render(c->crew, &setup, &c->place.view, &c->exact, &tally, err);
-  hsr_setup_free(&setup);
+    status = hsr_get_areas(c->exact, &bounds, err);
+  c->bounds = (const double(*)[2])bounds;
   return status;
 }
 
@@ -403,9 +374,9 @@ static enum hsr_status find(struct comparison *c, struct hsr_error *err) {
   int n =
       o->n_algorithms ? o->n_algorithms : (int)(sizeof usual / sizeof *usual);
   struct told told = {.pictures = o->json ? json_array() : NULL};
-  c->crew = crew_new(o->threads);
   c->share = malloc(n_pixels(c) * sizeof *c->share);
-  enum hsr_status status = c->crew && c->share && (!o->json || told.pictures)
+  c->rgb = malloc(3 * n_pixels(c) * sizeof *c->rgb);
+  enum hsr_status status = c->share && c->rgb && (!o->json || told.pictures)
                                ? find_exact(c, err)
                                : hsr_fail_nomem(err);
   if (!status && !o->json)
@@ -439,12 +410,14 @@ enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct comparison c = {.options = &options};
-  status = place_open(&c.place, &options.scene, &options.view, "errors", err);
+  status = aim_scene(&options.scene, &options.view, err);
+  if (!status)
+    status = client_open(&options.scene, &options.view, &c.scene, err);
   if (!status)
     status = find(&c, err);
-  hsr_answer_free(&c.exact);
+  hsr_free(c.exact);
   free(c.share);
-  crew_free(c.crew);
-  place_close(&c.place);
+  free(c.rgb);
+  hsr_close(c.scene);
   return status;
 }

@@ -23,7 +23,8 @@ endif
 
 # Everything but main, for programs that have another list of algorithms.
 noinst_LIBRARIES += libbench.a
-BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
+# The library calls the rooms below it, and commands call the library.
+BENCH_LIBS = libbench.a libpublic.a libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
   %D%/areas.c \
   %D%/errors.c \
@@ -42,6 +43,8 @@ libbench_a_SOURCES = \
   %D%/check/sort_last.c \
   %D%/check/sort_last_sums.c \
   %D%/check/walk.c \
+  %D%/client/client.c \
+  %D%/client/client.h \
   %D%/export/command.c \
   %D%/judge/differences.c \
   %D%/judge/differences.h \

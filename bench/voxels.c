@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
-#include "bench/modules/variant.h"
+#include "bench/client/client.h"
 #include "bench/options/command.h"
-#include "bench/options/scene.h"
 #include "bench/options/words.h"
-#include "bench/run/crew.h"
-#include "bench/terminal/terminal.h"
 #include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
 #include "common/answers/kinds/voxels.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 struct options {
   struct option_base base;
@@ -72,97 +71,99 @@ static const struct argp argp = {
 /* The answer, and what is told of it. */
 struct found {
   const struct options *options;
-  struct hsr_scene *scene;
-  struct hsr_world world;
-  struct hsr_answer answer;
-  struct hsr_tally tally; /* of the counting build */
+  struct lib_scene *scene;
+  struct lib_answer *counted, *timed; /* by the build that counts, and not */
+  struct hsr_answer_info info;        /* of `timed` */
+  struct hsr_algorithm_info algorithm;
+  struct hsr_voxel_array voxels;
+  const uint64_t *count;
+  size_t n_counts;
   uint64_t solids, set, surface;
-  double prepare_seconds, find_seconds; /* of the build that does not count */
 };
 
-/* By one build of the algorithm. */
-static enum hsr_status run(struct found *found,
-                           const struct hsr_algorithm *algorithm,
-                           const struct hsr_choice *choice,
-                           struct hsr_tally *tally, struct hsr_error *err) {
-  struct hsr_setup setup;
-  struct hsr_view view; /* of no account */
-  enum hsr_status status =
-      hsr_view_init(&view, &found->scene->views[0], 1, 1, err);
-  if (status)
-    return status;
-  status = hsr_setup_init(&setup, algorithm, choice, &found->world, err);
-  found->prepare_seconds = setup.prepare_seconds;
-  if (!status)
-    status = answer_init(&found->answer, &setup, &view, err);
-  if (!status)
-    status = render_view(&setup, &view, 1, &found->answer, tally,
-                         &found->find_seconds, err);
-  hsr_setup_free(&setup);
-  return status;
+static enum hsr_status draw(struct found *found, const char *algorithm,
+                            struct hsr_error *err) {
+  /* The view is of no account. */
+  struct hsr_request request = {
+      .size = sizeof request, .algorithm = algorithm, .m = 1, .n = 1};
+  enum hsr_status status = hsr_draw(found->scene, &request, &found->timed, err);
+  request.counts = 1;
+  return status ? status
+                : hsr_draw(found->scene, &request, &found->counted, err);
 }
 
-static enum hsr_status find(struct found *found,
-                            const struct hsr_variant *variant,
-                            struct hsr_error *err) {
-  struct hsr_tally none = {.out_of_memory = false};
-  const struct hsr_listed *listed = variant->listed;
-  enum hsr_status status =
-      run(found, listed->counting, &variant->choice, &found->tally, err);
-  if (status)
-    return status;
-  hsr_answer_free(&found->answer);
-  return run(found, listed->plain, &variant->choice, &none, err);
+static enum hsr_status read(struct found *found, struct hsr_error *err) {
+  found->info.size = sizeof found->info;
+  found->algorithm.size = sizeof found->algorithm;
+  found->voxels.size = sizeof found->voxels;
+  enum hsr_status status = hsr_get_answer(found->timed, &found->info, err);
+  if (!status)
+    status =
+        hsr_get_algorithm(found->info.algorithm_number, &found->algorithm, err);
+  if (!status)
+    status = hsr_get_voxels(found->timed, &found->voxels, err);
+  return status ? status
+                : hsr_get_counts(found->counted, &found->count,
+                                 &found->n_counts, err);
 }
+
+/* --- Figures -------------------------------------------------------------- */
 
 /* Solids that have voxels. */
-static enum hsr_status count_solids(const struct hsr_solid_voxels *voxels,
-                                    uint64_t *solids, struct hsr_error *err) {
-  size_t n = hsr_voxel_count(&voxels->grid);
+static enum hsr_status count_solids(struct found *found, size_t n,
+                                    struct hsr_error *err) {
+  const uint32_t *solid = found->voxels.solid;
   uint32_t most = 0;
   for (size_t k = 0; k < n; k++)
-    most = voxels->solid[k] > most ? voxels->solid[k] : most;
+    most = solid[k] > most ? solid[k] : most;
   bool *has = calloc((size_t)most + 1, sizeof *has);
   if (!has)
     return hsr_fail_nomem(err);
-  *solids = 0;
   for (size_t k = 0; k < n; k++) {
-    uint32_t solid = voxels->solid[k];
-    *solids += solid && !has[solid];
-    has[solid] = true;
+    found->solids += solid[k] && !has[solid[k]];
+    has[solid[k]] = true;
   }
   free(has);
   return HSR_OK;
 }
 
 static enum hsr_status measure(struct found *found, struct hsr_error *err) {
-  const struct hsr_solid_voxels *v = hsr_answer_voxels_of(&found->answer);
-  hsr_solid_voxels_count(v, &found->set, &found->surface);
-  return count_solids(v, &found->solids, err);
+  const struct hsr_voxel_array *v = &found->voxels;
+  struct hsr_solid_voxels voxels = {.grid.n = {v->n[0], v->n[1], v->n[2]},
+                                    .solid = (uint32_t *)v->solid};
+  hsr_solid_voxels_count(&voxels, &found->set, &found->surface);
+  return count_solids(found, hsr_voxel_count(&voxels.grid), err);
 }
 
-static json_t *counts_json(const struct hsr_algorithm *a,
-                           const struct hsr_tally *tally) {
+/* --- Output --------------------------------------------------------------- */
+
+static struct hsr_counter_info counter(const struct found *found, size_t k) {
+  struct hsr_counter_info info = {.size = sizeof info};
+  hsr_get_counter(found->info.algorithm_number, k, &info, NULL);
+  return info;
+}
+
+static json_t *counts_json(const struct found *found) {
   json_t *counts = json_object();
-  for (int k = 0; a->counters && a->counters[k].name; k++)
-    json_object_set_new(counts, a->counters[k].name,
-                        json_integer((json_int_t)tally->count[k]));
+  for (size_t k = 0; k < found->n_counts; k++)
+    json_object_set_new(counts, counter(found, k).name,
+                        json_integer((json_int_t)found->count[k]));
   return counts;
 }
 
-static enum hsr_status print_json(const struct hsr_algorithm *a,
-                                  const struct found *found,
+static enum hsr_status print_json(const struct found *found,
                                   struct hsr_error *err) {
-  const struct hsr_voxel_grid *g = &hsr_answer_voxels_of(&found->answer)->grid;
+  const struct hsr_voxel_array *v = &found->voxels;
   return json_print(
       json_pack("{ss ss ss s[iii] s[fff] sf sI sI sI so sf sf}", "schema",
                 "hsr-voxels/2", "scene", found->options->scene.name,
-                "algorithm", a->name, "voxels", g->n[0], g->n[1], g->n[2],
-                "origin", g->lo[0], g->lo[1], g->lo[2], "voxel_size", g->size,
-                "solids", (json_int_t)found->solids, "set",
+                "algorithm", found->algorithm.name, "voxels", v->n[0], v->n[1],
+                v->n[2], "origin", v->lo[0], v->lo[1], v->lo[2], "voxel_size",
+                v->side, "solids", (json_int_t)found->solids, "set",
                 (json_int_t)found->set, "surface", (json_int_t)found->surface,
-                "counts", counts_json(a, &found->tally), "prepare_seconds",
-                found->prepare_seconds, "find_seconds", found->find_seconds),
+                "counts", counts_json(found), "prepare_seconds",
+                found->info.prepare_seconds, "find_seconds",
+                found->info.draw_seconds),
       err);
 }
 
@@ -170,79 +171,78 @@ static void print_count(uint64_t count, const char *what) {
   printf("%12llu  %s\n", (unsigned long long)count, what);
 }
 
-static void print_text(const struct hsr_algorithm *a,
-                       const struct found *found) {
-  const struct hsr_voxel_grid *g = &hsr_answer_voxels_of(&found->answer)->grid;
+static void print_text(const struct found *found) {
+  const struct hsr_voxel_array *v = &found->voxels;
   char name[TERMINAL_NAME];
   printf("%s, %d x %d x %d voxels of side %g, by %s\n\n",
-         terminal_plain(found->options->scene.name, name, sizeof name), g->n[0],
-         g->n[1], g->n[2], g->size, a->name);
+         terminal_plain(found->options->scene.name, name, sizeof name), v->n[0],
+         v->n[1], v->n[2], v->side, found->algorithm.name);
   print_count(found->solids, "solids that have voxels");
   print_count(found->set, "voxels set");
   print_count(found->surface, "of them at a surface");
-  for (int k = 0; a->counters && a->counters[k].name; k++)
-    print_count(found->tally.count[k], a->counters[k].meaning);
-  printf("%12.4g  seconds to prepare\n", found->prepare_seconds);
-  printf("%12.4g  seconds to find the voxels\n", found->find_seconds);
+  for (size_t k = 0; k < found->n_counts; k++)
+    print_count(found->count[k], counter(found, k).meaning);
+  printf("%12.4g  seconds to prepare\n", found->info.prepare_seconds);
+  printf("%12.4g  seconds to find the voxels\n", found->info.draw_seconds);
 }
 
-static enum hsr_status tell(const struct hsr_algorithm *a, struct found *found,
-                            struct hsr_error *err) {
-  const struct options *o = found->options;
-  struct hsr_showing showing = {.world = &found->world, .scene = o->scene.name};
-  enum hsr_status status = HSR_OK;
-  if (o->output)
-    status = HSR_VOXELS->write(&found->answer, &showing, NULL, o->output, err);
+/* --- The command ---------------------------------------------------------- */
+
+static enum hsr_status check(const struct options *o, struct hsr_error *err) {
+  struct hsr_algorithm_info info = {.size = sizeof info};
+  struct hsr_kind_info kind = {.size = sizeof kind};
+  size_t k, length = strcspn(o->algorithm, ":");
+  char name[60];
+  if (o->output && !HSR_VOXELS->fits(o->output))
+    return hsr_fail(err, HSR_E_INPUT, "%s: voxels are written as .vti",
+                    o->output);
+  snprintf(name, sizeof name, "%.*s", (int)length, o->algorithm);
+  enum hsr_status status = hsr_find_algorithm(name, &k, err);
   if (!status)
-    status = measure(found, err);
-  if (status)
-    return status;
-  if (o->json)
-    return print_json(a, found, err);
-  print_text(a, found);
-  return HSR_OK;
-}
-
-static enum hsr_status check_output(const char *path, struct hsr_error *err) {
-  if (!path || HSR_VOXELS->fits(path))
-    return HSR_OK;
-  return hsr_fail(err, HSR_E_INPUT, "%s: voxels are written as .vti", path);
-}
-
-static enum hsr_status choose(const struct options *o,
-                              struct hsr_variant *variant,
-                              struct hsr_error *err) {
-  enum hsr_status status = hsr_variant_parse(o->algorithm, variant, err);
-  struct hsr_form *form = &variant->choice.form;
-  if (!status && !hsr_makes(variant->listed->plain, HSR_VOXELS))
+    status = hsr_get_algorithm(k, &info, err);
+  if (!status)
+    status = hsr_get_kind(info.kind, &kind, err);
+  if (!status && strcmp(kind.name, "voxels") != 0)
     return hsr_fail(err, HSR_E_USAGE, "%s: makes %s, not voxels", o->algorithm,
-                    form->type->name);
-  if (!status && o->size)
-    form->values.option[0] = o->size;
+                    kind.name);
   return status;
+}
+
+static enum hsr_status find(struct found *found, struct hsr_error *err) {
+  const struct options *o = found->options;
+  char algorithm[300];
+  int length = o->size
+                   ? snprintf(algorithm, sizeof algorithm, "%s:side=%ld",
+                              o->algorithm, o->size)
+                   : snprintf(algorithm, sizeof algorithm, "%s", o->algorithm);
+  if (length >= (int)sizeof algorithm)
+    return hsr_fail(err, HSR_E_USAGE, "--algorithm %.40s...: is too long",
+                    o->algorithm);
+  enum hsr_status status = client_open(&o->scene, NULL, &found->scene, err);
+  if (!status)
+    status = draw(found, algorithm, err);
+  if (!status)
+    status = read(found, err);
+  if (!status && o->output)
+    status = hsr_write(found->timed, o->output, NULL, err);
+  return status ? status : measure(found, err);
 }
 
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.algorithm = "tiling-solids"};
-  struct hsr_variant variant;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
-    status = check_output(options.output, err);
-  if (!status)
-    status = choose(&options, &variant, err);
+    status = check(&options, err);
   if (status)
     return status;
   struct found found = {.options = &options};
-  status =
-      open_scene(options.scene.name, options.scene.import, &found.scene, err);
-  if (!status)
-    status = hsr_world_open(&found.world, found.scene, HSR_MOST_LAID_OUT, err);
-  if (!status)
-    status = find(&found, &variant, err);
-  if (!status)
-    status = tell(variant.listed->counting, &found, err);
-  hsr_answer_free(&found.answer);
-  hsr_world_free(&found.world);
-  hsr_scene_delete(found.scene);
+  status = find(&found, err);
+  if (!status && options.json)
+    status = print_json(&found, err);
+  else if (!status)
+    print_text(&found);
+  hsr_free(found.counted);
+  hsr_free(found.timed);
+  hsr_close(found.scene);
   return status;
 }

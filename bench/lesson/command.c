@@ -43,7 +43,7 @@ static error_t add_algorithm(struct options *o, const char *name,
   struct hsr_variant *variant = &o->variant[o->n++];
   enum hsr_status status = hsr_variant_parse(text, variant, &err);
   if (!status)
-    status = trace_check(variant, &err);
+    status = lib_check_trace(variant, &err);
   return status ? option_fail(&o->base, "%s", err.text) : 0;
 }
 

@@ -4,6 +4,7 @@
 #include "bench/run/crew.h"
 #include "common/base/clock.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,9 +26,10 @@ static enum hsr_status take_camera(const struct lib_camera *from,
   return status;
 }
 
-enum hsr_status lib_view(const struct lib_scene *scene,
-                         const struct hsr_request *request,
-                         struct hsr_view *view, struct hsr_error *err) {
+static enum hsr_status choose_camera(const struct lib_scene *scene,
+                                     const struct hsr_request *request,
+                                     struct hsr_view *view,
+                                     struct hsr_error *err) {
   const struct hsr_scene *s = scene->scene;
   if (request->camera) {
     struct hsr_camera camera;
@@ -41,9 +43,10 @@ enum hsr_status lib_view(const struct lib_scene *scene,
   return hsr_view_init_of(view, s, request->view, request->m, request->n, err);
 }
 
-enum hsr_status lib_window(const struct hsr_request *request,
-                           const struct hsr_answer_type *type,
-                           struct hsr_view *view, struct hsr_error *err) {
+static enum hsr_status set_window(const struct hsr_request *request,
+                                  const struct hsr_answer_type *type,
+                                  struct hsr_view *view,
+                                  struct hsr_error *err) {
   const int *w = request->window;
   if (!w[0] && !w[1] && !w[2] && !w[3])
     return HSR_OK;
@@ -60,6 +63,35 @@ enum hsr_status lib_window(const struct hsr_request *request,
                     type->name);
   view->window = (struct hsr_window){w[0], w[1], w[2], w[3]};
   return HSR_OK;
+}
+
+static enum hsr_status set_offset(const struct hsr_request *request,
+                                  const struct hsr_answer_type *type,
+                                  struct hsr_view *view,
+                                  struct hsr_error *err) {
+  const double *o = request->offset;
+  if (o[0] == 0 && o[1] == 0)
+    return HSR_OK;
+  if (!(fabs(o[0]) < 0.5 && fabs(o[1]) < 0.5))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "offset %g, %g: must be above -1/2 and below 1/2", o[0],
+                    o[1]);
+  if (type != HSR_IDS)
+    return hsr_fail(err, HSR_E_USAGE, "an answer of the kind %s has no offset",
+                    type->name);
+  view->offset_x = o[0];
+  view->offset_y = o[1];
+  return HSR_OK;
+}
+
+enum hsr_status lib_view(const struct lib_scene *scene,
+                         const struct hsr_request *request,
+                         const struct hsr_answer_type *type,
+                         struct hsr_view *view, struct hsr_error *err) {
+  enum hsr_status status = choose_camera(scene, request, view, err);
+  if (!status)
+    status = set_window(request, type, view, err);
+  return status ? status : set_offset(request, type, view, err);
 }
 
 /* --- The answer ----------------------------------------------------------- */
@@ -95,10 +127,8 @@ enum hsr_status lib_answer_aim(struct lib_answer *answer,
                                struct hsr_error *err) {
   answer->is_own_view = !request->camera;
   answer->number = request->view;
-  enum hsr_status status = lib_view(answer->scene, request, &answer->view, err);
-  return status ? status
-                : lib_window(request, answer->variant.choice.form.type,
-                             &answer->view, err);
+  return lib_view(answer->scene, request, answer->variant.choice.form.type,
+                  &answer->view, err);
 }
 
 enum hsr_status lib_answer_begin(struct lib_ready *ready,
@@ -231,9 +261,8 @@ enum hsr_status hsr_draw(const struct lib_scene *scene,
 
 /* --- Tracing -------------------------------------------------------------- */
 
-/* Whether the algorithm has steps to tell of. */
-static enum hsr_status check_trace(const struct hsr_variant *variant,
-                                   struct hsr_error *err) {
+enum hsr_status lib_check_trace(const struct hsr_variant *variant,
+                                struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->counting;
   const struct hsr_answer_type *type = variant->choice.form.type;
   const char *why = NULL;
@@ -291,7 +320,7 @@ hsr_trace(const struct lib_scene *scene, const struct hsr_request *request,
   if (!status)
     status = begin(scene, &taken, &made, err);
   if (!status)
-    status = check_trace(&made->variant, err);
+    status = lib_check_trace(&made->variant, err);
   if (!status) {
     struct listener listener = {hear, context, made->variant.listed->counting};
     struct hsr_trace trace = {.listen = listen, .context = &listener};

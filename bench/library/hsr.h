@@ -358,6 +358,9 @@ struct hsr_request {
    * NULL: nobody is told. */
   int (*progress)(void *context, double share);
   void *context; /* for progress */
+  double offset[2]; /* how far each sample lies to the right of the middle of
+                       its place, and below it, in samples: above -1/2 and below
+                       1/2. Of kind "ids" */
 };
 
 /* Draws. The caller frees *answer by hsr_free. HSR_E_USAGE for a text that

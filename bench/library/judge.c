@@ -178,9 +178,7 @@ enum hsr_status hsr_judge_ids(const struct lib_scene *scene,
   if (!status)
     status = lib_take("request", &taken, sizeof taken, request, err);
   if (!status)
-    status = lib_view(scene, &taken, &view, err);
-  if (!status)
-    status = lib_window(&taken, HSR_IDS, &view, err);
+    status = lib_view(scene, &taken, HSR_IDS, &view, err);
   if (status)
     return status;
   /* Nothing writes to it. */

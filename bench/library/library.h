@@ -1,32 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Between the files of the library.
- *
- * Names       the structs of hsr.h have the names that suit its users. Some are
- *             those of hsr's own structs. So here a public struct hsr_scene is
- *             a struct lib_scene, and so on. Its own names have no linkage, so
- *             the linker knows nothing of that. */
+/* Between the files of the library. */
 #ifndef HSR_BENCH_LIBRARY_H
 #define HSR_BENCH_LIBRARY_H
 
 #include "algorithms/setup.h"
+#include "bench/library/within.h"
 #include "bench/modules/variant.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
-
-#define hsr_answer lib_answer
-#define hsr_camera lib_camera
-#define hsr_event lib_event
-#define hsr_scene lib_scene
-#define hsr_segment lib_segment
-#define hsr_subject lib_subject
-#include "bench/library/hsr.h"
-#undef hsr_answer
-#undef hsr_camera
-#undef hsr_event
-#undef hsr_scene
-#undef hsr_segment
-#undef hsr_subject
 
 /* --- Structs that cross the border (structs.c) ---------------------------- */
 
@@ -160,16 +142,16 @@ struct lib_answer {
   struct lib_polygons polygons;
 };
 
-/* Sets the view that a request asks for, but not its window. Errors as
+/* Sets the view that a request asks for, for a kind of answer. Errors as
  * hsr_draw. */
 enum hsr_status lib_view(const struct lib_scene *scene,
                          const struct hsr_request *request,
+                         const struct hsr_answer_type *type,
                          struct hsr_view *view, struct hsr_error *err);
 
-/* Sets the window of a view for a kind of answer. HSR_E_USAGE. */
-enum hsr_status lib_window(const struct hsr_request *request,
-                           const struct hsr_answer_type *type,
-                           struct hsr_view *view, struct hsr_error *err);
+/* Whether an algorithm, so chosen, has steps to tell of. HSR_E_USAGE. */
+enum hsr_status lib_check_trace(const struct hsr_variant *variant,
+                                struct hsr_error *err);
 
 /* Fills the arrays of an answer of polygons anew (polygons.c). HSR_E_NOMEM. */
 enum hsr_status lib_polygons_make(struct lib_answer *answer,
@@ -181,6 +163,16 @@ void lib_polygons_free(struct lib_polygons *polygons);
 /* How an answer is shown. */
 struct hsr_showing lib_showing(const struct lib_answer *answer,
                                enum hsr_shading_choice shading);
+
+/* The texts that go into a file. */
+struct lib_texts {
+  char text[300], title[200], description[200];
+};
+
+/* Makes the texts for a view of a scene, from 1, or 0 if it is none of its own,
+ * and sets them in *showing. */
+void lib_set_texts(struct hsr_showing *showing, struct lib_texts *texts,
+                   long view, const struct hsr_algorithm *algorithm);
 
 /* Whether the kind of the answer takes account of a setting, HSR_SHADING and so
  * on. HSR_E_USAGE with `what` if not. */

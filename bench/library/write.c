@@ -100,25 +100,32 @@ static enum hsr_status write_trimmed(const struct lib_answer *answer,
   return status;
 }
 
-/* Writes with the texts that go into a file. The scene is held for reading. */
+void lib_set_texts(struct hsr_showing *showing, struct lib_texts *t, long view,
+                   const struct hsr_algorithm *a) {
+  snprintf(t->text, sizeof t->text,
+           "Software=hsr\nScene=%.200s\nAlgorithm=%s\n", showing->scene,
+           a->name);
+  if (view)
+    snprintf(t->title, sizeof t->title, "%.150s, view %ld", showing->scene,
+             view);
+  else
+    snprintf(t->title, sizeof t->title, "%.150s", showing->scene);
+  snprintf(t->description, sizeof t->description,
+           "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  showing->text = t->text;
+  showing->title = t->title;
+  showing->description = t->description;
+}
+
+/* The scene is held for reading. */
 static enum hsr_status write_file(const struct lib_answer *answer,
                                   struct hsr_showing *showing, const char *path,
                                   struct hsr_error *err) {
-  char text[300], title[200], description[200];
-  const struct hsr_algorithm *a = answer->variant.listed->plain;
+  struct lib_texts texts;
   const struct hsr_drawing *drawing = hsr_answer_lines(&answer->answer);
-  snprintf(text, sizeof text, "Software=hsr\nScene=%.200s\nAlgorithm=%s\n",
-           showing->scene, a->name);
-  if (answer->is_own_view)
-    snprintf(title, sizeof title, "%.150s, view %u", showing->scene,
-             answer->number + 1);
-  else
-    snprintf(title, sizeof title, "%.150s", showing->scene);
-  snprintf(description, sizeof description,
-           "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
-  showing->text = text;
-  showing->title = title;
-  showing->description = description;
+  lib_set_texts(showing, &texts,
+                answer->is_own_view ? (long)answer->number + 1 : 0,
+                answer->variant.listed->plain);
   return drawing && showing->crease >= 0
              ? write_trimmed(answer, drawing, showing, path, err)
              : write_shown(&answer->answer, showing, path, err);

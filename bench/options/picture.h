@@ -5,7 +5,6 @@
 
 #include "bench/options/parser.h"
 #include "common/answers/kinds/area.h"
-#include "common/answers/kinds/area.h"
 
 /* --filter of area pictures: a name of hsr_area_filters. */
 error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,

@@ -42,21 +42,27 @@ error_t parse_threads(struct scene_options *options, long *threads,
   return 0;
 }
 
-enum hsr_status open_scene(const char *name, struct hsr_import import,
-                           struct hsr_scene **scene, struct hsr_error *err) {
-  enum hsr_status status = hsr_scene_open(name, &import, scene, err);
-  for (const char *note = import.notes; !status && *note;) {
+void say_opened(const char *name, const char *notes, uint64_t n_dropped,
+                int enlarged) {
+  for (const char *note = notes; *note;) {
     const int length = (int)strcspn(note, "\n");
     fprintf(stderr, "hsr: %.*s\n", length, note);
     note += length + (note[length] == '\n');
   }
-  if (!status && import.n_dropped)
+  if (n_dropped)
     fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
-            (unsigned long long)import.n_dropped);
-  if (!status && (*scene)->enlarged)
+            (unsigned long long)n_dropped);
+  if (enlarged)
     fprintf(stderr,
             "hsr: %s: too small to compute with, so it is drawn 2^%d times as "
             "large; depths and coordinates are those of the larger scene\n",
-            name, (*scene)->enlarged);
+            name, enlarged);
+}
+
+enum hsr_status open_scene(const char *name, struct hsr_import import,
+                           struct hsr_scene **scene, struct hsr_error *err) {
+  enum hsr_status status = hsr_scene_open(name, &import, scene, err);
+  if (!status)
+    say_opened(name, import.notes, import.n_dropped, (*scene)->enlarged);
   return status;
 }

@@ -49,6 +49,11 @@ error_t parse_threads(struct scene_options *options, long *threads,
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 
+/* Says on stderr what was left out of a scene that was opened, and that it was
+ * enlarged 2^enlarged times. */
+void say_opened(const char *name, const char *notes, uint64_t n_dropped,
+                int enlarged);
+
 enum { MOST_PARTS = 1 << 20 }; /* of a scene, by --sort-last */
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawing, showing and writing one picture of hsr render. */
-#include "config.h"
-
+#include "bench/library/library.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"
 #include "bench/ranks/ranks.h"
@@ -91,16 +90,10 @@ static const char *file_name(const struct render *r, const char *given,
 enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   const struct hsr_algorithm *a = r->setup.algorithm;
   const struct render_options *o = r->options;
-  char text[300], title[200], description[200], name[MOST_FILE_NAME];
-  snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
-           o->scene.name, a->name);
-  snprintf(title, sizeof title, "%s, view %ld", o->scene.name, r->view_number);
-  snprintf(description, sizeof description,
-           "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  char name[MOST_FILE_NAME];
+  struct lib_texts texts;
   struct hsr_showing showing = showing_of(r);
-  showing.text = text;
-  showing.title = title;
-  showing.description = description;
+  lib_set_texts(&showing, &texts, r->view_number, a);
   double begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_outputs && !status; k++)

@@ -295,7 +295,7 @@ enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
-    status = trace_check(&variant, err);
+    status = lib_check_trace(&variant, err);
   if (!status)
     status = choose_counters(&options, variant.listed->counting, err);
   if (!status)

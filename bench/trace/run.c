@@ -2,24 +2,6 @@
 #include "bench/modules/variant.h"
 #include "bench/trace/trace.h"
 
-enum hsr_status trace_check(const struct hsr_variant *variant,
-                            struct hsr_error *err) {
-  const struct hsr_algorithm *a = variant->listed->counting;
-  const struct hsr_answer_type *type = variant->choice.form.type;
-  const char *why = NULL;
-  if (a->flags & HSR_JUDGE)
-    why = "a judge has no steps to trace";
-  else if (a->flags & HSR_NO_PICTURE)
-    why = "it draws nothing";
-  else if ((type != hsr_own_kind(a) && !hsr_makes_also(a, type)) ||
-           !type->paint)
-    why = "answers of this kind are not traced";
-  else if (!a->outline)
-    why = "it has no outline yet, and cannot be traced";
-  return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)
-             : HSR_OK;
-}
-
 /* An algorithm that takes instances gets a roster, as in hsr render. */
 static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
   enum hsr_status status =

@@ -14,6 +14,7 @@
 #define HSR_BENCH_TRACE_H
 
 #include "algorithms/setup.h"
+#include "bench/library/library.h"
 #include "bench/modules/variant.h"
 #include "bench/options/view.h"
 #include "common/files/whole_file.h"
@@ -146,10 +147,6 @@ struct trace_run {
   struct hsr_setup setup;
   struct trace_answer answer;
 };
-
-/* Whether the algorithm has steps to tell of. HSR_E_USAGE if not. */
-enum hsr_status trace_check(const struct hsr_variant *variant,
-                            struct hsr_error *err);
 
 /* Opens the scene, and sets up the view, the algorithm and its answer. To be
  * closed also after a failure. */

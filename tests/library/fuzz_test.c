@@ -310,7 +310,9 @@ static struct hsr_request random_request(struct fuzz *f,
                           .threads = one_in(f, 6) ? whole(f, 3) : 0,
                           .counts = (int)below(f, 2),
                           .progress = one_in(f, 3) ? tell : NULL,
-                          .context = f};
+                          .context = f,
+                          .offset = {one_in(f, 8) ? real(f) / 16 : 0,
+                                     one_in(f, 8) ? real(f) / 16 : 0}};
   if (r.m > MOST && r.n > 0 && r.n <= MOST)
     r.m = one_in(f, 2) ? 16385 : 16384; /* a wide one, of few rows */
   else if (r.m > MOST || r.n > MOST)

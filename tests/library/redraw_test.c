@@ -163,6 +163,39 @@ static void test_window(struct tap *tap) {
   hsr_close(scene);
 }
 
+/* Samples that are not in the middle of their places, judged in both ways. */
+static void test_offset(struct tap *tap) {
+  struct hsr_scene *scene = open_scene("house");
+  struct hsr_request request = request_of("watkins", M, N);
+  struct hsr_answer *answer = NULL, *middle = draw_by(scene, "watkins", M, N);
+  struct hsr_verdict own = {.size = sizeof own}, both = own, none = own;
+  struct hsr_error err = {.text = ""};
+  const uint32_t *ids = NULL;
+  request.offset[0] = -0.375;
+  request.offset[1] = 0x1.fffffffffffffp-2;
+  ok(tap,
+     !hsr_draw(scene, &request, &answer, NULL) &&
+         !hsr_judge(answer, &own, NULL) && own.compared && !own.differing &&
+         !hsr_get_ids(answer, &ids, NULL) &&
+         !hsr_judge_ids(scene, &request, ids, &both, NULL) && !both.differing &&
+         !same_ids(answer, middle),
+     "samples that are displaced are right");
+  memset(request.offset, 0, sizeof request.offset);
+  ok(tap,
+     ids && !hsr_judge_ids(scene, &request, ids, &none, NULL) && none.differing,
+     "they are not those in the middle: %s", none.first);
+  hsr_free(answer);
+  request.offset[1] = 0.5;
+  ok(tap, hsr_draw(scene, &request, &answer, &err) == HSR_E_USAGE, "%s",
+     err.text);
+  request.offset[1] = 0.25;
+  request.algorithm = "appel";
+  ok(tap, hsr_draw(scene, &request, &answer, &err) == HSR_E_USAGE, "%s",
+     err.text);
+  hsr_free(middle);
+  hsr_close(scene);
+}
+
 /* --- What is wrong -------------------------------------------------------- */
 
 static int stop(void *context, double share) {
@@ -241,12 +274,13 @@ static void test_threads(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * N_SUBJECTS + 12);
+  struct tap tap = plan(2 * N_SUBJECTS + 16);
   for (int k = 0; k < N_SUBJECTS; k++)
     test_subject(&tap, &subjects[k]);
   test_sizes(&tap, "watkins");
   test_sizes(&tap, "newell-previous");
   test_window(&tap);
+  test_offset(&tap);
   test_wrong(&tap);
   test_threads(&tap);
   return finish(&tap);

@@ -186,6 +186,11 @@ def test_drawer():
         p, once = d.render(size, view=k), house.render("bsp-front", size, view=k)
         ok((p.ids == once.ids).all() and p.judge().is_right, f"view {k}")
     ok(p.counts and "bsp-front" in repr(d), repr(d))
+    moved = d.render(SIZE, view=2, offset=(0.25, -0.25))
+    ok((moved.ids != once.ids).any(), "samples lie elsewhere")
+    ok(house.judge(moved.ids, view=2, offset=(0.25, -0.25)).is_right, "rightly")
+    raises(hsr.UsageError, "offset", d.render, SIZE, offset=(0.5, 0))
+    raises(hsr.UsageError, "offset", d.render, SIZE, offset=(0,))
     ids = p.ids
     del d, p
     gc.collect()

@@ -231,6 +231,7 @@ class Scene:
         camera: Camera | None = None,
         view: int = 0,
         window: tuple[int, int, int, int] | None = None,
+        offset: tuple[float, float] = (0.0, 0.0),
         threads: int = 1,
         counts: bool = False,
         progress: Progress | None = None,
@@ -243,6 +244,8 @@ class Scene:
         camera     else the scene's own, number `view`
         window     x0, y0, x1, y1: only columns x0 to x1 - 1 of rows y0 to y1 - 1
                    are drawn
+        offset     right, down: how far each sample lies from the middle of its
+                   place, in samples, above -1/2 and below 1/2
         threads    that draw, 1 to 64
         counts     the build that counts draws, for Answer.counts. It is slower
         progress   called with the share that is drawn, 0 to 1, now and then, not
@@ -252,7 +255,7 @@ class Scene:
         caller = _Caller(progress)
         request = _request(
             size, camera, view, window,
-            algorithm=string("algorithm", algorithm),
+            algorithm=string("algorithm", algorithm), offset=offset,
             threads=threads, counts=bool(counts), progress=caller.progress,
         )  # fmt: skip
         answer = ffi.new("struct hsr_answer **")
@@ -307,6 +310,7 @@ class Scene:
         camera: Camera | None = None,
         view: int = 0,
         window: tuple[int, int, int, int] | None = None,
+        offset: tuple[float, float] = (0.0, 0.0),
         room: int = 1000,
     ) -> Verdict:
         """Compares ids that anybody has found with the right ones.
@@ -318,7 +322,7 @@ class Scene:
         The rest is as in `render`."""
         array = _ids_of(ids)
         rows, columns = array.shape
-        request = _request((columns, rows), camera, view, window)
+        request = _request((columns, rows), camera, view, window, offset=offset)
         pointer = _arrays.pointer_to("uint32_t[]", array)
         return judged(
             (rows, columns), room, lib.hsr_judge_ids, self._handle, request, pointer
@@ -356,11 +360,14 @@ class Drawer:
         camera: Camera | None = None,
         view: int = 0,
         window: tuple[int, int, int, int] | None = None,
+        offset: tuple[float, float] = (0.0, 0.0),
         progress: Progress | None = None,
     ) -> Answer:
         """Draws. The arguments are those of Scene.render."""
         caller = _Caller(progress)
-        request = _request(size, camera, view, window, progress=caller.progress)
+        request = _request(
+            size, camera, view, window, offset=offset, progress=caller.progress
+        )
         answer = ffi.new("struct hsr_answer **")
         caller.call(lib.hsr_redraw, self._handle, request, answer)
         return Answer(ffi.gc(answer[0], lib.hsr_free))
@@ -382,6 +389,8 @@ def _request(
         raise UsageError(f"size is {size}, not (columns, rows)") from None
     if window is not None and (len(window) != 4 or not any(window)):
         raise UsageError(f"window is {window}, not x0, y0, x1, y1")
+    if "offset" in members:
+        members["offset"] = _numbers("offset", members["offset"], 2)
     if camera is not None:
         members["camera"] = _camera_struct(camera)
     return struct("hsr_request", m=m, n=n, view=view, window=window, **members)
