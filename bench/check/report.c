@@ -101,7 +101,7 @@ static void say_again(const struct scene_run *run, int size, int view, int a,
            terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
            o->frames ? "frames" : "order", o->view[view] + 1, o->m[size],
            o->n[size], o->timeout,
-           o->import.drop_degenerate ? " --drop-degenerate" : "",
+           o->import.strict ? " --strict" : "",
            o->import.two_sided ? " --two-sided" : "");
 }
 

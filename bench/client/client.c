@@ -6,8 +6,7 @@ enum hsr_status client_open(const struct scene_options *o,
                             struct lib_scene **scene, struct hsr_error *err) {
   const struct hsr_open_options options = {.size = sizeof options,
                                            .threads = o->import.threads,
-                                           .drop_degenerate =
-                                               o->import.drop_degenerate,
+                                           .strict = o->import.strict,
                                            .two_sided = o->import.two_sided};
   struct hsr_scene_info info = {.size = sizeof info};
   enum hsr_status status = hsr_open(o->name, &options, scene, err);

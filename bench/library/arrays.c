@@ -144,18 +144,6 @@ static enum hsr_status wrap(struct hsr_scene *scene, enum hsr_status status,
   return HSR_OK;
 }
 
-/* The caller's options, for scenes whose faces keep their numbers. */
-static enum hsr_status take_options(const struct hsr_open_options *from,
-                                    struct hsr_open_options *options,
-                                    struct hsr_error *err) {
-  enum hsr_status status = lib_open_options(from, options, err);
-  if (!status && options->drop_degenerate)
-    status = hsr_fail(err, HSR_E_USAGE,
-                      "options: drop_degenerate is for files: faces of arrays "
-                      "keep their numbers");
-  return status;
-}
-
 enum hsr_status hsr_open_arrays(const struct hsr_arrays *arrays,
                                 const struct hsr_open_options *options,
                                 struct lib_scene **scene,
@@ -166,7 +154,7 @@ enum hsr_status hsr_open_arrays(const struct hsr_arrays *arrays,
     *scene = NULL;
   if (!arrays || !scene)
     return lib_null(arrays ? "scene" : "arrays", err);
-  enum hsr_status status = take_options(options, &taken, err);
+  enum hsr_status status = lib_open_options(options, &taken, err);
   if (!status)
     status = lib_take("arrays", &a, sizeof a, arrays, err);
   if (!status)
@@ -284,7 +272,7 @@ enum hsr_status hsr_open_grid(const struct hsr_grid_arrays *grid,
     *scene = NULL;
   if (!grid || !scene)
     return lib_null(grid ? "scene" : "grid", err);
-  enum hsr_status status = take_options(options, &taken, err);
+  enum hsr_status status = lib_open_options(options, &taken, err);
   if (!status)
     status = lib_take("grid", &g, sizeof g, grid, err);
   if (!status)

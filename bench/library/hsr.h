@@ -208,9 +208,9 @@ struct hsr_open_options {
   size_t size;
   int threads;         /* that import it, lay it out and prepare it for
                           algorithms, 1 to 64; 0: 1 */
-  int drop_degenerate; /* not 0: faces of a mesh file that have no area or
-                          repeat a vertex are left out and counted; 0: the file
-                          is refused */
+  int strict;          /* not 0: a file with faces that have no area is
+                          refused; 0: they are left out and counted, since they
+                          cover no sample */
   int two_sided;       /* not 0: all faces are seen from both sides; 0: those of
                           a closed mesh are seen from outside only */
 };
@@ -247,11 +247,11 @@ struct hsr_arrays {
 
 /* Makes a scene of arrays. Face f of the arrays is face f of the scene; with
  * instances, face f of instance k is face f + k n_faces. Its own cameras are
- * eight around it. The caller frees *scene by hsr_close. HSR_E_USAGE if the
- * lengths do not fit one another, or options->drop_degenerate is set;
- * HSR_E_INPUT, with the face, vertex or instance, if a coordinate is not finite
- * or above 1e30 in size, a vertex is out of range or twice in a face, a face has
- * no area, or a colour is not in 0 to 1. */
+ * eight around it. options->strict has no effect. The caller frees *scene by
+ * hsr_close. HSR_E_USAGE if the lengths do not fit one another; HSR_E_INPUT, with
+ * the face, vertex or instance, if a coordinate is not finite or above 1e30 in
+ * size, a vertex is out of range or twice in a face, a face has no area, or a
+ * colour is not in 0 to 1. */
 HSR_API enum hsr_status hsr_open_arrays(const struct hsr_arrays *arrays,
                                         const struct hsr_open_options *options,
                                         struct hsr_scene **scene,
@@ -276,10 +276,9 @@ struct hsr_grid_arrays {
  * those between two kept boxes. Their ids ascend from box to box as the samples
  * do in `density`. The sides of one box follow in this order: towards lower x,
  * higher x, lower y, higher y, lower z, higher z. The caller frees *scene by
- * hsr_close. HSR_E_USAGE if n or the bounds are out of range, or
- * options->drop_degenerate is set; HSR_E_INPUT if places do not ascend, no
- * sample is kept, or a colour is not in 0 to 1; HSR_E_REFUSED for more than 2^32
- * - 2 faces. */
+ * hsr_close. HSR_E_USAGE if n or the bounds are out of range; HSR_E_INPUT if
+ * places do not ascend, no sample is kept, or a colour is not in 0 to 1;
+ * HSR_E_REFUSED for more than 2^32 - 2 faces. */
 HSR_API enum hsr_status hsr_open_grid(const struct hsr_grid_arrays *grid,
                                       const struct hsr_open_options *options,
                                       struct hsr_scene **scene,
@@ -304,7 +303,7 @@ struct hsr_scene_info {
   int enlarged;       /* e: the scene is too small to compute with. So all
                          lengths, of cameras and depths too, are 2^e times those
                          of the file. 0: they are those of the file */
-  uint64_t n_dropped; /* faces left out by drop_degenerate */
+  uint64_t n_dropped; /* faces without area that were left out */
   const char *notes;  /* what else was left out of the file, lines; "" */
 };
 HSR_API enum hsr_status hsr_get_scene(const struct hsr_scene *scene,

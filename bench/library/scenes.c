@@ -58,7 +58,7 @@ static enum hsr_status open_named(const char *name,
                                   const struct hsr_open_options *options,
                                   struct lib_scene *handle,
                                   struct hsr_error *err) {
-  struct hsr_import import = {.drop_degenerate = options->drop_degenerate,
+  struct hsr_import import = {.strict = options->strict,
                               .two_sided = options->two_sided,
                               .threads = hsr_threads(options->threads)};
   enum hsr_status status = hsr_scene_open(name, &import, &handle->scene, err);

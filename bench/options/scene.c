@@ -6,14 +6,15 @@
 #include <string.h>
 
 bool parse_import_option(struct hsr_import *import, int key) {
-  import->drop_degenerate |= key == DROP_DEGENERATE;
+  import->strict |= key == STRICT;
   import->two_sided |= key == TWO_SIDED;
-  return key == DROP_DEGENERATE || key == TWO_SIDED;
+  return key == STRICT || key == TWO_SIDED || key == DROP_DEGENERATE;
 }
 
 error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                            const char *command, struct option_base *base) {
   switch (key) {
+  case STRICT:
   case DROP_DEGENERATE:
   case TWO_SIDED:
     parse_import_option(&o->import, key);
@@ -50,8 +51,8 @@ void say_opened(const char *name, const char *notes, uint64_t n_dropped,
     note += length + (note[length] == '\n');
   }
   if (n_dropped)
-    fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
-            (unsigned long long)n_dropped);
+    fprintf(stderr, "hsr: %s: %llu face%s without area left out\n", name,
+            (unsigned long long)n_dropped, n_dropped == 1 ? "" : "s");
   if (enlarged)
     fprintf(stderr,
             "hsr: %s: too small to compute with, so it is drawn 2^%d times as "

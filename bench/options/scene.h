@@ -17,16 +17,15 @@ struct scene_options {
 /* An entry for an argp option array, and the parser of that option and of the
  * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
  * of the subcommand: "render", ... */
-enum { DROP_DEGENERATE = 0x180, TWO_SIDED };
+enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE };
 #define SCENE_ARGP_OPTIONS                                                     \
-  {"drop-degenerate",                                                          \
-   DROP_DEGENERATE,                                                            \
+  {"strict",                                                                   \
+   STRICT,                                                                     \
    NULL,                                                                       \
    0,                                                                          \
-   "leave out faces of a mesh file that have no area or repeat a vertex, "     \
-   "instead of refusing the file",                                             \
+   "refuse a file with faces that have no area, instead of leaving them out",  \
    0},                                                                         \
-  {                                                                            \
+      {"drop-degenerate", DROP_DEGENERATE, NULL, OPTION_HIDDEN, NULL, 0}, {    \
     "two-sided", TWO_SIDED, NULL, 0,                                           \
         "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
         "without it, faces that turn their backs to the eye do not exist",     \

@@ -7,10 +7,10 @@
 enum hsr_status stage_open(struct stage *stage, const char *scene,
                            uint32_t most, long view, int m, int n, long threads,
                            struct hsr_error *err) {
-  *stage = (struct stage){.scene = NULL};
-  struct hsr_import import = {.threads = hsr_threads(threads)};
+  *stage = (struct stage){.imported.threads = hsr_threads(threads)};
   double begin = hsr_seconds_now();
-  enum hsr_status status = hsr_scene_open(scene, &import, &stage->scene, err);
+  enum hsr_status status =
+      hsr_scene_open(scene, &stage->imported, &stage->scene, err);
   if (!status)
     status = hsr_world_open(&stage->world, stage->scene, most, err);
   stage->import_seconds = hsr_seconds_now() - begin;

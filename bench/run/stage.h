@@ -12,13 +12,15 @@ struct stage {
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view view;
-  double import_seconds; /* to open the scene and make the world */
+  double import_seconds;      /* to open the scene and make the world */
+  struct hsr_import imported; /* what was left out of it */
 };
 
 /* Opens the scene that a user names, and its view number `view`, from 1. A
  * scene that has fewer views gets further ones on an orbit. Its faces are laid
- * out as hsr_world_open says, by so many threads. *stage is to be closed also after a failure.
- * Fails with whatever hsr_scene_open and hsr_view_init fail with. */
+ * out as hsr_world_open says, by so many threads. *stage is to be closed also
+ * after a failure. Fails with whatever hsr_scene_open and hsr_view_init fail
+ * with. */
 enum hsr_status stage_open(struct stage *stage, const char *scene,
                            uint32_t most, long view, int m, int n, long threads,
                            struct hsr_error *err);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of one scene, view and size: judged, timed, recorded. */
 #include "bench/modules/variant.h"
+#include "bench/options/scene.h"
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
 #include "bench/run/table1.h"
@@ -681,12 +682,24 @@ static enum hsr_status choose_views(struct place_run *run,
   return stage_walk(&run->stage, p->view, p->walk, run->view, err);
 }
 
+/* Says what was left out of a scene, with its first place. */
+static void say_scene(const struct place_run *run) {
+  const struct hsr_import *import = &run->stage.imported;
+  const char *name = run->place.scene;
+  if (!run->number ||
+      strcmp(plan_place(run->sweep->plan, run->number - 1).scene, name))
+    say_opened(name, import->notes, import->n_dropped,
+               run->stage.scene->enlarged);
+}
+
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
   enum hsr_status status =
       stage_open(&run->stage, p->scene, most_laid_out(run),
                  p->view + p->walk - 1, p->m, p->n, 1, err);
+  if (!status)
+    say_scene(run);
   if (!status)
     status = choose_views(run, err);
   if (status)

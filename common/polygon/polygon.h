@@ -35,6 +35,9 @@ struct hsr_loop {
 /* Returns 1 if Newell's normal is not zero, else 0. */
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
 
+/* Returns 1 if all corners lie on one line, else 0. */
+int hsr_exact_is_on_line(struct hsr_loop face, bool *out_of_memory);
+
 /* Returns the sign of a component of Newell's normal: axis 0, 1, 2 for x, y,
  * z. */
 int hsr_exact_normal_sign(struct hsr_loop face, int axis, bool *out_of_memory);

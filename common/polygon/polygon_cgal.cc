@@ -23,6 +23,39 @@ int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory) {
   return 0;
 }
 
+namespace {
+
+/* The number of a corner at another place than the first; 0: there is none. */
+uint32_t second_place(const hsr_loop &face) {
+  const auto coordinate = [&](const double *axis, uint32_t k) {
+    return axis[face.stride * face.vertex[k]];
+  };
+  for (uint32_t k = 1; k < face.n; k++)
+    for (const double *axis : {face.x, face.y, face.z})
+      if (coordinate(axis, k) != coordinate(axis, 0))
+        return k;
+  return 0;
+}
+
+} // namespace
+
+int hsr_exact_is_on_line(struct hsr_loop face, bool *out_of_memory) {
+  const uint32_t second = second_place(face);
+  for (uint32_t k = 1; second && k < face.n; k++)
+    for (int axis = 0; axis < 3; axis++)
+      if (sign_of(
+              [&](auto t) {
+                using T = decltype(t);
+                const Vector<T> first = corner<T>(face, 0);
+                const Vector<T> n = cross(corner<T>(face, second) - first,
+                                          corner<T>(face, k) - first);
+                return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+              },
+              out_of_memory))
+        return 0;
+  return 1;
+}
+
 int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
                          bool *out_of_memory) {
   /* Parallel normals, and the mean of one on the other. */

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 libcore_a_SOURCES += \
   %D%/clusters.h \
+  %D%/flat.h \
   %D%/grid_object.h \
   %D%/motion.h \
   %D%/part.h \
@@ -9,6 +10,7 @@ libcore_a_SOURCES += \
   %D%/world.h
 libcore_a_SOURCES += \
   %D%/extract.c \
+  %D%/flat.c \
   %D%/grid_object.c \
   %D%/motion.c \
   %D%/roster.c \

@@ -496,8 +496,7 @@ static enum hsr_status check_object(const struct hsr_object *object,
     return hsr_fail_nomem(err);
   if (f < object->n_faces)
     return hsr_fail(err, HSR_E_INPUT,
-                    "object %s: face %u has no area (its normal is zero); "
-                    "--drop-degenerate leaves such faces out",
+                    "object %s: face %u has no area (its normal is zero)",
                     object->name, f);
   return HSR_OK;
 }

@@ -29,7 +29,7 @@ struct Mesh {
     struct hsr_import import = {};
     if (!scene)
       std::abort();
-    import.drop_degenerate = drop;
+    import.strict = !drop;
     import.threads = threads;
     enum hsr_status status =
         hsr_mesh_read(scene, path.c_str(), &import, &error);

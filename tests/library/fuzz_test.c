@@ -189,7 +189,7 @@ static void take_scene(struct fuzz *f, const char *function,
 static void open_name(struct fuzz *f) {
   ROOMY(hsr_open_options, options);
   FILL(options, (struct hsr_open_options){.threads = whole(f, 3),
-                                          .drop_degenerate = (int)below(f, 2),
+                                          .strict = (int)below(f, 2),
                                           .two_sided = (int)below(f, 2)});
   struct hsr_scene *scene = NULL;
   struct hsr_error *err = error_of(f);

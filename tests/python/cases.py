@@ -221,9 +221,9 @@ def test_bad_arrays():
 def test_file():
     path = folder / "triangle \u00e9.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n")
-    s = hsr.scene(path, drop_degenerate=True)
+    s = hsr.scene(path)
     ok((s.n_faces, s.info.n_dropped) == (1, 1), f"{s.info}")
-    raises(hsr.InputError, ":5:", hsr.scene, path)
+    raises(hsr.InputError, ":5:", hsr.scene, path, strict=True)
 
 
 # --- Pictures -----------------------------------------------------------------

@@ -169,7 +169,7 @@ class SceneInfo:
     is_grid         it is a volume of cells
     is_transparent  some faces are not opaque
     enlarged        e: all lengths are 2^e times those of the file
-    n_dropped       faces left out by drop_degenerate
+    n_dropped       faces without area that were left out
     notes           what else was left out of the file, lines
     """
 
@@ -413,24 +413,24 @@ def scene(
     name: str | os.PathLike[str],
     *,
     threads: int = 1,
-    drop_degenerate: bool = False,
+    strict: bool = False,
     two_sided: bool = False,
 ) -> Scene:
     """Opens a scene.
 
-    name             a built-in one with its parameters ("house", "soup:1000:7"),
-                     or a file (.obj .off .ply .stl .vtp .scene.json, volumes and
-                     height fields), each as the command hsr names it
-    threads          that import it, lay it out and prepare it, 1 to 64
-    drop_degenerate  faces of a mesh file that have no area or repeat a vertex
-                     are left out and counted; else the file is refused
-    two_sided        all faces are seen from both sides; else those of a closed
-                     mesh are seen from outside only
+    name       a built-in one with its parameters ("house", "soup:1000:7"), or a
+               file (.obj .off .ply .stl .vtp .scene.json, volumes and height
+               fields), each as the command hsr names it
+    threads    that import it, lay it out and prepare it, 1 to 64
+    strict     a file with faces that have no area is refused; else they are left
+               out and counted
+    two_sided  all faces are seen from both sides; else those of a closed mesh are
+               seen from outside only
     """
     options = struct(
         "hsr_open_options",
         threads=threads,
-        drop_degenerate=bool(drop_degenerate),
+        strict=bool(strict),
         two_sided=bool(two_sided),
     )
     return _opened(lib.hsr_open, string("name", name), options)

@@ -11,7 +11,7 @@
 #include "common/files/json/scene_json.h"
 #include "common/files/json/json_members.h"
 #include "common/files/json/scene_json_shared.h"
-#include "common/polygon/polygon.h"
+#include "common/scene/flat.h"
 #include "common/scene/motion.h"
 
 #include <math.h>
@@ -146,33 +146,29 @@ static bool has_room(const struct hsr_object *object, size_t n) {
          object->n_faces < UINT32_MAX - 2;
 }
 
-static bool has_area(const struct hsr_object *object, const uint32_t *corners,
-                     size_t n, bool *out_of_memory) {
-  const double *xyz = object->xyz;
-  struct hsr_loop loop = {xyz, xyz + 1, xyz + 2, 3, corners, (uint32_t)n};
-  return n >= 3 && hsr_exact_has_normal(loop, out_of_memory);
-}
-
-/* Appends the face in reader->corners, or drops it. */
+/* Appends the face in reader->corners, or leaves it out. */
 static enum hsr_status add_face(const struct hsr_json_node *at, size_t n,
                                 const float *rgb) {
   struct reader *reader = reader_of(at);
   struct hsr_object *object = latest(at);
-  bool drop = reader->import.drop_degenerate, out_of_memory = false;
+  bool strict = reader->import.strict, out_of_memory = false;
   if (!has_room(object, n))
     return hsr_json_refuse(at, "is one more face than an object can hold");
-  bool wanted = !drop || has_area(object, reader->corners, n, &out_of_memory);
+  if (!strict)
+    n = hsr_ring_tidy(reader->corners, n);
+  bool flat =
+      !strict && hsr_ring_is_flat(object, reader->corners, n, &out_of_memory);
   enum hsr_status status =
-      wanted ? hsr_object_face(object, reader->corners, n, rgb) : HSR_E_INPUT;
+      flat ? HSR_OK : hsr_object_face(object, reader->corners, n, rgb);
   if (out_of_memory || status == HSR_E_NOMEM)
     return hsr_json_nomem(at);
-  if (status && !drop)
-    return hsr_json_refuse(at, n < 3
-                                   ? "has fewer than 3 vertices"
-                                   : "has the same vertex twice; "
-                                     "--drop-degenerate leaves such faces out");
-  reader->import.n_dropped += status != HSR_OK;
-  return HSR_OK;
+  reader->import.n_dropped += flat;
+  if (!status)
+    return HSR_OK;
+  return hsr_json_refuse(at, n < 3    ? "has fewer than 3 vertices"
+                             : strict ? "has the same vertex twice"
+                                      : "passes a vertex twice; its ring must "
+                                        "be divided there");
 }
 
 /* The next element of "face_colours", if there are such. */
@@ -805,10 +801,9 @@ read_file(struct reader *reader,
 static enum hsr_status read_with(struct reader *reader,
                                  struct hsr_import *import) {
   if (import)
-    reader->import =
-        (struct hsr_import){.drop_degenerate = import->drop_degenerate,
-                            .two_sided = import->two_sided,
-                            .threads = import->threads};
+    reader->import = (struct hsr_import){.strict = import->strict,
+                                         .two_sided = import->two_sided,
+                                         .threads = import->threads};
   enum hsr_status status = read_file(reader, read_scene);
   free(reader->corners);
   forget_meshes(reader);

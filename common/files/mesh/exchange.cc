@@ -94,19 +94,20 @@ void add_note(struct hsr_import *import, const std::string &line) {
 
 void mesh_read(struct hsr_scene *scene, const char *path,
                struct hsr_import *import) {
-  const bool drop = import && import->drop_degenerate;
+  const bool strict = import && import->strict;
   const Suffix &suffix = find_suffix({path, nullptr, nullptr, nullptr});
   Mesh_file file = hsr::load_mesh_file(path);
   const char *name = file_name(path);
   Workshop workshop(std::string(name, suffix_of(name)));
-  Mesh_builder builder(workshop.object, path, drop,
+  Mesh_builder builder(workshop.object, path, strict,
                        import ? import->threads : 1);
   suffix.reader(file, builder);
   file.memory.reset();
   if (!builder.n_given())
     file.refuse(0, "holds no face");
+  builder.leave_out_flat();
   if (!workshop.object->n_faces)
-    file.refuse(0, "all of its %llu faces are degenerate",
+    file.refuse(0, "none of its %llu faces has an area",
                 static_cast<unsigned long long>(builder.n_given()));
   bool solid = false;
   if (hsr_object_is_solid(workshop.object, builder.threads(), &solid))

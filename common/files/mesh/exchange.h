@@ -24,27 +24,27 @@ extern "C" {
 
 /* How meshes are imported, and what was left out. */
 struct hsr_import {
-  bool drop_degenerate; /* faces that cannot be used are left out and counted;
-                           else the file is refused */
-  bool two_sided;       /* all objects are two-sided, even closed ones */
-  int threads;          /* how many threads import a file; 0 means 1. A scene
-                           that is opened with this gets the same number */
-  uint64_t n_dropped;   /* out: how many faces were left out */
-  char notes[1000];     /* out: what else was ignored. Lines are appended; one
-                           that does not fit is left out. "" before the first
-                           call */
+  bool strict;    /* a file that has faces without area is refused; else they
+                         are left out and counted, since they cover no sample */
+  bool two_sided; /* all objects are two-sided, even closed ones */
+  int threads;    /* how many threads import a file; 0 means 1. A scene that
+                         is opened with this gets the same number */
+  uint64_t n_dropped; /* out: how many faces were left out */
+  char notes[1000]; /* out: what else was ignored. Lines are appended; one that
+                         does not fit is left out. "" before the first call */
 };
 
 /* Appends the mesh in `path` to the scene, as one object named after the file,
  * without an instance. The format is that of the suffix, in upper or lower
  * case. Memory is at most a small multiple of the file's size, whatever counts
  * the file claims; for a compressed .vtp file, of the size of its inflated
- * data. `import` may be NULL: no face is dropped. After a failure the scene has
- * no new object, and *err names the file, the line or element, and the fault.
- * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an
- * unknown suffix; a coordinate is not finite; an index is out of range; a face
- * has fewer than 3 vertices, a repeated vertex or no area; there is no face at
- * all. HSR_E_NOMEM. */
+ * data. `import` may be NULL: all is standard. A vertex of a face that is the
+ * same as the one before it is left out. After a failure the scene has no new
+ * object, and *err names the file, the line or element, and the fault.
+ * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an unknown
+ * suffix; a coordinate is not finite; an index is out of range; a face passes a
+ * vertex twice; no face has an area. If it is strict, also if a face has fewer
+ * than 3 vertices, a repeated vertex or no area. HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import, struct hsr_error *err);
 

@@ -313,7 +313,7 @@ void give_loose_triangles(const Loose_triangles &triangles,
                           Mesh_builder &builder) {
   if (!triangles.n)
     return;
-  if (!Numbering<Real>(triangles, builder).give() || builder.drops())
+  if (!Numbering<Real>(triangles, builder).give())
     builder.give_faces_again();
 }
 

@@ -18,8 +18,8 @@ struct Loose_triangles {
 /* Gives the builder all vertices and triangles. Corners with equal coordinates
  * are one vertex. Vertices are numbered in the order in which they first occur.
  * 0 and -0 are equal. Real, float or double, is the type of the numbers. Throws
- * Refused for the first triangle with two equal corners, unless the builder
- * drops such triangles; std::bad_alloc. */
+ * Refused if the builder is strict and a triangle has two equal corners;
+ * std::bad_alloc. */
 template <class Real>
 void give_loose_triangles(const Loose_triangles &triangles,
                           Mesh_builder &builder);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/mesh/mesh_file.h"
 #include "common/base/arena.h"
-#include "common/polygon/polygon.h"
+#include "common/scene/flat.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -128,10 +128,7 @@ const char *face_fault(const uint32_t *vertices, size_t n) {
   }
   for (size_t k = 1; k < n && n <= FEW && !twice; k++)
     twice = std::find(vertices, vertices + k, vertices[k]) != vertices + k;
-  return twice
-             ? "has the same vertex twice; --drop-degenerate leaves such faces "
-               "out"
-             : nullptr;
+  return twice ? "has the same vertex twice" : nullptr;
 }
 
 const float *mean_colour(const std::vector<float> &vertex_rgb,
@@ -199,28 +196,17 @@ void Mesh_builder::vertex(double x, double y, double z) {
   }
 }
 
-bool Mesh_builder::usable(const uint32_t *vertices, size_t n) const {
-  if (n > UINT32_MAX || face_fault(vertices, n))
-    return false;
-  for (size_t i = 0; i < n; i++)
-    if (vertices[i] >= object_->n_vertices)
-      return true; /* hsr_object_face says so */
-  const double *xyz = object_->xyz;
+bool Mesh_builder::is_flat(const uint32_t *vertices, size_t n) const {
   bool out_of_memory = false;
-  const bool has_area = hsr_exact_has_normal(
-      {xyz, xyz + 1, xyz + 2, 3, vertices, static_cast<uint32_t>(n)},
-      &out_of_memory);
+  const bool flat = hsr_ring_is_flat(object_, vertices, n, &out_of_memory);
   if (out_of_memory)
     throw std::bad_alloc();
-  return has_area;
+  return flat;
 }
 
-void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
-  const uint64_t number = n_given_++;
-  if (drop_ && !usable(vertices, n)) {
-    n_dropped_++;
-    return;
-  }
+/* Appends a face, or says what is wrong with it. */
+void Mesh_builder::give(uint64_t number, const uint32_t *vertices, size_t n,
+                        const float *rgb) {
   switch (hsr_object_face(object_, vertices, n, rgb)) {
   case HSR_OK:
     return;
@@ -233,8 +219,32 @@ void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
     if (vertices[i] >= object_->n_vertices)
       refuse_element(path_, "face", number, "names a vertex that is not there");
   const char *fault = face_fault(vertices, n);
-  refuse_element(path_, "face", number,
-                 fault ? fault : "is one more than can be held");
+  if (!fault)
+    refuse_element(path_, "face", number, "is one more than can be held");
+  if (strict_)
+    refuse_element(path_, "face", number, fault);
+  if (!is_flat(vertices, n))
+    refuse_element(path_, "face", number,
+                   "passes a vertex twice; its ring must be divided there");
+  n_dropped_++;
+}
+
+void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
+  const uint64_t number = n_given_++;
+  if (strict_ || (n && vertices[0] != vertices[n - 1] &&
+                  std::adjacent_find(vertices, vertices + n) == vertices + n)) {
+    give(number, vertices, n, rgb);
+    return;
+  }
+  ring_.assign(vertices, vertices + n);
+  give(number, ring_.data(), hsr_ring_tidy(ring_.data(), n), rgb);
+}
+
+void Mesh_builder::leave_out_flat() {
+  uint64_t n = 0;
+  if (!strict_ && hsr_object_leave_out_flat(object_, threads_, &n))
+    throw std::bad_alloc();
+  n_dropped_ += n;
 }
 
 } // namespace hsr

@@ -48,7 +48,8 @@ const char *shown_path(const char *path);
 /* Returns at most 24 printable characters of a word, for a message. */
 std::string shown_word(std::string_view word);
 
-/* Returns what is wrong with the n vertex numbers of a face; NULL: nothing. */
+/* Returns what is wrong with the n vertex numbers of a face, for a strict
+ * reader; NULL: nothing. */
 const char *face_fault(const uint32_t *vertices, size_t n);
 
 /* Sets rgb to the mean colour of n corners and returns it. vertex_rgb has three
@@ -60,11 +61,11 @@ const float *mean_colour(const std::vector<float> &vertex_rgb,
  * given before the face. Functions throw Refused and std::bad_alloc. */
 class Mesh_builder {
 public:
-  /* `object`, which is empty, and `path` are borrowed. `drop`: faces that
-   * cannot be used are dropped, not refused. */
-  Mesh_builder(struct hsr_object *object, const char *path, bool drop,
+  /* `object`, which is empty, and `path` are borrowed. `strict`: faces without
+   * area are refused, not left out. */
+  Mesh_builder(struct hsr_object *object, const char *path, bool strict,
                int threads)
-      : object_(object), path_(path), drop_(drop), threads_(threads) {}
+      : object_(object), path_(path), strict_(strict), threads_(threads) {}
   /* How many threads may read the file (common/base/share.h). */
   int threads() const { return threads_; }
   /* Makes room. The caller has checked that the file can hold so many. */
@@ -79,30 +80,36 @@ public:
   void face(const uint32_t *vertices, size_t n, const float *rgb);
   /* Appends n triangles without colours, and returns the room for their 3 n
    * corners. The caller fills it with numbers of vertices. If a triangle does
-   * not have three different vertices that are there, or if drops() is true, it
-   * then calls give_faces_again(). */
+   * not have three different vertices that are there, it then calls
+   * give_faces_again(). */
   uint32_t *triangles(size_t n);
   /* Removes all faces, which have no colours, and gives each of them to
    * face(). */
   void give_faces_again();
-  bool drops() const { return drop_; }
+  bool strict() const { return strict_; }
+  /* Leaves out the faces without area that are still there, unless it is
+   * strict. */
+  void leave_out_flat();
   /* Removes everything that was given. */
   void forget();
   /* Adds a line about something in the file that was ignored. */
   void note(const std::string &text) { notes_.push_back(text); }
   const std::vector<std::string> &notes() const { return notes_; }
-  /* The numbers of faces that were dropped, and that were given in all. */
+  /* The numbers of faces that were left out, and that were given in all. */
   uint64_t n_dropped() const { return n_dropped_; }
   uint64_t n_given() const { return n_given_; }
 
 private:
-  bool usable(const uint32_t *vertices, size_t n) const;
+  void give(uint64_t number, const uint32_t *vertices, size_t n,
+            const float *rgb);
+  bool is_flat(const uint32_t *vertices, size_t n) const;
 
   struct hsr_object *object_;
   const char *path_;
-  bool drop_;
+  bool strict_;
   int threads_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
+  std::vector<uint32_t> ring_; /* of a face, without repeats */
   std::vector<std::string> notes_;
 };
 

@@ -94,9 +94,9 @@ struct Block {
 class Block_reader {
 public:
   Block_reader(const Mesh_file &file, Block &block, size_t n_vertices,
-               bool drop, double *xyz)
+               bool strict, double *xyz)
       : text_(file, STYLE, block.begin, block.end), block_(block),
-        n_vertices_(n_vertices), drop_(drop), xyz_(xyz) {}
+        n_vertices_(n_vertices), strict_(strict), xyz_(xyz) {}
   void read();
 
 private:
@@ -108,7 +108,7 @@ private:
   Text text_;
   Block &block_;
   const size_t n_vertices_; /* of the file */
-  const bool drop_;
+  const bool strict_;
   double *const xyz_; /* of all vertices */
   size_t n_ = 0;      /* vertices so far, with those before the block */
 };
@@ -168,7 +168,7 @@ void Block_reader::face() {
     block_.corners.push_back(corner());
   const size_t n = block_.corners.size() - first;
   const char *fault =
-      drop_ ? nullptr : face_fault(block_.corners.data() + first, n);
+      strict_ ? face_fault(block_.corners.data() + first, n) : nullptr;
   if (fault)
     text_.refuse("face %zu %s", block_.sizes.size(), fault);
   block_.sizes.push_back(static_cast<uint32_t>(n));
@@ -313,7 +313,7 @@ void Obj_reader::read() {
       [this](const char *line, const char *) { return may_start(line); },
       [this](std::vector<Block> &all) { return count(all); },
       [this](Block &block) {
-        Block_reader(file_, block, n_vertices_, builder_.drops(), xyz_).read();
+        Block_reader(file_, block, n_vertices_, builder_.strict(), xyz_).read();
       });
   size_t n_faces = 0, n_corners = 0;
   for (const Block &block : blocks) {

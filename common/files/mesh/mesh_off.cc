@@ -98,9 +98,9 @@ struct Block {
 class Block_reader {
 public:
   Block_reader(const Mesh_file &file, const Header &header, Block &block,
-               bool drop, double *xyz)
+               bool strict, double *xyz)
       : text_(file, STYLE, block.begin, block.end), header_(header),
-        block_(block), drop_(drop), xyz_(xyz) {}
+        block_(block), strict_(strict), xyz_(xyz) {}
   /* Reads all lines; the number of the one after them. */
   size_t read();
   void refuse_end(size_t line) const;
@@ -114,7 +114,7 @@ private:
   Text text_;
   const Header &header_;
   Block &block_;
-  const bool drop_;
+  const bool strict_;
   double *const xyz_; /* of all vertices */
 };
 
@@ -165,8 +165,7 @@ void Block_reader::face(size_t f) {
   }
   colour(f);
   const char *fault =
-      drop_ ? nullptr
-            : face_fault(block_.corners.data() + first, static_cast<size_t>(n));
+      strict_ ? face_fault(block_.corners.data() + first, size_t(n)) : nullptr;
   if (fault)
     text_.refuse("face %zu %s", f, fault);
   block_.sizes.push_back(static_cast<uint32_t>(n));
@@ -271,7 +270,7 @@ void off_read(Mesh_file &file, Mesh_builder &builder) {
   builder.reserve(header.n_vertices, header.n_faces);
   double *const xyz = builder.vertices(header.n_vertices);
   const auto read = [&](Block &block) {
-    Block_reader reader(file, header, block, builder.drops(), xyz);
+    Block_reader reader(file, header, block, builder.strict(), xyz);
     const size_t line = reader.read();
     if (block.end == file.end)
       reader.refuse_end(line);

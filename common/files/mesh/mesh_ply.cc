@@ -197,7 +197,7 @@ void Reader<Source>::indices(const Type &type, size_t n, size_t face) {
     corners_.push_back(static_cast<uint32_t>(v));
   }
   const char *fault =
-      builder_.drops() ? nullptr : face_fault(corners_.data() + first, n);
+      builder_.strict() ? face_fault(corners_.data() + first, n) : nullptr;
   if (fault)
     source_.refuse("face %zu %s", face, fault);
 }

@@ -132,8 +132,7 @@ bool read_plain(const Header &header, const char *begin, const char *end,
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
   const size_t size = plain_size(header);
   return size && size == static_cast<size_t>(end - begin) &&
-         header.elements[1].n && !builder.drops() &&
-         Plain_reader(header, begin, builder).read();
+         header.elements[1].n && Plain_reader(header, begin, builder).read();
 #else
   return false;
 #endif

@@ -194,7 +194,7 @@ static void ask_view(struct asked *q, const struct hsr_setup *lines) {
 }
 
 static void ask_scene(struct tap *tap, const char *name) {
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.strict = true};
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_setup oracle, lines;

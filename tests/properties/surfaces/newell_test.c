@@ -69,7 +69,7 @@ static void check_sorted(struct tap *tap) {
 static void check_division(struct tap *tap) {
   static uint32_t ids[M * N];
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.strict = true};
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view view;
@@ -93,7 +93,7 @@ static void check_division(struct tap *tap) {
 static void check_coherence(struct tap *tap) {
   static uint32_t ids[M * N], wanted[M * N];
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.strict = true};
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_setup setup;

@@ -53,7 +53,7 @@ static bool same_in_windows(const struct hsr_world *world,
 
 static void check_samples(struct tap *tap, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.strict = true};
   struct hsr_scene *scene;
   struct hsr_world world;
   if (hsr_scene_open(name, &import, &scene, &err) ||

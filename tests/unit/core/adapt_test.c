@@ -39,7 +39,7 @@ struct fixture {
 
 static void open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_import import = {.strict = true};
   if (hsr_scene_open(name, &import, &x->scene, &err) ||
       hsr_scene_add_orbit(x->scene, VIEWS))
     bail("%s", err.text);

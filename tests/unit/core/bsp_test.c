@@ -591,7 +591,7 @@ static void lay_out(struct fixture *x) {
 
 static bool open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
-  struct hsr_import import = {.drop_degenerate = true};
+  struct hsr_import import = {.n_dropped = 0};
   *x = (struct fixture){.name = name};
   if (open_by_name(x, name, &import, &err)) {
     if (strncmp(name, "mesh:", 5) == 0)

@@ -164,11 +164,13 @@ void try_degenerate(tap *t) {
                        "3 0 1 2\n3 0 0 2\n3 0 1 4\n4 0 1 2 3\n");
   struct hsr_scene *scene = hsr_scene_new("");
   struct hsr_error err = {HSR_OK, ""};
+  struct hsr_import strict = {};
+  strict.strict = true;
   ok(t,
-     hsr_mesh_read(scene, path.c_str(), nullptr, &err) == HSR_E_INPUT &&
+     hsr_mesh_read(scene, path.c_str(), &strict, &err) == HSR_E_INPUT &&
          scene->n_objects == 0,
      "degenerate faces are refused, and nothing is left: %s", err.text);
-  struct hsr_import import = {true, 0};
+  struct hsr_import import = {};
   const struct hsr_object *o = read(scene, path, &import);
   ok(t, o && o->n_faces == 2 && import.n_dropped == 2,
      "or dropped and counted: %llu", (unsigned long long)import.n_dropped);
@@ -270,7 +272,9 @@ bool is_refused(const std::string &name, const std::string &text,
                 const char *says) {
   struct hsr_scene *scene = hsr_scene_new("");
   struct hsr_error err = {HSR_OK, ""};
-  const bool refused = hsr_mesh_read(scene, file(name, text).c_str(), nullptr,
+  struct hsr_import strict = {};
+  strict.strict = true;
+  const bool refused = hsr_mesh_read(scene, file(name, text).c_str(), &strict,
                                      &err) == HSR_E_INPUT &&
                        std::strstr(err.text, says);
   if (!refused)

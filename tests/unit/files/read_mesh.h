@@ -24,7 +24,7 @@ struct Read {
     struct hsr_import import = {};
     struct hsr_error err = {HSR_OK, ""};
     import.threads = threads;
-    import.drop_degenerate = drop;
+    import.strict = !drop;
     if (hsr_mesh_read(scene, path.c_str(), &import, &err)) {
       error = err.text;
     } else {

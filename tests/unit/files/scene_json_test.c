@@ -348,7 +348,7 @@ static void test_drop(struct tap *tap) {
              "\"faces\": [[0,1],[0,1,3],[0,1,2],[1,1,3],[],[1,2,3]],"
              "\"face_colours\": [[0,0,0],[1,0,0],[0,0,0],[0,0,0],[0,0,0],"
              "[0,1,0]]}]}");
-  struct hsr_import import = {.drop_degenerate = true, .n_dropped = 9};
+  struct hsr_import import = {.n_dropped = 9};
   struct hsr_scene *scene;
   struct hsr_error err;
   enum hsr_status status =
@@ -670,7 +670,8 @@ static void expect_refusal(struct tap *tap, const char *path,
   struct hsr_error err;
   char expected[300];
   snprintf(expected, sizeof expected, "%s%s", path, message);
-  enum hsr_status status = read_file(&scene, path, NULL, &err);
+  struct hsr_import strict = {.strict = true};
+  enum hsr_status status = read_file(&scene, path, &strict, &err);
   ok(tap,
      status == HSR_E_INPUT && err.status == status &&
          !strncmp(err.text, expected, strlen(expected)) &&

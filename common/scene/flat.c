@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/scene/flat.h"
+#include "common/base/share.h"
+#include "common/polygon/polygon.h"
+#include "common/scene/planes.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+size_t hsr_ring_tidy(uint32_t *ring, size_t n) {
+  size_t kept = 0;
+  for (size_t k = 0; k < n; k++)
+    if (!kept || ring[k] != ring[kept - 1])
+      ring[kept++] = ring[k];
+  while (kept > 1 && ring[kept - 1] == ring[0])
+    kept--;
+  return kept;
+}
+
+bool hsr_ring_is_flat(const struct hsr_object *object, const uint32_t *ring,
+                      size_t n, bool *out_of_memory) {
+  const double *xyz = object->xyz;
+  const struct hsr_loop loop = {xyz, xyz + 1, xyz + 2, 3, ring, (uint32_t)n};
+  return n < 3 || (!hsr_has_normal_for_certain(&loop) &&
+                   hsr_exact_is_on_line(loop, out_of_memory));
+}
+
+struct search {
+  const struct hsr_object *object;
+  atomic_bool out_of_memory;
+};
+
+static bool is_flat(struct search *search, uint32_t f) {
+  const struct hsr_object *object = search->object;
+  const uint32_t *start = object->start + f;
+  bool out_of_memory = false;
+  bool flat = hsr_ring_is_flat(object, object->vertex + start[0],
+                               start[1] - start[0], &out_of_memory);
+  if (out_of_memory)
+    atomic_store(&search->out_of_memory, true);
+  return flat;
+}
+
+static uint32_t find_flat(void *context, uint32_t from, uint32_t to) {
+  uint32_t f = from;
+  while (f < to && !is_flat(context, f))
+    f++;
+  return f;
+}
+
+/* Moves face `from` to the place of face `to`, which is not after it. */
+static void move_face(struct hsr_object *object, uint32_t from, uint32_t to) {
+  const uint32_t *start = object->start + from;
+  uint32_t n = start[1] - start[0];
+  memmove(object->vertex + object->start[to], object->vertex + start[0],
+          n * sizeof *object->vertex);
+  object->start[to + 1] = object->start[to] + n;
+  if (object->rgb)
+    memmove(object->rgb + 3 * (size_t)to, object->rgb + 3 * (size_t)from,
+            3 * sizeof *object->rgb);
+}
+
+enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,
+                                          int threads, uint64_t *n) {
+  enum { RANGE = 4096 }; /* faces that a thread takes at a time */
+  struct search search = {.object = object};
+  const uint32_t n_faces = object->n_faces;
+  uint32_t kept = hsr_share_search(threads, n_faces, RANGE, find_flat, &search);
+  for (uint32_t f = kept; f < n_faces; f++)
+    if (!is_flat(&search, f))
+      move_face(object, f, kept++);
+  object->n_faces = kept;
+  *n = n_faces - kept;
+  return atomic_load(&search.out_of_memory) ? HSR_E_NOMEM : HSR_OK;
+}

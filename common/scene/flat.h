@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Faces without area: all corners lie on one line. They cover no sample, so a
+ * picture is the same without them. A face whose Newell normal is zero for
+ * another reason has area: it crosses itself, and its parts cancel. */
+#ifndef HSR_COMMON_SCENE_FLAT_H
+#define HSR_COMMON_SCENE_FLAT_H
+
+#include "common/scene/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Removes from a ring of n vertices each one that is the same as the one before
+ * it, all around. Returns how many are left. */
+size_t hsr_ring_tidy(uint32_t *ring, size_t n);
+
+/* Whether a ring of vertices of an object, which are in range, has no area. If
+ * memory runs out, *out_of_memory is set and the result means nothing. */
+bool hsr_ring_is_flat(const struct hsr_object *object, const uint32_t *ring,
+                      size_t n, bool *out_of_memory);
+
+/* Leaves out the faces of an object that have no area. The others keep their
+ * order. *n becomes how many were left out. HSR_E_NOMEM. */
+enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,
+                                          int threads, uint64_t *n);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
