@@ -751,6 +751,18 @@ static enum hsr_status check_motion(const struct hsr_json_node *root) {
              : HSR_OK;
 }
 
+/* Whether there is more than faces without area. */
+static enum hsr_status check_faces(const struct hsr_json_node *root) {
+  const struct reader *reader = reader_of(root);
+  uint64_t left_out = reader->import.n_dropped;
+  for (uint32_t k = 0; left_out && k < reader->scene->n_objects; k++)
+    if (reader->scene->objects[k].n_faces)
+      left_out = 0;
+  return left_out ? hsr_json_refuse(root, "none of its %llu faces has an area",
+                                    (unsigned long long)left_out)
+                  : HSR_OK;
+}
+
 static enum hsr_status read_scene(const struct hsr_json_node *root) {
   struct reader *reader = reader_of(root);
   const struct hsr_json_rule rules[] = {
@@ -764,6 +776,8 @@ static enum hsr_status read_scene(const struct hsr_json_node *root) {
   enum hsr_status status = hsr_json_check_schema(root, HSR_SCENE_SCHEMA);
   if (!status)
     status = hsr_json_object(root, rules);
+  if (!status)
+    status = check_faces(root);
   return status ? status : check_motion(root);
 }
 
