@@ -767,7 +767,7 @@ static void test_memory(struct tap *tap) {
     for (int v = 0; v < N; v++)
       fprintf(file, "%s[%d,%d,0.5]", v ? ",\n" : "", v, v % 7);
     if (!cut)
-      fputs("], \"faces\": [[0,1,2]]}]}", file);
+      fputs("], \"faces\": [[0,1,7]]}]}", file);
     must(!fclose(file));
     most_held = 0;
     enum hsr_status status = read_file(&scene, "long.scene.json", NULL, &err);
