@@ -26,6 +26,8 @@ static const struct hsr_command commands[] = {
      command_export},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
+    {"judge", "anybody's picture against the oracle, and what is wrong",
+     command_judge},
     {"bench", "time the algorithms that are right, in turn", command_bench},
     {"times",
      "the table of what bench recorded: text, CSV, JSON, LaTeX, a plot",

@@ -96,6 +96,7 @@ tap_programs = \
   %D%/unit/bench/oracle_test \
   %D%/unit/bench/sorts_test \
   %D%/unit/bench/splat_oracle_test \
+  %D%/unit/bench/stranger_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/adapt_test \
   %D%/unit/core/box_test \
@@ -121,6 +122,7 @@ tap_programs = \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
   %D%/unit/files/image_test \
+  %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
@@ -138,6 +140,7 @@ tap_scripts = \
   %D%/command/completion.test \
   %D%/command/full.test \
   %D%/command/import.test \
+  %D%/command/judge.test \
   %D%/command/peers.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
@@ -196,6 +199,7 @@ quick_units = \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
   %D%/unit/files/drawing_test \
+  %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test
@@ -332,6 +336,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
 %C%_unit_bench_sorts_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_splat_oracle_test_SOURCES = %D%/unit/bench/splat_oracle_test.cc
+%C%_unit_bench_stranger_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc

@@ -8,6 +8,7 @@
 #include "bench/run/crew.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
+#include "common/files/suffix.h"
 #include "common/lines/crease.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
@@ -236,6 +237,14 @@ static enum hsr_status make_series(struct render *r, struct hsr_error *err) {
   return status;
 }
 
+/* Whether face ids are asked for. */
+static bool wants_ids(const struct render_options *o) {
+  for (int k = 0; k < o->n_outputs; k++)
+    if (hsr_is_array_file(o->output[k]))
+      return true;
+  return false;
+}
+
 /* A scene with transparent faces is drawn transparent, if the algorithm can do
  * that and nothing else was asked for. */
 static void ask_for_transparency(const struct render *r,
@@ -244,7 +253,7 @@ static void ask_for_transparency(const struct render *r,
   const struct hsr_algorithm *a = variant->listed->plain;
   if (variant->choice.form.type != hsr_own_kind(a) ||
       !hsr_scene_is_transparent(r->scene) || o->given[HSR_SHADING] ||
-      o->given[HSR_SUPERSAMPLES])
+      o->given[HSR_SUPERSAMPLES] || wants_ids(o))
     return;
   for (int k = 0; hsr_makes_besides(a, k); k++)
     if (hsr_makes_besides(a, k)->sees_through)

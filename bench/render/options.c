@@ -234,7 +234,8 @@ static const struct argp_option entries[] = {
     {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer-fast)", 0},
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B and, unless it is "
-     "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "
+     "filtered, depth Z and face id; .npy the face ids, 4294967295 where there "
+     "is none; .png and others the colours; .svg, .pdf "
      "and, in world space, .vtp hold a line "
      "drawing or visible polygons. May be given several times. Of several "
      "views, FILE has %d in "
@@ -410,6 +411,11 @@ static enum hsr_status check_files(const struct render_options *o,
       return hsr_fail(err, HSR_E_USAGE,
                       "%.200s: --width is for .svg and .pdf files; --size is "
                       "the pixels of others",
+                      o->output[k]);
+    if (o->supersamples > 1 && hsr_is_array_file(o->output[k]))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%.200s: holds face ids, which are not averaged; leave "
+                      "out --supersample, or make --size larger",
                       o->output[k]);
   }
   return HSR_OK;

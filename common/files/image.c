@@ -96,3 +96,12 @@ enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
   enum hsr_status status = load(&images, err);
   return status ? status : images->read(path, colours, size, value, err);
 }
+
+enum hsr_status hsr_image_read_numbers(const char *path, const char *channel,
+                                       struct hsr_npy *numbers,
+                                       struct hsr_error *err) {
+  *numbers = (struct hsr_npy){.data = NULL};
+  const struct hsr_image_library *images;
+  enum hsr_status status = load(&images, err);
+  return status ? status : images->read_numbers(path, channel, numbers, err);
+}

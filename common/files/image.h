@@ -3,6 +3,7 @@
 #ifndef HSR_COMMON_IMAGE_H
 #define HSR_COMMON_IMAGE_H
 
+#include "common/files/npy.h"
 #include "common/view/picture.h"
 
 #ifdef __cplusplus
@@ -98,6 +99,16 @@ enum hsr_status hsr_image_join_tiles(const char *path,
  * be read; HSR_E_NOMEM; HSR_E_INTERNAL if the library fails. */
 enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
                                float **value, struct hsr_error *err);
+
+/* Reads the numbers of a picture as they are stored, by rows from the top: of
+ * the channel with this name, an array of rows and columns; if `channel` is
+ * NULL, of all channels, an array of rows, columns and channels. *numbers is
+ * freed by hsr_npy_free, also after a failure. HSR_E_INPUT also if there is no
+ * such channel, if the file shows only a part of its picture, or if its numbers
+ * are of a type that hsr_npy_read does not read; else as hsr_image_read. */
+enum hsr_status hsr_image_read_numbers(const char *path, const char *channel,
+                                       struct hsr_npy *numbers,
+                                       struct hsr_error *err);
 
 #ifdef __cplusplus
 }

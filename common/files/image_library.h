@@ -19,6 +19,9 @@ struct hsr_image_library {
                                 struct hsr_error *err);
   enum hsr_status (*read)(const char *path, bool colours, uint32_t size[2],
                           float **value, struct hsr_error *err);
+  enum hsr_status (*read_numbers)(const char *path, const char *channel,
+                                  struct hsr_npy *numbers,
+                                  struct hsr_error *err);
   /* If `colours`, pixels are 3 floats each; else they are ids of 32 bits. */
   enum hsr_status (*write_tile)(const char *path,
                                 const struct hsr_tile_grid *tiling, long number,

@@ -333,6 +333,80 @@ enum hsr_status read(const char *path, bool colours, uint32_t size[2],
   return guarded([&] { read_pixels(path, colours, size, value); }, err);
 }
 
+/* The names of a file's channels, for messages. */
+std::string channel_names(const ImageSpec &spec) {
+  std::string names;
+  for (const std::string &name : spec.channelnames)
+    names += (names.empty() ? "" : " ") + name;
+  return names;
+}
+
+/* The type of an array that holds numbers of a type; 0 bytes if there is none. */
+hsr_npy array_of(const TypeDesc &type) {
+  hsr_npy a = {};
+  a.kind = 'u';
+  if (type == TypeDesc::UINT8 || type == TypeDesc::UINT16 ||
+      type == TypeDesc::UINT32) {
+    a.bytes = int(type.size());
+  } else if (type == TypeDesc::INT8 || type == TypeDesc::INT16 ||
+             type == TypeDesc::INT32) {
+    a.kind = 'i';
+    a.bytes = int(type.size());
+  } else if (type == TypeDesc::HALF || type == TypeDesc::FLOAT) {
+    a.kind = 'f';
+    a.bytes = 4;
+  }
+  return a;
+}
+
+void read_as_stored(const std::string &path, const char *channel,
+                    hsr_npy *numbers) {
+  errno = 0;
+  ImageSpec raw; /* colours are not multiplied by their opacity */
+  raw.attribute("oiio:UnassociatedAlpha", 1);
+  std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &raw);
+  if (!in)
+    throw unreadable(path, OIIO::geterror());
+  in->threads(1);
+  const ImageSpec spec = in->spec();
+  if (!can_hold(path, spec))
+    throw Failure{HSR_E_INPUT,
+                  path + ": is too short for the picture that it claims"};
+  if (spec.x != spec.full_x || spec.y != spec.full_y ||
+      spec.width != spec.full_width || spec.height != spec.full_height)
+    throw Failure{HSR_E_INPUT, path + ": shows only a part of its picture"};
+  const int first = channel ? spec.channelindex(channel) : 0;
+  const int n = channel ? 1 : spec.nchannels;
+  if (first < 0)
+    throw Failure{HSR_E_INPUT, path + ": has no channel " + channel + ", but " +
+                                   channel_names(spec)};
+  const TypeDesc stored = channel ? spec.channelformat(first) : spec.format;
+  hsr_npy a = array_of(stored);
+  if (!a.bytes)
+    throw Failure{HSR_E_INPUT, path + ": numbers of the type " +
+                                   stored.c_str() + " cannot be read"};
+  a.n_dimensions = channel ? 2 : 3;
+  a.size[0] = uint64_t(spec.height);
+  a.size[1] = uint64_t(spec.width);
+  a.size[2] = channel ? 0 : uint64_t(n);
+  const size_t bytes =
+      size_t(spec.width) * size_t(spec.height) * size_t(n) * size_t(a.bytes);
+  a.data = std::malloc(bytes);
+  if (!a.data)
+    throw std::bad_alloc();
+  *numbers = a;
+  errno = 0;
+  if (!in->read_image(0, 0, first, first + n,
+                      a.kind == 'f' ? TypeDesc(TypeDesc::FLOAT) : stored,
+                      a.data))
+    throw unreadable(path, in->geterror());
+}
+
+enum hsr_status read_numbers(const char *path, const char *channel,
+                             struct hsr_npy *numbers, struct hsr_error *err) {
+  return guarded([&] { read_as_stored(path, channel, numbers); }, err);
+}
+
 /* --- Tiles --- */
 
 /* What a tile holds of a pixel. */
@@ -467,5 +541,6 @@ enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
 extern "C" {
 extern const struct hsr_image_library hsr_images;
 const struct hsr_image_library hsr_images = {
-    write, write_alpha, write_work, write_bright, read, write_tile, join_tiles};
+    write, write_alpha,  write_work, write_bright,
+    read,  read_numbers, write_tile, join_tiles};
 }

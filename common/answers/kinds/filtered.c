@@ -208,7 +208,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  return !hsr_is_line_file(path);
+  return hsr_is_colour_file(path);
 }
 
 static void print(const struct hsr_answer *answer,

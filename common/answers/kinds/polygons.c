@@ -80,8 +80,7 @@ static enum hsr_status shade(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  (void)path;
-  return true;
+  return !hsr_is_array_file(path);
 }
 
 /* On paper, .svg or .pdf. */

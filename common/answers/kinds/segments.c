@@ -117,8 +117,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  (void)path;
-  return true;
+  return !hsr_is_array_file(path);
 }
 
 /* The length on the paper, in pixels. */

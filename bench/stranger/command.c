@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr judge: anybody's picture beside the right one. */
+#include "bench/client/client.h"
+#include "bench/options/command.h"
+#include "bench/options/view.h"
+#include "bench/options/words.h"
+#include "bench/stranger/picture.h"
+#include "bench/stranger/say.h"
+#include "bench/terminal/terminal.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLOURS = 0x200, TRIANGLES, CHANNEL, NONE };
+
+struct options {
+  struct option_base base;
+  struct scene_options scene;
+  struct view_options view;
+  struct picture_format picture;
+  const char *output;
+  bool json;
+};
+
+static error_t parse_argument(struct options *o, char *arg,
+                              struct argp_state *state) {
+  if (!o->scene.name)
+    return parse_place_option(&o->scene, &o->view, ARGP_KEY_ARG, arg, "judge",
+                              &o->base);
+  if (o->picture.path)
+    return option_fail(&o->base, "judge: one picture at a time, not also '%s'",
+                       arg);
+  (void)state;
+  o->picture.path = arg;
+  return 0;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case 'o':
+    if (hsr_ends_in(arg, ".exr") || !hsr_is_colour_file(arg))
+      return option_fail(
+          &o->base, "--output %s: the kinds are colours, as in a .png", arg);
+    o->output = arg;
+    return 0;
+  case 'j':
+    o->json = true;
+    return 0;
+  case COLOURS:
+    o->picture.colours = arg;
+    return 0;
+  case TRIANGLES:
+    o->picture.triangles = arg;
+    return 0;
+  case CHANNEL:
+    o->picture.channel = arg;
+    return 0;
+  case NONE:
+    o->picture.has_none = true;
+    if (!parse_count(arg, -0x7fffffffL, 0xffffffffL, &o->picture.none))
+      return option_fail(&o->base, "--none %s: must be a whole number", arg);
+    return 0;
+  case ARGP_KEY_ARG:
+    return parse_argument(o, arg, state);
+  case ARGP_KEY_END:
+    if (o->scene.name && !o->picture.path)
+      return option_fail(&o->base,
+                         "judge: which picture? (see hsr judge --help)");
+    break;
+  default:
+    break;
+  }
+  return parse_place_option(&o->scene, &o->view, key, arg, "judge", &o->base);
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"output", 'o', "FILE", 0,
+         "write a picture of the kinds of faults, .png; what is printed says "
+         "which colour is which kind",
+         0},
+        JSON_ARGP_OPTION,
+        {"colours", COLOURS, "FILE", 0,
+         "of a picture in colours: a text file with a line \"r g b face\" for "
+         "each colour; the word none is no face",
+         0},
+        {"triangles", TRIANGLES, "FILE", 0,
+         "the numbers are of triangles: a text file, or .npy, that has the "
+         "face of each triangle, in order",
+         0},
+        {"channel", CHANNEL, "NAME", 0,
+         "of an .exr file: the channel that has the ids (standard: id)", 0},
+        {"none", NONE, "ID", 0,
+         "this number is no face, beside -1 and 4294967295", 0},
+        SCENE_ARGP_OPTIONS,
+        VIEW_ARGP_OPTIONS_OF("that of PICTURE"),
+        {0}},
+    parse,
+    "SCENE PICTURE",
+    "Judges anybody's picture of SCENE: a face id for each sample, by rows "
+    "from the top. It says how many samples are wrong, where, and of what "
+    "kind the faults are, the most likely one first.\v"
+    "PICTURE is an array of ids (.npy), an .exr with a channel of ids, 32-bit "
+    "numbers and nothing else (.raw, with --size), or a picture in colours "
+    "with --colours. Exit status: 0 all samples are right, 1 some are "
+    "wrong.\n\n"
+    "  hsr judge house mine.npy\n"
+    "  hsr judge house mine.npy --view 3 -o kinds.png\n"
+    "  hsr judge mesh:elephant mine.raw -s 640x480 --json\n"
+    "  hsr judge house mine.png --colours table.txt",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- Judging -------------------------------------------------------------- */
+
+static enum hsr_status judge(const struct options *o, struct lib_scene *scene,
+                             const struct id_picture *picture,
+                             struct stranger_verdict *verdict,
+                             struct hsr_error *err) {
+  struct hsr_request request = client_request(&o->view, NULL, 1);
+  request.m = picture->m;
+  request.n = picture->n;
+  const struct judged judged = {.scene = o->scene.name,
+                                .picture = o->picture.path,
+                                .view = o->view.view,
+                                .verdict = verdict};
+  enum hsr_status status =
+      stranger_judge(scene, &request, picture->ids, verdict, err);
+  if (!status && o->output)
+    status = say_picture(&judged, o->output, err);
+  if (status)
+    return status;
+  if (o->json)
+    status = say_json(&judged, err);
+  else
+    say_text(&judged, o->output);
+  return status || !verdict->differing ? status : HSR_E_DIFFERENCE;
+}
+
+static enum hsr_status judge_file(const struct options *o,
+                                  struct lib_scene *scene,
+                                  struct hsr_error *err) {
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct id_picture picture = {.ids = NULL};
+  struct stranger_verdict verdict = {.kind = NULL};
+  enum hsr_status status = hsr_get_scene(scene, &info, err);
+  if (!status)
+    status = picture_read(&o->picture, (uint32_t)info.n_faces, &picture, err);
+  if (!status)
+    status = judge(o, scene, &picture, &verdict, err);
+  free(picture.ids);
+  stranger_free(&verdict);
+  return status;
+}
+
+enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
+  struct options o = {.base = {.err = err}, .view = VIEW_OPTIONS_STANDARD};
+  struct lib_scene *scene = NULL;
+  o.view.m = o.view.n = 0; /* the picture's */
+  enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  if (!status)
+    status = aim_scene(&o.scene, &o.view, err);
+  o.picture.m = o.view.m;
+  o.picture.n = o.view.n;
+  if (!status)
+    status = client_open(&o.scene, &o.view, &scene, err);
+  if (!status)
+    status = judge_file(&o, scene, err);
+  hsr_close(scene);
+  return status;
+}

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# hsr judge.
+libbench_a_SOURCES += \
+  %D%/command.c \
+  %D%/kinds.def \
+  %D%/over.c \
+  %D%/over.h \
+  %D%/parts.h \
+  %D%/picture.c \
+  %D%/picture.h \
+  %D%/samples.c \
+  %D%/say.c \
+  %D%/say.h \
+  %D%/stranger.c \
+  %D%/stranger.h \
+  %D%/studio.c \
+  %D%/table.c \
+  %D%/table.h \
+  %D%/whole.c
