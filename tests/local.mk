@@ -121,6 +121,7 @@ tap_programs = \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
   %D%/unit/files/image_test \
+  %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
@@ -196,6 +197,7 @@ quick_units = \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
   %D%/unit/files/drawing_test \
+  %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test

@@ -21,4 +21,14 @@ static inline bool hsr_is_line_file(const char *path) {
          hsr_ends_in(path, ".vtp");
 }
 
+/* Whether a file of this name holds numbers, without colours. */
+static inline bool hsr_is_array_file(const char *path) {
+  return hsr_ends_in(path, ".npy");
+}
+
+/* Whether a file of this name may hold the colours of pixels. */
+static inline bool hsr_is_colour_file(const char *path) {
+  return !hsr_is_line_file(path) && !hsr_is_array_file(path);
+}
+
 #endif

@@ -17,16 +17,6 @@
 enum hsr_status hsr_json_load(const char *path, char **text, size_t *length,
                               struct hsr_error *err);
 
-/* Fills *err with "PATH: WHAT: " and the reason in errno, and returns
- * HSR_E_INPUT. If the reason is lack of memory, it is hsr_fail_nomem
- * instead. */
-enum hsr_status hsr_json_fail_errno(const char *path, const char *what,
-                                    struct hsr_error *err);
-
-/* Returns the path as messages show it: all of it, or its last 180 bytes if it
- * is longer. The result is a part of `path`. */
-const char *hsr_json_shown(const char *path);
-
 /* Returns the kind of a value, for messages: "an object", "a number", ... */
 const char *hsr_json_kind(const json_t *value);
 

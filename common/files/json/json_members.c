@@ -3,6 +3,7 @@
 
 #include "common/base/names.h"
 #include "common/files/json/json_file.h"
+#include "common/files/whole_input.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -58,7 +59,7 @@ enum hsr_status hsr_json_refuse(const struct hsr_json_node *at,
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
   return hsr_fail(at->input->err, HSR_E_INPUT, "%s: %s%s%s",
-                  hsr_json_shown(at->input->path), pointer, at->up ? ": " : "",
+                  hsr_path_shown(at->input->path), pointer, at->up ? ": " : "",
                   text);
 }
 
@@ -225,7 +226,7 @@ static enum hsr_status parse(const struct hsr_json_input *input,
     return hsr_fail_nomem(input->err);
   return *value ? HSR_OK
                 : hsr_fail(input->err, HSR_E_INPUT, "%s:%d: %s",
-                           hsr_json_shown(input->path), error.line, error.text);
+                           hsr_path_shown(input->path), error.line, error.text);
 }
 
 enum hsr_status hsr_json_open(const struct hsr_json_input *input,

@@ -3,6 +3,7 @@
 #include "common/files/json/scene_json.h"
 #include "common/files/json/scene_json_shared.h"
 #include "common/files/whole_file.h"
+#include "common/files/whole_input.h"
 #include "common/scene/motion.h"
 
 #include <errno.h>
@@ -25,7 +26,7 @@ enum { DOUBLE_DIGITS = 17, FLOAT_DIGITS = 9 };
 static void put_text(struct writer *writer, const char *text) {
   if (!writer->status && fputs(text, writer->out) == EOF)
     writer->status =
-        hsr_json_fail_errno(writer->path, "cannot be written", writer->err);
+        hsr_path_fail(writer->path, "cannot be written", writer->err);
 }
 
 /* Writes a text and then a value, which it releases. NULL: there was no memory
@@ -36,7 +37,7 @@ static void put(struct writer *writer, const char *before, json_t *value,
   size_t flags = JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(digits);
   if (!writer->status && (!value || json_dumpf(value, writer->out, flags)))
     writer->status = ferror(writer->out)
-                         ? hsr_json_fail_errno(writer->path,
+                         ? hsr_path_fail(writer->path,
                                                "cannot be written", writer->err)
                          : hsr_fail_nomem(writer->err);
   json_decref(value);
@@ -50,7 +51,7 @@ static void put_string(struct writer *writer, const char *before,
     writer->status =
         hsr_fail(writer->err, HSR_E_INPUT,
                  "%s: cannot be written: the name '%.60s' is not UTF-8",
-                 hsr_json_shown(writer->path), text);
+                 hsr_path_shown(writer->path), text);
   put(writer, before, value, DOUBLE_DIGITS);
 }
 
@@ -61,7 +62,7 @@ static void put_array(struct writer *writer, const char *before,
     if (!isfinite(v[i]))
       writer->status = hsr_fail(writer->err, HSR_E_INPUT,
                                 "%s: cannot be written: a number is not finite",
-                                hsr_json_shown(writer->path));
+                                hsr_path_shown(writer->path));
   for (size_t i = 0; array && i < n; i++)
     if (json_array_append_new(array, json_real(v[i]))) {
       json_decref(array);
