@@ -26,6 +26,8 @@ static const struct hsr_command commands[] = {
      command_export},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
+    {"suite", "scenes, cameras and right answers, to test any renderer with",
+     command_suite},
     {"bench", "time the algorithms that are right, in turn", command_bench},
     {"times",
      "the table of what bench recorded: text, CSV, JSON, LaTeX, a plot",
