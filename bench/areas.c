@@ -6,6 +6,7 @@
 #include "bench/options/place.h"
 #include "bench/terminal/terminal.h"
 #include "common/answers/kinds/area.h"
+#include "common/base/nearest.h"
 #include "common/files/suffix.h"
 #include "common/files/whole_file.h"
 
@@ -113,21 +114,6 @@ static bool is_seen(const struct sum *sum) {
   return sum->whole || sum->n;
 }
 
-/* The double that is nearest to q >= 0; of two, the lower. */
-static double nearest(const mpq_t q) {
-  double low = mpq_get_d(q); /* rounded towards zero */
-  double high = nextafter(low, INFINITY);
-  mpq_t twice, middle, other;
-  mpq_inits(twice, middle, other, NULL);
-  mpq_mul_2exp(twice, q, 1);
-  mpq_set_d(middle, low);
-  mpq_set_d(other, high);
-  mpq_add(middle, middle, other);
-  bool upward = mpq_cmp(twice, middle) > 0;
-  mpq_clears(twice, middle, other, NULL);
-  return upward ? high : low;
-}
-
 /* --- Output --------------------------------------------------------------- */
 
 struct found {
@@ -173,7 +159,7 @@ static void put_csv_part(const struct found *found, int i, int j,
                          const struct area_part *part) {
   fprintf(found->out, "%d,%d,", i, j);
   put_csv_face(found, part->face);
-  fprintf(found->out, ",%.17g", nearest(part->share));
+  fprintf(found->out, ",%.17g", hsr_nearest_double(part->share));
   if (found->options->exact)
     put_exact(found, part->share);
   fputs("\r\n", found->out);
@@ -193,7 +179,8 @@ static void put_json_pixel(const struct found *found, int i, int j,
   for (size_t k = 0; k < n; k++) {
     fputs(k ? ", " : "", found->out);
     put_json_face(found, part[k].face);
-    fprintf(found->out, ", \"share\": %.17g", nearest(part[k].share));
+    fprintf(found->out, ", \"share\": %.17g",
+            hsr_nearest_double(part[k].share));
     if (found->options->exact)
       put_exact(found, part[k].share);
     putc('}', found->out);
@@ -262,7 +249,8 @@ static enum hsr_status put_face(const struct found *found, uint32_t face,
   char *name = NULL;
   if (!found->json) {
     put_csv_face(found, face);
-    fprintf(found->out, ",%.17g,%.17g", nearest(area), nearest(share));
+    fprintf(found->out, ",%.17g,%.17g", hsr_nearest_double(area),
+            hsr_nearest_double(share));
   } else {
     fputs(first ? "\n" : ",\n", found->out);
     put_json_face(found, face);
@@ -272,8 +260,8 @@ static enum hsr_status put_face(const struct found *found, uint32_t face,
       fprintf(found->out, ", \"object\": %s, \"instance\": %u",
               name ? name : "", place.instance);
     }
-    fprintf(found->out, ", \"area\": %.17g, \"share\": %.17g", nearest(area),
-            nearest(share));
+    fprintf(found->out, ", \"area\": %.17g, \"share\": %.17g",
+            hsr_nearest_double(area), hsr_nearest_double(share));
   }
   if (found->options->exact)
     put_exact(found, area);
@@ -332,7 +320,7 @@ static enum hsr_status print_text(const struct found *found,
   for (uint32_t k = 0; k <= n_faces; k++)
     if (is_seen(&found->sum[k])) {
       total(&found->sum[k], area);
-      told[n++] = (struct told){k, nearest(area)};
+      told[n++] = (struct told){k, hsr_nearest_double(area)};
     }
   mpq_clear(area);
   uint32_t visible = n - is_seen(&found->sum[n_faces]);

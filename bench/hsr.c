@@ -28,6 +28,8 @@ static const struct hsr_command commands[] = {
      command_check},
     {"judge", "anybody's picture against the oracle, and what is wrong",
      command_judge},
+    {"suite", "scenes, cameras and right answers, to test any renderer with",
+     command_suite},
     {"bench", "time the algorithms that are right, in turn", command_bench},
     {"times",
      "the table of what bench recorded: text, CSV, JSON, LaTeX, a plot",

@@ -130,7 +130,6 @@ libbench_a_SOURCES = \
   %D%/sweep/changes.c \
   %D%/sweep/command.c \
   %D%/sweep/group.c \
-  %D%/sweep/interrupt.c \
   %D%/sweep/journal.c \
   %D%/sweep/journal.h \
   %D%/sweep/machine.c \
@@ -156,6 +155,8 @@ libbench_a_SOURCES = \
   %D%/tables/sorts.h \
   %D%/tables/tables.h \
   %D%/tables/text.c \
+  %D%/terminal/interrupt.c \
+  %D%/terminal/interrupt.h \
   %D%/terminal/terminal.c \
   %D%/terminal/terminal.h \
   %D%/times/command.c \

@@ -154,6 +154,7 @@ tap_scripts = \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
+  %D%/suite/suite.test \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
@@ -251,7 +252,7 @@ bench-check:
 	@$(top_srcdir)/%D%/instructions/run "$(abs_builddir)/instructions"
 
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
-  %D%/example/hsr-example %D%/trace/hsr-fixtures
+  %D%/example/hsr-example %D%/suite/read_back %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
@@ -318,6 +319,7 @@ LDADD = libtests.a $(HSR_LIBS)
   %D%/properties/hierarchical/shaders_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
+%C%_suite_read_back_SOURCES = %D%/suite/read_back.c
 %C%_sweep_check_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 %C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c

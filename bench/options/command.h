@@ -32,6 +32,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_areas(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_suite(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 #endif

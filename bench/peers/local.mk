@@ -3,7 +3,8 @@
 # Nothing else needs them.
 EXTRA_DIST += \
   %D%/README.md \
-  %D%/make-scenes
+  %D%/make-scenes \
+  %D%/suite/raycast.py
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers
@@ -35,6 +36,10 @@ if WITH_OFFSCREEN
   %D%/shared/projection.c \
   %D%/shared/projection.h
 %C%_hsr_peers_LDADD += $(OFFSCREEN_LIBS)
+# A stranger to hsr, which tries a suite. It links none of it.
+noinst_PROGRAMS += %D%/suite/rasterise
+%C%_suite_rasterise_SOURCES = %D%/suite/rasterise.c
+%C%_suite_rasterise_LDADD = $(OFFSCREEN_LIBS) $(JANSSON_LIBS)
 endif
 if WITH_GL2PS
 %C%_hsr_peers_SOURCES += %D%/lines/gl2ps.c

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr bench share. plan.c lists the cells. machine.c
- * describes the machine that they run on. interrupt.c hears Ctrl-C. group.c takes all cells of one scene,
+ * describes the machine that they run on. group.c takes all cells of one scene,
  * view and size: it judges them, has turns.c time them, and records them.
  * changes.c compares the results with earlier ones. merge.c puts shards
  * together. */
@@ -11,6 +11,7 @@
 #include "bench/options/camera.h"
 #include "bench/options/command.h"
 #include "bench/results/results.h"
+#include "bench/terminal/interrupt.h"
 
 enum {
   SWEEP_MOST_NAMES = 4096,
@@ -141,19 +142,6 @@ json_t *sweep_header(const struct sweep_options *options, const char *run,
  */
 void hash_program(char hash[17]);
 void hash_scene(const struct hsr_scene *scene, char hash[17]);
-
-/* --- interrupt.c ---------------------------------------------------------- */
-
-/* From now on Ctrl-C does not end the program at once: the sweep ends as soon
- * as it has recorded what is judged. A second one does end it. */
-void interrupt_listen(void);
-bool interrupt_came(void);
-
-/* HSR_E_STOPPED. */
-enum hsr_status interrupt_fail(struct hsr_error *err);
-
-/* Ends the program by the signal, so that a shell sees why. */
-void interrupt_end(void);
 
 /* --- turns.c -------------------------------------------------------------- */
 

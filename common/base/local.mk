@@ -15,6 +15,7 @@ libcore_a_SOURCES += \
   %D%/exact.h \
   %D%/names.c \
   %D%/names.h \
+  %D%/nearest.h \
   %D%/number_memory.cc \
   %D%/numbers.h \
   %D%/option.c \

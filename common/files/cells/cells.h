@@ -87,6 +87,13 @@ void hsr_colours_free(struct hsr_colours *colours);
 enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
 
+/* Writes a world that is laid out as binary .ply, in full precision: polygons
+ * without colours, in the order of their ids, and of each whether it is
+ * one-sided. HSR_E_INPUT if the file cannot be written, or there are more than
+ * 2^31 - 1 vertices. */
+enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
+                                    const char *path, struct hsr_error *err);
+
 /* The frame of a glTF file, whose unit is the metre and whose y axis is up. */
 struct hsr_glb_frame {
   double metres; /* the length of the scene's unit, in metres */

@@ -6,7 +6,8 @@ libcore_a_SOURCES += \
   %D%/cells.c \
   %D%/cells_library.h \
   %D%/glb.c \
-  %D%/obj.c
+  %D%/obj.c \
+  %D%/ply.c
 if WITH_VTK
 # Loaded by hsr when such a file is written.
 pkglibexec_PROGRAMS += hsr-cells.so
