@@ -24,7 +24,8 @@ endif
 # Everything but main, for programs that have another list of algorithms.
 noinst_LIBRARIES += libbench.a
 # The library calls the rooms below it, and commands call the library.
-BENCH_LIBS = libbench.a libpublic.a libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
+BENCH_LIBS = libbench.a libpublic.a libbench.a $(HSR_LIBS) $(GSL_LIBS) \
+  $(HWLOC_LIBS) $(ZLIB_LIBS) $(MD_LIBS)
 libbench_a_SOURCES = \
   %D%/areas.c \
   %D%/errors.c \

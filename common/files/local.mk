@@ -16,8 +16,6 @@ libcore_a_SOURCES += \
   %D%/plot.c \
   %D%/plot_cairo.c \
   %D%/plot_svg.c \
-  %D%/sha256.c \
-  %D%/sha256.h \
   %D%/srgb.h \
   %D%/suffix.h \
   %D%/whole_file.c \
