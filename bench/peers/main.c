@@ -239,8 +239,8 @@ static enum hsr_status command_work(int argc, char **argv,
   return status ? status : run_peer(peer, &request, serve_run, err);
 }
 
-static enum hsr_status command_judge(int argc, char **argv,
-                                     struct hsr_error *err) {
+static enum hsr_status command_judge_lines(int argc, char **argv,
+                                           struct hsr_error *err) {
   struct serve_request request = {.threads = 1};
   const struct peer *peer;
   if (argc != 5 || !parse_count(argv[3], 1, 1000, &request.view) ||
@@ -255,10 +255,11 @@ static enum hsr_status command_judge(int argc, char **argv,
 
 /* --- The program ---------------------------------------------------------- */
 
-static const struct hsr_command commands[] = {{"list", NULL, command_peers},
-                                              {"worker", NULL, command_work},
-                                              {"judge", NULL, command_judge},
-                                              {NULL, NULL, NULL}};
+static const struct hsr_command commands[] = {
+    {"list", NULL, command_peers},
+    {"worker", NULL, command_work},
+    {"judge", NULL, command_judge_lines},
+    {NULL, NULL, NULL}};
 
 static enum hsr_status run_command(int argc, char **argv,
                                    struct hsr_error *err) {

@@ -4,6 +4,7 @@
 #include "bench/options/words.h"
 #include "common/answers/kinds/ids.h"
 #include "common/base/clock.h"
+#include "common/files/suffix.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -126,6 +127,8 @@ static enum hsr_status write_ids(const struct served *served,
   if (!path || !ids)
     return HSR_OK;
   size_t n = (size_t)served->request->m * (size_t)served->request->n;
+  if (hsr_is_array_file(path))
+    return hsr_answer_write_ids(served->answer, path, err);
   FILE *file = fopen(path, "wb");
   bool good = file && fwrite(ids, sizeof *ids, n, file) == n;
   if (file && fclose(file))

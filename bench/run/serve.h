@@ -5,7 +5,9 @@
  * It is started as
  *   PROGRAM worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
  * VIEW is K, and then a round is one frame; or it is K-L for a walk, and then a
- * round is a frame of each view from K to L, in order. The worker writes lines
+ * round is a frame of each view from K to L, in order. Before it is ready it
+ * draws, and writes the ids of the last frame to IDS-FILE: an array if that ends
+ * in .npy, else m n numbers of 32 bits. The worker writes lines
  * of JSON on its standard output. When it is ready:
  *   {"import": s, "adapt": s, "prepare": s, "before_kb": n, "inner": k}
  * import, adapt, prepare: the seconds that these phases took; before_kb: the

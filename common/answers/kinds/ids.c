@@ -182,15 +182,14 @@ static enum hsr_status write_averaged(const struct hsr_answer *answer,
   return status;
 }
 
-/* The ids by rows, HSR_BACKGROUND where there is no face. */
-static enum hsr_status write_array(const struct hsr_answer *answer,
-                                   const char *path, struct hsr_error *err) {
+enum hsr_status hsr_answer_write_ids(const struct hsr_answer *answer,
+                                     const char *path, struct hsr_error *err) {
   const struct hsr_npy array = {
       .kind = 'u',
       .bytes = 4,
       .n_dimensions = 2,
       .size = {(uint64_t)answer->n, (uint64_t)answer->m},
-      .data = answer->body};
+      .data = hsr_answer_ids_of(answer)};
   return hsr_npy_write(path, &array, err);
 }
 
@@ -199,7 +198,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
   if (hsr_is_array_file(path))
-    return write_array(answer, path, err);
+    return hsr_answer_write_ids(answer, path, err);
   if (showing->supersamples > 1 || showing->background.none)
     return write_averaged(answer, showing, shaded, path, err);
   struct hsr_picture picture = {answer->m, answer->n, answer->body,

@@ -19,6 +19,11 @@ uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 /* An answer around m x n ids that the caller owns. It is not to be freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
 
+/* Writes the ids of an answer of this kind as a .npy file: uint32, by rows from
+ * the top, HSR_BACKGROUND where there is no face. Errors as hsr_npy_write. */
+enum hsr_status hsr_answer_write_ids(const struct hsr_answer *answer,
+                                     const char *path, struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif
