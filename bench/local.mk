@@ -70,6 +70,14 @@ libbench_a_SOURCES = \
   %D%/options/view.h \
   %D%/options/words.c \
   %D%/options/words.h \
+  %D%/programs/files.c \
+  %D%/programs/files.h \
+  %D%/programs/keeper.c \
+  %D%/programs/keeper.h \
+  %D%/programs/module.c \
+  %D%/programs/module.h \
+  %D%/programs/program.c \
+  %D%/programs/program.h \
   %D%/ranks/composite.c \
   %D%/ranks/composite.h \
   %D%/ranks/loose_faces.c \

@@ -139,6 +139,7 @@ tap_scripts = \
   %D%/command/full.test \
   %D%/command/import.test \
   %D%/command/peers.test \
+  %D%/command/programs.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
   %D%/command/tiles.test \

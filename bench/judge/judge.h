@@ -34,6 +34,7 @@ struct cell {
   int builds;              /* that drew it and were compared, of two */
   enum hsr_status failure; /* why the process stopped, if not HSR_OK */
   int signal;              /* that ended the process, or 0 */
+  char why[480];           /* the same in words; "": nobody says */
   uint64_t compared;   /* samples, edges, ...: places of its kind of answer */
   uint64_t mismatches; /* of those, in the build that is timed */
   uint64_t counting_mismatches; /* and in the one that counts */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
 #include "bench/modules/variant.h"
+#include "bench/programs/module.h"
 #include "bench/options/picture.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"
@@ -491,7 +492,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     return status;
   o->given[HSR_PALETTE] = o->view.camera.palette ? "--palette" : NULL;
   o->given[HSR_LIGHTING] = light_option(&o->view.camera);
-  status = hsr_variant_parse(o->algorithm, variant, err);
+  status = program_variant_parse(o->algorithm, variant, err);
   if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)
