@@ -219,6 +219,8 @@ bashcompletiondir = $(datadir)/bash-completion/completions
 zshcompletiondir = $(datadir)/zsh/site-functions
 dist_zshcompletion_DATA = %D%/completion/_hsr
 EXTRA_DIST += %D%/completion/hsr.bash
+EXTRA_DIST += %D%/programs/examples/zbuffer.c %D%/programs/examples/zbuffer.mjs \
+  %D%/programs/examples/zbuffer.py
 install-data-local:
 	$(MKDIR_P) "$(DESTDIR)$(bashcompletiondir)"
 	$(INSTALL_DATA) $(srcdir)/bench/completion/hsr.bash \

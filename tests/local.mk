@@ -136,6 +136,7 @@ tap_scripts = \
   %D%/command/cluster.test \
   %D%/command/command.test \
   %D%/command/completion.test \
+  %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/import.test \
   %D%/command/peers.test \
