@@ -145,6 +145,8 @@ libbench_a_SOURCES = \
   %D%/sweep/merge.c \
   %D%/sweep/peers.c \
   %D%/sweep/plan.c \
+  %D%/sweep/programs.c \
+  %D%/sweep/programs.h \
   %D%/sweep/sweep.h \
   %D%/sweep/turns.c \
   %D%/tables/claims.c \

@@ -141,6 +141,7 @@ tap_scripts = \
   %D%/command/import.test \
   %D%/command/peers.test \
   %D%/command/programs.test \
+  %D%/command/programs_bench.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
   %D%/command/tiles.test \

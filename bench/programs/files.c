@@ -90,6 +90,10 @@ static bool make_scene(const struct program_job *job, const char *folder,
   return close_file(file);
 }
 
+bool program_has_ids(const struct program_job *job) {
+  return !strcmp(job->answer, "ids") || !strcmp(job->answer, "cells");
+}
+
 /* A file of zeros, as long as the picture. */
 static bool make_ids(const struct program_job *job, const char *folder) {
   char path[PROGRAM_PATH];
@@ -104,7 +108,7 @@ static bool make_files(const struct program_job *job, const char *folder) {
          (!job->world ||
           (make_scene(job, folder, "triangles.ply", job->triangles) &&
            make_scene(job, folder, "polygons.ply", job->world))) &&
-         (strcmp(job->answer, "ids") != 0 || make_ids(job, folder));
+         (!program_has_ids(job) || make_ids(job, folder));
 }
 
 enum hsr_status files_make(const struct program_job *job, char *folder,

@@ -10,6 +10,9 @@
 enum hsr_status files_make(const struct program_job *job, char *folder,
                            struct hsr_error *err);
 
+/* Whether the answer is a file of ids, of faces or of cells. */
+bool program_has_ids(const struct program_job *job);
+
 /* Removes a folder and all in it. */
 void files_remove(const char *folder);
 

@@ -29,12 +29,10 @@ void program_set_limit(double seconds) {
 
 /* --- As an algorithm ------------------------------------------------------ */
 
-/* Has only a restriction: programs get triangles beside the faces. */
-static const struct hsr_algorithm takes_triangles = {
-    .name = "triangles",
-    .subjects = 1 << HSR_FACES,
-    .makes = {{&hsr_answer_ids}},
-    .restrictions = HSR_TR};
+const struct hsr_algorithm program_demands = {.name = "triangles",
+                                              .subjects = 1 << HSR_FACES,
+                                              .makes = {{&hsr_answer_ids}},
+                                              .restrictions = HSR_TR};
 
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
@@ -43,7 +41,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   struct hsr_setup *triangles = malloc(sizeof *triangles);
   *prepared = triangles;
   return triangles
-             ? hsr_setup_init(triangles, &takes_triangles, NULL, world, err)
+             ? hsr_setup_init(triangles, &program_demands, NULL, world, err)
              : hsr_fail_nomem(err);
 }
 
@@ -62,7 +60,7 @@ static enum hsr_status draw(struct program *program, const struct hsr_job *job,
   struct program_phases phases;
   enum hsr_status status = program_ready(program, limit, &phases, err);
   if (!status)
-    status = program_unset_ids(program, err);
+    status = program_unset(program, err);
   if (!status)
     status = program_draw(program, byte, 1, limit, NULL, NULL, err);
   if (!status)

@@ -21,6 +21,9 @@ enum hsr_status program_variant_parse(const char *text,
 bool program_is(const struct hsr_algorithm *algorithm);
 const char *program_path(const struct hsr_algorithm *algorithm);
 
+/* Demands triangles, as programs do. */
+extern const struct hsr_algorithm program_demands;
+
 /* The seconds that a program may take to be ready, and for a frame (standard:
  * 60). */
 void program_set_limit(double seconds);

@@ -21,6 +21,7 @@ enum { MOST_LINE = 1 << 16 };
 struct program {
   char name[200], folder[PROGRAM_PATH - 32];
   int m, n;
+  bool has_ids, late;
   bool (*stopped)(void);
   pid_t keeper;
   int in, out, control; /* this end of the pipes */
@@ -80,6 +81,7 @@ enum hsr_status program_start(const struct program_job *job,
   snprintf(p->name, sizeof p->name, "%s", job->name);
   p->m = job->view->m;
   p->n = job->view->n;
+  p->has_ids = program_has_ids(job);
   p->stopped = job->stopped;
   void *shared = mmap(NULL, sizeof *p->fate, PROT_READ | PROT_WRITE,
                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -191,6 +193,7 @@ static enum hsr_status fail_for_time(struct program *p, double seconds,
   stop(p, false);
   if (stopped)
     return hsr_fail(err, HSR_E_STOPPED, "stopped");
+  p->late = true;
   return hsr_fail(err, HSR_E_NOMEM, "%s: it took longer than %.0f s %s",
                   p->name, seconds, when(p, text));
 }
@@ -267,9 +270,9 @@ enum hsr_status program_ready(struct program *p, double seconds,
     status = parse_line(p, length, &json, err);
   if (status)
     return status;
-  *phases = (struct program_phases){number_of(json, "import"),
-                                    number_of(json, "prepare"),
-                                    (long)number_of(json, "before_kb")};
+  *phases = (struct program_phases){
+      number_of(json, "import"), number_of(json, "adapt"),
+      number_of(json, "prepare"), (long)number_of(json, "before_kb")};
   json_decref(json);
   drop_line(p, length);
   return HSR_OK;
@@ -334,7 +337,9 @@ static enum hsr_status fail_for_ids(struct program *p, const char *what,
   return hsr_fail(err, HSR_E_INPUT, "%s: %s", p->name, what);
 }
 
-enum hsr_status program_unset_ids(struct program *p, struct hsr_error *err) {
+enum hsr_status program_unset(struct program *p, struct hsr_error *err) {
+  if (!p->has_ids)
+    return HSR_OK;
   size_t n = (size_t)p->m * (size_t)p->n;
   uint32_t *ids = malloc(n * sizeof *ids);
   char path[PROGRAM_PATH], text[400];
@@ -386,6 +391,10 @@ enum hsr_status program_read_ids(struct program *p, uint32_t *ids,
 }
 
 /* --- The end -------------------------------------------------------------- */
+
+bool program_was_late(const struct program *p) {
+  return p && p->late;
+}
 
 long program_peak_kb(const struct program *p) {
   char path[64], line[200];

@@ -42,11 +42,14 @@ struct program_job {
 
 /* What it says when it is ready: -1 where it says nothing. */
 struct program_phases {
-  double import, prepare;
+  double import, adapt, prepare;
   long before_kb; /* memory that it held before it prepared */
 };
 
 struct program;
+
+/* Whether it has failed because it took too long. */
+bool program_was_late(const struct program *program);
 
 /* Writes the folder and starts the program. HSR_E_NOMEM; HSR_E_INPUT if the
  * folder cannot be written. *program is NULL after a failure. */
@@ -71,9 +74,9 @@ enum hsr_status program_draw(struct program *program, char byte, long n,
                              double seconds, double *spent, json_t **line,
                              struct hsr_error *err);
 
-/* Makes the ids those of no face, so that one that is not written shows. */
-enum hsr_status program_unset_ids(struct program *program,
-                                  struct hsr_error *err);
+/* Makes the ids those of no face, so that one that is not written shows. Does
+ * nothing if the answer has none. */
+enum hsr_status program_unset(struct program *program, struct hsr_error *err);
 
 /* Reads m * n ids. HSR_E_INPUT if there are fewer, or one was not written. */
 enum hsr_status program_read_ids(struct program *program, uint32_t *ids,

@@ -232,7 +232,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 }
 
 static const struct argp_option entries[] = {
-    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer-fast)", 0},
+    {"algorithm", 'a', "NAME", 0,
+     "the algorithm, or, with a slash, a program (standard: zbuffer-fast)", 0},
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B and, unless it is "
      "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "

@@ -14,11 +14,12 @@
 
 typedef struct { double x, y, z; } vec;
 typedef struct { unsigned corner[3], face, one_sided; } triangle;
+typedef struct { vec E, F, R, U; double near; } camera;
 typedef struct { double c0, c1, c2; } plane; /* c0 + c1 x + c2 y */
 
-static int m, n, parallel, n_triangles;
-static double near;
-static vec E, F, R, U, *V;
+static int m, n, parallel, n_cameras, n_triangles;
+static camera *cameras, now;
+static vec *V;
 static triangle *T;
 static uint32_t *ids;
 static double *nearest;
@@ -47,17 +48,21 @@ static FILE *open_in(const char *folder, const char *name, const char *mode) {
 }
 
 static void read_job(const char *folder) {
-  char answer[16], camera[16];
-  int version, cameras;
+  char answer[16], kind[16];
+  int version;
   FILE *file = open_in(folder, "job", "r");
-  if (fscanf(file, "hsr-program %d answer %15s size %d %d threads %*d cameras %d ",
-             &version, answer, &m, &n, &cameras) != 5 ||
-      version != 1 || cameras != 1 ||
-      fscanf(file, "camera %15s eye %lf %lf %lf forward %lf %lf %lf "
-             "right %lf %lf %lf up %lf %lf %lf near %lf", camera, &E.x, &E.y, &E.z,
-             &F.x, &F.y, &F.z, &R.x, &R.y, &R.z, &U.x, &U.y, &U.z, &near) != 14)
-    fail("job: not of one camera, or not understood");
-  parallel = !strcmp(camera, "parallel");
+  if (fscanf(file, "hsr-program %d answer %15s size %d %d threads %*d cameras %d",
+             &version, answer, &m, &n, &n_cameras) != 5 ||
+      version != 1)
+    fail("job: not understood");
+  cameras = malloc((size_t)n_cameras * sizeof *cameras);
+  for (camera *c = cameras; c < cameras + n_cameras; c++)
+    if (fscanf(file, " camera %15s eye %lf %lf %lf forward %lf %lf %lf "
+               "right %lf %lf %lf up %lf %lf %lf near %lf", kind, &c->E.x, &c->E.y,
+               &c->E.z, &c->F.x, &c->F.y, &c->F.z, &c->R.x, &c->R.y, &c->R.z,
+               &c->U.x, &c->U.y, &c->U.z, &c->near) != 14)
+      fail("job: a camera is missing");
+  parallel = !strcmp(kind, "parallel");
   fclose(file);
 }
 
@@ -71,11 +76,9 @@ static void read_scene(const char *folder) {
   }
   V = malloc((size_t)n_vertices * sizeof *V + 1);
   T = malloc((size_t)n_triangles * sizeof *T + 1);
-  for (int k = 0; k < n_vertices; k++) {
+  for (int k = 0; k < n_vertices; k++)
     if (fscanf(file, "%lf %lf %lf", &V[k].x, &V[k].y, &V[k].z) != 3)
       fail("triangles.ply: a vertex is missing");
-    V[k] = sub(V[k], E);
-  }
   for (triangle *t = T; t < T + n_triangles; t++)
     if (fscanf(file, " 3 %u %u %u %u %u", &t->corner[0], &t->corner[1],
                &t->corner[2], &t->face, &t->one_sided) != 5)
@@ -85,9 +88,9 @@ static void read_scene(const char *folder) {
 
 /* det(a, b, ray): on which side of the edge a sample is. */
 static plane edge(vec a, vec b) {
-  vec c = cross(a, b), d = cross(F, sub(b, a));
-  return parallel ? (plane){dot(c, F), dot(d, R), dot(d, U)}
-                  : (plane){dot(c, F), dot(c, R), dot(c, U)};
+  vec c = cross(a, b), d = cross(now.F, sub(b, a));
+  return parallel ? (plane){dot(c, now.F), dot(d, now.R), dot(d, now.U)}
+                  : (plane){dot(c, now.F), dot(c, now.R), dot(c, now.U)};
 }
 
 /* A sample on the edge is a little to the right, and much less down. */
@@ -97,15 +100,16 @@ static int side(plane p, double x, double y) {
 }
 
 static void draw_triangle(const triangle *t) {
-  vec a = V[t->corner[0]], b = V[t->corner[1]], c = V[t->corner[2]];
+  vec a = sub(V[t->corner[0]], now.E), b = sub(V[t->corner[1]], now.E),
+      c = sub(V[t->corner[2]], now.E);
   vec N = cross(sub(b, a), sub(c, a));
-  double front = parallel ? dot(N, F) : dot(N, a); /* < 0: seen from its front */
+  double front = parallel ? dot(N, now.F) : dot(N, a); /* < 0: seen from its front */
   if (front == 0 || (t->one_sided && front > 0))
     return;
   plane ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
   /* 1/t or, in parallel projection, -t: the greater is nearer. */
-  plane depth = {(parallel ? -dot(N, a) : dot(N, F)) / front, dot(N, R) / front,
-                 dot(N, U) / front};
+  plane depth = {(parallel ? -dot(N, a) : dot(N, now.F)) / front, dot(N, now.R) / front,
+                 dot(N, now.U) / front};
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
       double x = (2. * i + 1 - m) / m, y = (n - 2. * j - 1) / n;
@@ -113,7 +117,7 @@ static void draw_triangle(const triangle *t) {
       if (s != side(bc, x, y) || s != side(ca, x, y))
         continue;
       double q = at(depth, x, y);
-      if (parallel ? -q <= near : q <= 0 || q * near >= 1)
+      if (parallel ? -q <= now.near : q <= 0 || q * now.near >= 1)
         continue;
       depth_tests++;
       if (q <= nearest[j * m + i])
@@ -135,7 +139,8 @@ int main(int argc, char **argv) {
   FILE *file = open_in(argv[1], "ids", "r+b");
   puts("{}");
   fflush(stdout);
-  while (getchar() != EOF) {
+  for (int frame = 0; getchar() != EOF; frame++) {
+    now = cameras[frame % n_cameras];
     memset(ids, 0xff, size * sizeof *ids);
     for (size_t s = 0; s < size; s++)
       nearest[s] = -INFINITY;
