@@ -71,6 +71,14 @@ libbench_a_SOURCES = \
   %D%/options/view.h \
   %D%/options/words.c \
   %D%/options/words.h \
+  %D%/programs/files.c \
+  %D%/programs/files.h \
+  %D%/programs/keeper.c \
+  %D%/programs/keeper.h \
+  %D%/programs/module.c \
+  %D%/programs/module.h \
+  %D%/programs/program.c \
+  %D%/programs/program.h \
   %D%/ranks/composite.c \
   %D%/ranks/composite.h \
   %D%/ranks/loose_faces.c \
@@ -137,6 +145,8 @@ libbench_a_SOURCES = \
   %D%/sweep/merge.c \
   %D%/sweep/peers.c \
   %D%/sweep/plan.c \
+  %D%/sweep/programs.c \
+  %D%/sweep/programs.h \
   %D%/sweep/sweep.h \
   %D%/sweep/turns.c \
   %D%/tables/claims.c \
@@ -213,6 +223,8 @@ bashcompletiondir = $(datadir)/bash-completion/completions
 zshcompletiondir = $(datadir)/zsh/site-functions
 dist_zshcompletion_DATA = %D%/completion/_hsr
 EXTRA_DIST += %D%/completion/hsr.bash
+EXTRA_DIST += %D%/programs/examples/zbuffer.c %D%/programs/examples/zbuffer.mjs \
+  %D%/programs/examples/zbuffer.py
 install-data-local:
 	$(MKDIR_P) "$(DESTDIR)$(bashcompletiondir)"
 	$(INSTALL_DATA) $(srcdir)/bench/completion/hsr.bash \

@@ -138,10 +138,13 @@ tap_scripts = \
   %D%/command/cluster.test \
   %D%/command/command.test \
   %D%/command/completion.test \
+  %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/import.test \
   %D%/command/judge.test \
   %D%/command/peers.test \
+  %D%/command/programs.test \
+  %D%/command/programs_bench.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
   %D%/command/tiles.test \

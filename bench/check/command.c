@@ -7,6 +7,7 @@
  * is judged in its own process (bench/judge/judge.c), several at a time.
  * Several ranks take groups from one queue. */
 #include "bench/modules/variant.h"
+#include "bench/programs/module.h"
 #include "bench/check/check.h"
 #include "bench/options/command.h"
 #include "bench/options/scene.h"
@@ -55,7 +56,7 @@ static bool is_judged(const struct hsr_algorithm *a) {
 /* One algorithm, with its options. */
 static error_t add_named(struct check_options *o, const char *name) {
   struct hsr_variant variant;
-  if (hsr_variant_parse(name, &variant, o->base.err)) {
+  if (program_variant_parse(name, &variant, o->base.err)) {
     o->base.failed = true;
     return EINVAL;
   }
@@ -220,7 +221,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
-         "judge these, patterns allowed (standard: all that draw, and those "
+         "judge these, patterns allowed; a name with a slash is a program in "
+         "any language (standard: all that draw, and those "
          "that draw transparent faces or shadows once more with mix=linear or "
          "shadows=cast)",
          0},
@@ -283,6 +285,7 @@ static const struct argp argp = {
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"
     "  hsr check house mesh:elephant -a watkins --size 97x61,512x512\n"
+    "  hsr check house -a ./mine\n"
     "  hsr check traffic:20:%d --frames 0-9 -a hzbuffer-moving:movers=update",
     NULL,
     NULL,
@@ -350,6 +353,7 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   o->timeout = 60;
   struct totals totals = {.mismatches = 0};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
+  program_set_limit((double)o->timeout + 5); /* the judge's comes before */
   o->turns = shared_memory(sizeof *o->turns);
   if (!status && (!o->turns || sem_init(o->turns, 1, (unsigned)o->jobs)))
     status = hsr_fail_nomem(err);

@@ -13,6 +13,8 @@ static json_t *told_json(const struct cell *c) {
   if (c->counting_mismatches != c->mismatches)
     json_object_set_new(told, "counting_mismatches",
                         json_integer((json_int_t)c->counting_mismatches));
+  if (c->why[0])
+    json_object_set_new(told, "why", json_string(c->why));
   if (c->signal)
     json_object_set_new(told, "signal", json_integer(c->signal));
   return told;

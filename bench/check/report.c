@@ -110,7 +110,9 @@ static void print_crash(const struct scene_run *run, int size, int view,
   const struct cell *c = cell_at(run, size, view, a);
   char text[LINE];
   int length = say_cell(run, size, view, a, text, sizeof text);
-  if (c->signal)
+  if (c->why[0])
+    snprintf(text + length, sizeof text - (size_t)length, ": %s", c->why);
+  else if (c->signal)
     snprintf(text + length, sizeof text - (size_t)length, ": signal %d, %s",
              c->signal, strsignal(c->signal));
   else

@@ -115,6 +115,19 @@ static void note_refusal(const struct group *g, int number, const char *why) {
   }
 }
 
+/* What an algorithm says of its failure, which ends it. */
+static void note_failure(const struct group *g, int number,
+                         enum hsr_status status, const struct hsr_error *err) {
+  if (status == HSR_E_REFUSED) {
+    note_refusal(g, number, err->text);
+    return;
+  }
+  for (int k = 0; status && k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    snprintf(cell->why, sizeof cell->why, "%s", err->text);
+  }
+}
+
 static void note_adaptations(const struct group *g, int k, int number,
                              const struct hsr_setup *setup) {
   struct cell *cell = cell_of(g, k, number);
@@ -227,7 +240,7 @@ static enum hsr_status judge_frames(const struct group *g,
 static enum hsr_status judge_walk(const struct group *g,
                                   const struct player *player,
                                   const struct wanted *wanted) {
-  struct hsr_error err;
+  struct hsr_error err = {.text = ""};
   struct hsr_world world = {.n_faces = 0};
   struct hsr_scene *follower = g->walk->follower;
   alarm((unsigned)g->timeout);
@@ -240,8 +253,7 @@ static enum hsr_status judge_walk(const struct group *g,
     status = follower && hsr_is_roster(&world)
                  ? follow_walk(g, player, &world, wanted, &err)
                  : judge_frames(g, player, wanted, &err);
-  if (status == HSR_E_REFUSED)
-    note_refusal(g, player->number, err.text);
+  note_failure(g, player->number, status, &err);
   hsr_world_free(&world);
   alarm(0);
   return status;
@@ -267,7 +279,7 @@ static enum hsr_status judge(const struct group *g, const struct player *player,
                              const struct wanted *wanted,
                              struct hsr_setup *setup) {
   int number = player->number;
-  struct hsr_error err;
+  struct hsr_error err = {.text = ""};
   if (g->walk)
     return judge_walk(g, player, wanted);
   alarm((unsigned)g->timeout);
@@ -279,8 +291,7 @@ static enum hsr_status judge(const struct group *g, const struct player *player,
                         &err);
     alarm((unsigned)g->timeout);
   }
-  if (status == HSR_E_REFUSED)
-    note_refusal(g, number, err.text);
+  note_failure(g, number, status, &err);
   alarm(0);
   return status;
 }
@@ -510,7 +521,7 @@ enum hsr_status judge_group(const struct group *g) {
   enum hsr_status status =
       wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
   give_turn(g);
-  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&wanted[0].answer);
+  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&wanted[g->n_views - 1].answer);
   if (g->picture && ids)
     memcpy(g->picture, ids,
            (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);

@@ -34,6 +34,7 @@ struct cell {
   int builds;              /* that drew it and were compared, of two */
   enum hsr_status failure; /* why the process stopped, if not HSR_OK */
   int signal;              /* that ended the process, or 0 */
+  char why[480];           /* the same in words; "": nobody says */
   uint64_t compared;   /* samples, edges, ...: places of its kind of answer */
   uint64_t mismatches; /* of those, in the build that is timed */
   uint64_t counting_mismatches; /* and in the one that counts */
@@ -77,7 +78,7 @@ struct group {
   sem_t *turns;
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */
-  uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
+  uint32_t *picture; /* where the oracle leaves its ids of the last view, m * n,
                         HSR_NOT_WRITTEN where it was not asked; or NULL */
 };
 

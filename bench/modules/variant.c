@@ -185,6 +185,11 @@ static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
 }
 
 static enum hsr_status no_algorithm(const char *name, struct hsr_error *err) {
+  if (strchr(name, '/'))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: a program, which is for hsr check, hsr bench and "
+                    "hsr render",
+                    name);
   struct hsr_names list = {0};
   char hint[256] = "";
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)

@@ -8,13 +8,17 @@
 
 #include "bench/results/json.h"
 #include "bench/run/serve.h"
+#include "bench/run/stage.h"
 #include "bench/run/terminate.h"
 #include "common/base/clock.h"
 #include "common/files/json/json.h"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 static const struct peer *const peers[] = {
 #if HSR_HAVE_EMBREE
@@ -96,15 +100,24 @@ static enum hsr_status command_peers(int argc, char **argv,
 
 /* --- One peer, one view --------------------------------------------------- */
 
+/* What is asked for: of the job of docs/programs.md, what a peer needs. */
+struct request {
+  char scene[1024];
+  long view, threads, cameras;
+  int m, n;
+};
+
 /* Everything that one run uses. */
 struct run {
   const struct peer *peer;
-  const struct serve_request *request;
+  const struct request *request;
+  const char *folder; /* of the job */
   struct stage stage;
   struct hsr_scene once;    /* of a roster: its objects, which are borrowed, */
   struct hsr_world objects; /* laid out once each */
   struct hsr_setup setup;
   struct peer_canvas canvas;
+  bool is_mapped; /* its ids are the file */
   long before_kb;
   double prepare_seconds;
   void *state; /* the peer's */
@@ -115,21 +128,25 @@ static enum hsr_status draw_frame(void *state, struct hsr_error *err) {
   return run->peer->draw(run->state, &run->stage.view, err);
 }
 
+static enum hsr_status answer_bytes(struct run *run, struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  while (!status && getchar() != EOF) {
+    status = draw_frame(run, err);
+    puts("{}");
+    if (fflush(stdout))
+      return hsr_fail(err, HSR_E_INPUT, "nobody reads the output");
+  }
+  return status;
+}
+
 static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
-  bool names_cells = !strcmp(run->peer->kind, "cells");
-  bool draws_ids = names_cells || !strcmp(run->peer->kind, "ids");
-  struct hsr_answer answer =
-      hsr_answer_of_ids(run->canvas.ids, run->canvas.m, run->canvas.n);
-  struct served served = {.request = run->request,
-                          .stage = &run->stage,
-                          .adapt_seconds = run->setup.adapt_seconds,
-                          .prepare_seconds = run->prepare_seconds,
-                          .before_kb = run->before_kb,
-                          .round = draw_frame,
-                          .state = run,
-                          .answer = draws_ids ? &answer : NULL,
-                          .names_cells = names_cells};
-  return serve(&served, err);
+  printf("{\"import\": %.9g, \"adapt\": %.9g, \"prepare\": %.9g, "
+         "\"before_kb\": %ld}\n",
+         run->stage.import_seconds, run->setup.adapt_seconds,
+         run->prepare_seconds, run->before_kb);
+  if (fflush(stdout))
+    return hsr_fail(err, HSR_E_INPUT, "nobody reads the output");
+  return answer_bytes(run, err);
 }
 
 static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
@@ -165,21 +182,46 @@ static bool is_drawn_by_objects(const struct run *run) {
          hsr_is_roster(&run->stage.world);
 }
 
+static size_t size_of_ids(const struct run *run) {
+  const struct request *r = run->request;
+  return (size_t)r->m * (size_t)r->n * sizeof *run->canvas.ids;
+}
+
+/* The file of the ids, mapped; NULL if there is none. */
+static uint32_t *map_ids(const struct run *run) {
+  char path[1100];
+  snprintf(path, sizeof path, "%s/ids", run->folder);
+  int file = run->folder ? open(path, O_RDWR | O_CLOEXEC) : -1;
+  if (file < 0)
+    return NULL;
+  void *ids =
+      mmap(NULL, size_of_ids(run), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  close(file);
+  return ids == MAP_FAILED ? NULL : ids;
+}
+
+static void free_ids(const struct run *run) {
+  if (run->is_mapped)
+    munmap(run->canvas.ids, size_of_ids(run));
+  else
+    free(run->canvas.ids);
+}
+
 /* Until they are drawn, the ids are those of no face. */
 static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
-  const struct serve_request *request = run->request;
-  size_t size =
-      (size_t)request->m * (size_t)request->n * sizeof *run->canvas.ids;
+  const struct request *request = run->request;
+  uint32_t *mapped = map_ids(run);
+  run->is_mapped = mapped;
   run->canvas = (struct peer_canvas){
       .setup = &run->setup,
       .outline = is_drawn_by_objects(run) ? &run->stage.world : NULL,
       .m = request->m,
       .n = request->n,
       .threads = request->threads,
-      .ids = malloc(size)};
+      .ids = mapped ? mapped : malloc(size_of_ids(run))};
   if (!run->canvas.ids)
     return hsr_fail_nomem(err);
-  memset(run->canvas.ids, 0xfe, size);
+  memset(run->canvas.ids, 0xfe, size_of_ids(run));
   return HSR_OK;
 }
 
@@ -198,14 +240,15 @@ static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
 }
 
 static enum hsr_status
-run_peer(const struct peer *peer, const struct serve_request *request,
+run_peer(const struct peer *peer, const struct request *request,
+         const char *folder,
          enum hsr_status (*use)(struct run *run, struct hsr_error *err),
          struct hsr_error *err) {
   if (request->threads > 1 && !peer->many_threads)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
-  if (request->walk > 1)
+  if (request->cameras > 1)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws no walks", peer->name);
-  struct run run = {.peer = peer, .request = request};
+  struct run run = {.peer = peer, .request = request, .folder = folder};
   enum hsr_status status =
       stage_open(&run.stage, request->scene,
                  peer->outlines != OUTLINES_ONLY ? HSR_MOST_LAID_OUT : 0,
@@ -218,7 +261,7 @@ run_peer(const struct peer *peer, const struct serve_request *request,
     if (!status)
       status = use(&run, err);
     peer->release(run.state);
-    free(run.canvas.ids);
+    free_ids(&run);
     hsr_setup_free(&run.setup);
   }
   hsr_world_free(&run.objects);
@@ -227,37 +270,60 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   return status;
 }
 
-/* --- hsr-peers worker, hsr-peers judge ------------------------------------ */
+/* --- hsr-peers NAME FOLDER, hsr-peers judge ------------------------------- */
 
-static enum hsr_status command_work(int argc, char **argv,
-                                    struct hsr_error *err) {
-  struct serve_request request;
+/* Takes what it knows from a line of a job. */
+static void read_line(struct request *r, const char *line) {
+  sscanf(line, "size %d %d", &r->m, &r->n);
+  sscanf(line, "threads %ld", &r->threads);
+  sscanf(line, "cameras %ld", &r->cameras);
+  sscanf(line, "view %ld", &r->view);
+  sscanf(line, "scene %1023[^\n]", r->scene);
+}
+
+static enum hsr_status read_job(const char *folder, struct request *r,
+                                struct hsr_error *err) {
+  char path[1100], line[1100];
+  *r = (struct request){.view = 0};
+  snprintf(path, sizeof path, "%s/job", folder);
+  FILE *file = fopen(path, "re");
+  while (file && fgets(line, sizeof line, file))
+    read_line(r, line);
+  if (file)
+    fclose(file);
+  return r->m > 0 && r->n > 0 && r->threads > 0 && r->view > 0 && r->scene[0]
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_INPUT, "%s: no job of a view", path);
+}
+
+static enum hsr_status serve_peer(const char *name, const char *folder,
+                                  struct hsr_error *err) {
+  struct request request;
   const struct peer *peer;
-  enum hsr_status status = serve_parse(argc, argv, &request, err);
+  enum hsr_status status = choose_peer(name, &peer, err);
   if (!status)
-    status = choose_peer(request.name, &peer, err);
-  return status ? status : run_peer(peer, &request, serve_run, err);
+    status = read_job(folder, &request, err);
+  return status ? status : run_peer(peer, &request, folder, serve_run, err);
 }
 
 static enum hsr_status command_judge_lines(int argc, char **argv,
                                            struct hsr_error *err) {
-  struct serve_request request = {.threads = 1};
+  struct request request = {.threads = 1};
   const struct peer *peer;
   if (argc != 5 || !parse_count(argv[3], 1, 1000, &request.view) ||
       !parse_size(argv[4], &request.m, &request.n))
     return hsr_fail(err, HSR_E_USAGE, "judge: NAME SCENE VIEW WxH");
-  request.scene = argv[2];
+  snprintf(request.scene, sizeof request.scene, "%s", argv[2]);
   enum hsr_status status = choose_peer(argv[1], &peer, err);
   if (!status && !peer->judge)
     status = hsr_fail(err, HSR_E_USAGE, "judge: %s draws no lines", peer->name);
-  return status ? status : run_peer(peer, &request, judge_run, err);
+  return status ? status : run_peer(peer, &request, NULL, judge_run, err);
 }
 
 /* --- The program ---------------------------------------------------------- */
 
 static const struct hsr_command commands[] = {
     {"list", NULL, command_peers},
-    {"worker", NULL, command_work},
     {"judge", NULL, command_judge_lines},
     {NULL, NULL, NULL}};
 
@@ -266,9 +332,11 @@ static enum hsr_status run_command(int argc, char **argv,
   for (const struct hsr_command *c = commands; argc > 1 && c->name; c++)
     if (!strcmp(argv[1], c->name))
       return c->run(argc - 1, argv + 1, err);
+  if (argc == 3)
+    return serve_peer(argv[1], argv[2], err);
   return hsr_fail(err, HSR_E_USAGE,
-                  "hsr-peers: list, or worker NAME SCENE VIEW WxH THREADS "
-                  "[IDS-FILE], or judge NAME SCENE VIEW WxH");
+                  "hsr-peers: list, or NAME FOLDER, or judge NAME SCENE VIEW "
+                  "WxH");
 }
 
 /* Makes the process keep the memory that it has once taken. llvmpipe allocates

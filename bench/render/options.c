@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
 #include "bench/modules/variant.h"
+#include "bench/programs/module.h"
 #include "bench/options/picture.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"
@@ -231,7 +232,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 }
 
 static const struct argp_option entries[] = {
-    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer-fast)", 0},
+    {"algorithm", 'a', "NAME", 0,
+     "the algorithm, or, with a slash, a program (standard: zbuffer-fast)", 0},
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B and, unless it is "
      "filtered, depth Z and face id; .npy the face ids, 4294967295 where there "
@@ -497,7 +499,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     return status;
   o->given[HSR_PALETTE] = o->view.camera.palette ? "--palette" : NULL;
   o->given[HSR_LIGHTING] = light_option(&o->view.camera);
-  status = hsr_variant_parse(o->algorithm, variant, err);
+  status = program_variant_parse(o->algorithm, variant, err);
   if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)

@@ -11,12 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* A sample lasts at least this long, so that the clock's own cost and grain do
- * not matter. A warm-up lasts this long, or for a number of frames. */
-#define SAMPLE_SECONDS 4e-3
-#define WARM_SECONDS 20e-3
-#define SHORT_SECONDS 100e-3
-enum { WARM_ROUNDS = 3, MOST_ROUNDS = 100000, MOST_VIEW = 2000 };
+enum { MOST_ROUNDS = 100000, MOST_VIEW = 2000 };
 
 /* "K", or "K-L": K is the first view of a walk, L its last. */
 static bool parse_views(const char *text, long *first, int *walk) {
@@ -82,8 +77,8 @@ struct pace {
 static enum hsr_status warm_up(const struct served *served, struct pace *pace,
                                struct hsr_error *err) {
   double begin = hsr_seconds_now(), last = begin, least = -1;
-  for (long k = 0;
-       k < WARM_ROUNDS || (last - begin < WARM_SECONDS && k < MOST_ROUNDS);
+  for (long k = 0; k < SERVE_WARM_ROUNDS ||
+                   (last - begin < SERVE_WARM_SECONDS && k < MOST_ROUNDS);
        k++) {
     enum hsr_status status = served->round(served->state, err);
     if (status)
@@ -93,9 +88,9 @@ static enum hsr_status warm_up(const struct served *served, struct pace *pace,
       least = now - last;
     last = now;
   }
-  double rounds = SAMPLE_SECONDS / (least > 1e-9 ? least : 1e-9);
+  double rounds = SERVE_SAMPLE_SECONDS / (least > 1e-9 ? least : 1e-9);
   pace->rounds = rounds > MOST_ROUNDS ? MOST_ROUNDS : (long)rounds + 1;
-  pace->has_runner = least < SHORT_SECONDS;
+  pace->has_runner = least < SERVE_SHORT_SECONDS;
   return HSR_OK;
 }
 
@@ -182,8 +177,7 @@ static enum hsr_status shade_and_write(const struct served *served,
 /* The two phases after the picture, if there is one. */
 static enum hsr_status finish_picture(const struct served *served,
                                       struct hsr_error *err) {
-  if (!served->answer || served->names_cells ||
-      !served->answer->form.type->shade) {
+  if (!served->answer || !served->answer->form.type->shade) {
     puts("{\"shade\": null, \"write\": null}");
     return HSR_OK;
   }

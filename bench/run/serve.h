@@ -28,6 +28,15 @@
 
 #include "common/answers/answer.h"
 
+/* A sample lasts at least this long, so that the clock's own cost and grain do
+ * not matter. A warm-up lasts this long, or for a number of rounds. Where a round is
+ * short, an untimed one comes before each sample and refills the caches, as others
+ * have drawn meanwhile. */
+#define SERVE_SAMPLE_SECONDS 4e-3
+#define SERVE_WARM_SECONDS 20e-3
+#define SERVE_SHORT_SECONDS 100e-3
+enum { SERVE_WARM_ROUNDS = 3 };
+
 /* What the command line asked for. Strings are borrowed from argv. */
 struct serve_request {
   const char *name, *scene;
@@ -54,8 +63,6 @@ struct served {
   void *state;
   const struct hsr_answer *answer; /* after a round, the last frame's; NULL: it
                                       makes none */
-  bool names_cells; /* the answer's ids are cells of a grid, which are written
-                       but not shaded */
 };
 
 long memory_kb(void); /* the memory that this process holds now */

@@ -194,9 +194,9 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {NULL, 0, NULL, 0, "Which cells:", 1},
         {"algorithms", 'a', "A,B,...", 0,
-         "these: names or patterns (standard: all but the judges and those "
-         "that "
-         "draw grids alone)",
+         "these: names or patterns; a name with a slash is a program in any "
+         "language (standard: all but the judges and those that draw grids "
+         "alone)",
          1},
         {"peers", PEERS, "P,Q,...", 0,
          "also these renderers of others (built by configure --with-peers)", 1},

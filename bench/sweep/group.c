@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of one scene, view and size: judged, timed, recorded. */
+#include "algorithms/setup.h"
 #include "bench/modules/variant.h"
 #include "bench/options/scene.h"
+#include "bench/programs/module.h"
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
 #include "bench/run/table1.h"
 #include "bench/run/terminate.h"
 #include "bench/sweep/journal.h"
+#include "bench/sweep/programs.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/json.h"
 
@@ -42,11 +45,22 @@ struct place_run {
   struct shared *shared;
   bool kept[SWEEP_MOST_ENTRANTS];  /* judged before: by the journal */
   bool noted[SWEEP_MOST_ENTRANTS]; /* in the journal */
-  uint32_t *picture; /* the oracle's, shared; NULL unless peers take part */
-  char folder[256];  /* for the peers' pictures */
-  char ids_file[SWEEP_MOST_ENTRANTS][288];
+  uint32_t *picture; /* the oracle's of the last view, shared; NULL unless
+                        programs take part, which the peers are, too */
+  uint32_t *drawn;   /* a program's */
+  struct hsr_setup triangles;                   /* for programs of users */
+  struct program_job job[SWEEP_MOST_ENTRANTS];  /* for programs */
   struct turn_taker taker[SWEEP_MOST_ENTRANTS]; /* entrants that are timed */
 };
+
+static bool is_peer(const struct entrant *e) {
+  return !e->listed;
+}
+
+/* A program of a user's. */
+static bool is_program(const struct entrant *e) {
+  return e->listed && program_is(e->listed->plain);
+}
 
 static size_t picture_size(const struct place_run *run) {
   return (size_t)run->place.m * (size_t)run->place.n * sizeof *run->picture;
@@ -327,12 +341,41 @@ static bool is_oracle(const struct entrant *entrant) {
   return entrant->listed && entrant->listed->plain->flags & HSR_JUDGE;
 }
 
-/* Lines up those to be timed. Peers are timed whatever they draw, and leave
- * their picture in a file. */
+/* What a program is started for. A peer knows the scene by its name. */
+static void make_job(struct place_run *run, int k) {
+  const struct entrant *e = run->entrant[k];
+  bool peer = is_peer(e);
+  run->job[k] =
+      (struct program_job){.path = peer ? run->sweep->plan->peers_program
+                                        : program_path(e->listed->plain),
+                           .name = e->name,
+                           .word = peer ? e->name : NULL,
+                           .answer = e->kind,
+                           .world = peer ? NULL : &run->stage.world,
+                           .triangles = peer ? NULL : run->triangles.world,
+                           .scene = run->place.scene,
+                           .number = run->place.view,
+                           .view = run->view,
+                           .n_views = run->place.walk,
+                           .threads = e->threads,
+                           .memory_mb = run->sweep->plan->options->memory_mb,
+                           .stopped = interrupt_came};
+}
+
+/* The triangles of the scene, for the first program that is right. */
+static enum hsr_status make_triangles(struct place_run *run,
+                                      struct hsr_error *err) {
+  return run->triangles.algorithm
+             ? HSR_OK
+             : hsr_setup_init(&run->triangles, &program_demands, NULL,
+                              &run->stage.world, err);
+}
+
+/* Lines up those to be timed. Peers are timed whatever they draw. */
 static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   const struct sweep_options *o = run->sweep->plan->options;
   for (int k = 0; k < run->n; k++) {
-    bool peer = !run->entrant[k]->listed;
+    bool peer = is_peer(run->entrant[k]);
     struct cell *cell = &run->shared->cells[k];
     if (peer)
       cell->verdict = RIGHT;
@@ -340,10 +383,15 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
     *taker = (struct turn_taker){.entrant = run->entrant[k],
                                  .need_kb = cell->peak_kb,
                                  .verdict = cell->verdict};
-    if (peer) {
-      snprintf(run->ids_file[k], sizeof run->ids_file[k], "%s/%d", run->folder,
-               k);
-      taker->ids_file = run->ids_file[k];
+    if (is_program(run->entrant[k]) && cell->verdict == RIGHT) {
+      enum hsr_status status = make_triangles(run, err);
+      if (status)
+        return status;
+      taker->adapt_seconds = run->triangles.adapt_seconds;
+    }
+    if (peer || is_program(run->entrant[k])) {
+      make_job(run, k);
+      taker->job = &run->job[k];
     }
     if (is_oracle(taker->entrant))
       taker->verdict = REFUSED;
@@ -371,22 +419,43 @@ static uint32_t wanted_of(const struct place_run *run, int k, uint32_t face) {
   return cell;
 }
 
-/* Compares a peer's picture with the oracle's, if there is one. */
-static void compare_picture(const struct place_run *run, int k,
-                            struct cell *cell) {
-  size_t size = picture_size(run), n = size / sizeof *run->picture;
-  uint32_t *ids = malloc(size);
-  FILE *file = ids ? fopen(run->ids_file[k], "rb") : NULL;
-  if (file && fread(ids, 1, size, file) == size) {
-    for (size_t s = 0; s < n; s++)
-      if (run->picture[s] != HSR_NOT_WRITTEN) {
-        cell->compared++;
-        cell->mismatches += ids[s] != wanted_of(run, k, run->picture[s]);
-      }
-  }
-  if (file)
-    fclose(file);
-  free(ids);
+/* Compares the picture that a program has drawn last with the oracle's, if there
+ * is one. Returns how many samples of it differ. */
+static uint64_t compare_picture(const struct place_run *run, int k,
+                                uint64_t *compared) {
+  size_t n = picture_size(run) / sizeof *run->picture;
+  uint64_t differing = 0;
+  *compared = 0;
+  for (size_t s = 0; s < n; s++)
+    if (run->picture[s] != HSR_NOT_WRITTEN) {
+      ++*compared;
+      differing += run->drawn[s] != wanted_of(run, k, run->picture[s]);
+    }
+  return differing;
+}
+
+/* A peer is timed whatever it draws. A program was judged before, and has no time
+ * if it draws another picture now. */
+static enum hsr_status judge_drawn(void *data, struct turn_taker *taker,
+                                   struct hsr_error *err) {
+  struct place_run *run = data;
+  int k = (int)(taker - run->taker);
+  const struct entrant *e = run->entrant[k];
+  struct cell *cell = &run->shared->cells[k];
+  uint64_t compared;
+  if (strcmp(e->kind, "ids") != 0 && !names_cells(e))
+    return HSR_OK;
+  enum hsr_status status = program_read_ids(taker->program, run->drawn, err);
+  if (status)
+    return status;
+  uint64_t differing = compare_picture(run, k, &compared);
+  if (!is_peer(e) && !differing)
+    return HSR_OK;
+  cell->compared = compared;
+  cell->mismatches = differing;
+  if (!is_peer(e))
+    taker->verdict = WRONG;
+  return HSR_OK;
 }
 
 /* Times are recorded only together with mismatches: a peer whose answer could
@@ -394,9 +463,7 @@ static void compare_picture(const struct place_run *run, int k,
 static void judge_peer(struct place_run *run, int k) {
   const struct entrant *peer = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
-  if (!strcmp(peer->kind, "ids") || names_cells(peer))
-    compare_picture(run, k, cell);
-  else if (!strcmp(peer->kind, "segments"))
+  if (!strcmp(peer->kind, "segments"))
     peers_judge(run->sweep->plan, &run->place, peer->name, cell);
   if (cell->mismatches)
     cell->verdict = WRONG;
@@ -431,7 +498,8 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
     read_timed(run);
   char name[RESULTS_KEY + 40];
   name_place(run, name);
-  struct turn_listener listener = {note_timed, run, name, end_of(run)};
+  struct turn_listener listener = {note_timed, run, judge_drawn, name,
+                                   end_of(run)};
   if (!status && o->starts && !o->counts)
     status =
         take_turns(run->sweep->plan, &run->place, run->taker, run->n,
@@ -440,9 +508,14 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
     return status;
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
+    struct turn_taker *taker = &run->taker[k];
+    if (is_program(run->entrant[k]) && taker->verdict == RIGHT &&
+        !taker->has_counted)
+      program_turn_count(run->sweep->plan, taker);
     if (cell->verdict == RIGHT && !is_oracle(run->entrant[k])) {
-      cell->verdict = run->taker[k].verdict;
-      cell->failure = run->taker[k].failure;
+      cell->verdict = taker->verdict;
+      cell->failure = taker->failure;
+      memcpy(cell->why, taker->why, sizeof cell->why);
     }
     if (cell->verdict == CRASH && cell->failure == HSR_E_REFUSED)
       note_refusal(run->entrant[k], cell);
@@ -493,13 +566,17 @@ static json_t *start_json(const struct start *start, long repetitions) {
   json_t *seconds = json_array();
   for (long k = 0; k < repetitions; k++)
     hsr_json_append(&seconds, json_real(start->seconds[k]));
-  return json_pack(
-      "{s{sf sf sf so so} s{sI sI} sI so}", "phases", "import",
-      start->import_seconds, "adapt", start->adapt_seconds, "prepare",
-      start->prepare_seconds, "shade", seconds_or_null(start->shade_seconds),
-      "write", seconds_or_null(start->write_seconds), "memory_kb", "before",
-      (json_int_t)start->before_kb, "peak", (json_int_t)start->peak_kb, "inner",
-      (json_int_t)start->inner, "seconds", seconds);
+  return json_pack("{s{so so so so so} s{so sI} sI so}", "phases", "import",
+                   seconds_or_null(start->import_seconds), "adapt",
+                   seconds_or_null(start->adapt_seconds), "prepare",
+                   seconds_or_null(start->prepare_seconds), "shade",
+                   seconds_or_null(start->shade_seconds), "write",
+                   seconds_or_null(start->write_seconds), "memory_kb", "before",
+                   start->before_kb < 0
+                       ? json_null()
+                       : json_integer((json_int_t)start->before_kb),
+                   "peak", (json_int_t)start->peak_kb, "inner",
+                   (json_int_t)start->inner, "seconds", seconds);
 }
 
 /* The times, if every start was timed to its end. */
@@ -518,6 +595,9 @@ static json_t *counts_json(const struct place_run *run, int k) {
   const struct cell *cell = &run->shared->cells[k];
   if (!listed || (cell->verdict != RIGHT && cell->verdict != WRONG))
     return json_null();
+  if (is_program(run->entrant[k]))
+    return run->taker[k].counts ? json_incref(run->taker[k].counts)
+                                : json_null();
   json_t *counts = json_object();
   const struct hsr_counter *c = listed->counting->counters;
   for (int i = 0; c && c[i].name; i++)
@@ -557,6 +637,8 @@ static const char *reason_of(const struct sweep_options *o,
     snprintf(text, 80, "a picture took longer than %ld s", o->timeout);
   else if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
     snprintf(text, 80, "took more memory than there was");
+  else if (cell->verdict == CRASH && cell->why[0])
+    return cell->why;
   else if (cell->compared && names_cells(entrant))
     return "compared by cells, not by their sides";
   else
@@ -638,8 +720,12 @@ static enum hsr_status check_scene(const struct place_run *run,
                   run->place.scene);
 }
 
-static bool has_peers(const struct place_run *run) {
-  return run->n && !run->entrant[run->n - 1]->listed;
+/* Peers among them. */
+static bool has_programs(const struct place_run *run) {
+  bool any = false;
+  for (int k = 0; k < run->n; k++)
+    any |= is_peer(run->entrant[k]) || is_program(run->entrant[k]);
+  return any;
 }
 
 /* How many faces are laid out at most; 0 if nobody needs that. */
@@ -712,29 +798,23 @@ static enum hsr_status open_place(struct place_run *run,
   if (!run->shared)
     return hsr_fail_nomem(err);
   read_judged(run);
-  if (!has_peers(run))
+  if (!has_programs(run))
     return HSR_OK;
   run->picture = shared_memory(picture_size(run));
-  if (!run->picture)
-    return hsr_fail_nomem(err);
-  const char *folder = getenv("TMPDIR");
-  snprintf(run->folder, sizeof run->folder, "%.200s/hsr-XXXXXX",
-           folder && *folder ? folder : "/tmp");
-  if (!mkdtemp(run->folder))
-    return hsr_fail(err, HSR_E_INPUT, "%s: %s", run->folder, strerror(errno));
-  return HSR_OK;
+  run->drawn = malloc(picture_size(run));
+  return run->picture && run->drawn ? HSR_OK : hsr_fail_nomem(err);
 }
 
 static void close_place(struct place_run *run) {
-  for (int k = 0; k < run->n; k++)
+  for (int k = 0; k < run->n; k++) {
     free(run->taker[k].starts);
-  if (run->picture) {
-    for (int k = 0; k < run->n; k++)
-      if (*run->ids_file[k])
-        unlink(run->ids_file[k]);
-    munmap(run->picture, picture_size(run));
-    rmdir(run->folder);
+    json_decref(run->taker[k].counts);
   }
+  if (run->picture)
+    munmap(run->picture, picture_size(run));
+  free(run->drawn);
+  if (run->triangles.algorithm)
+    hsr_setup_free(&run->triangles);
   if (run->shared)
     munmap(run->shared, shared_size(run));
   free(run->view);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which cells a sweep has: scenes x views x sizes x algorithms x threads. */
 #include "bench/modules/variant.h"
+#include "bench/programs/module.h"
 #include "bench/sweep/sweep.h"
 #include "scenes/scenes.h"
 
@@ -138,7 +139,7 @@ static enum hsr_status add_algorithm(struct plan *plan, const char *name,
   const struct hsr_algorithm *a = variant->listed->plain;
   unsigned flags = hsr_choice_flags(a, &variant->choice);
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  bool single = flags & HSR_FRAME_STATE ||
+  bool single = (flags & HSR_FRAME_STATE && !program_is(a)) ||
                 !(kind->by_windows || hsr_choice_folds(a, &variant->choice));
   return add_entrant(plan, name, variant,
                      flags & HSR_NO_PICTURE ? "none" : kind->name, single, err);
@@ -165,7 +166,7 @@ static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
   if (status || found)
     return status;
   struct hsr_variant variant;
-  status = hsr_variant_parse(pattern, &variant, err);
+  status = program_variant_parse(pattern, &variant, err);
   return status ? status : add_algorithm(plan, pattern, &variant, err);
 }
 
@@ -213,7 +214,7 @@ static enum hsr_status check_reference(const struct plan *plan,
   for (int k = 0; k < plan->n_entrants; k++)
     if (!strcmp(plan->entrant[k].name, name))
       return HSR_OK;
-  return hsr_variant_parse(name, &variant, err);
+  return program_variant_parse(name, &variant, err);
 }
 
 /* --- The plan ------------------------------------------------------------- */

@@ -154,9 +154,19 @@ struct start {
   double seconds[SWEEP_MOST_REPETITIONS];
 };
 
+struct program;
+struct program_job;
+
 struct turn_taker {
   const struct entrant *entrant;
-  const char *ids_file; /* where the first start writes its picture; or NULL */
+  const struct program_job *job; /* of a program; NULL: one of ours */
+  struct program *program;       /* while it runs */
+  double adapt_seconds; /* what was done to the scene for it, before it began */
+  long rounds;          /* of a program, in a sample */
+  bool has_runner;      /* an untimed round comes before each */
+  bool has_counted;     /* it was asked for its counts */
+  json_t *counts;       /* that it told, a new reference; or NULL */
+  char why[480];        /* in words, what went wrong with it */
   struct start *starts; /* one for each start; owned by the caller */
   bool has[SWEEP_MOST_STARTS]; /* the starts that are timed */
   int n_starts;                /* to be recorded */
@@ -170,6 +180,10 @@ struct turn_taker {
 struct turn_listener {
   bool (*timed)(void *data, const struct turn_taker *taker, int start);
   void *data;
+  /* Judges the picture that a program has drawn last. A wrong one becomes its
+   * taker's verdict. Fails as program_read_ids. */
+  enum hsr_status (*drawn)(void *data, struct turn_taker *taker,
+                           struct hsr_error *err);
   const char *name; /* of what is timed, for progress */
   double end;       /* no start is begun after this time, but for the first two;
                        INFINITY: all starts are wanted */

@@ -4,6 +4,7 @@
  * disturbs all alike. */
 #include "config.h"
 
+#include "bench/sweep/programs.h"
 #include "bench/sweep/sweep.h"
 #include "bench/results/figures.h"
 #include "bench/run/terminate.h"
@@ -35,14 +36,16 @@ struct process {
   bool starved; /* this program had no memory to parse its answer */
 };
 
+static bool is_alive(const struct process *process) {
+  return process->id > 0 || process->taker->program;
+}
+
 /* --- One process ---------------------------------------------------------- */
 
 /* Runs in the new process. */
 static void become_worker(const struct plan *plan, const struct place *place,
                           const struct turn_taker *taker, int in, int out) {
   const struct entrant *entrant = taker->entrant;
-  const char *program =
-      entrant->listed ? "/proc/self/exe" : plan->peers_program;
   char view[RESULTS_VIEW], size[32], threads[24];
   results_view_name(place->view, place->walk, view);
   snprintf(size, sizeof size, "%dx%d", place->m, place->n);
@@ -57,8 +60,8 @@ static void become_worker(const struct plan *plan, const struct place *place,
   if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0)
     _exit(HSR_E_INTERNAL);
   close(nowhere);
-  execl(program, "hsr", "worker", entrant->name, place->scene, view, size,
-        threads, taker->ids_file, (char *)NULL);
+  execl("/proc/self/exe", "hsr", "worker", entrant->name, place->scene, view,
+        size, threads, (char *)NULL);
   _exit(HSR_E_INTERNAL);
 }
 
@@ -191,6 +194,8 @@ static double patience(const struct plan *plan) {
  * failure of the taker. */
 static bool begin(struct process *process, const struct plan *plan,
                   const struct place *place, int start) {
+  if (process->taker->job)
+    return program_turn_begin(plan, process->taker, start);
   if (!open_process(process, plan, place))
     return false;
   /* Import, adapt, prepare and a few rounds: each may take a full timeout. */
@@ -210,7 +215,11 @@ static bool begin(struct process *process, const struct plan *plan,
 }
 
 static void draw(struct process *process, const struct plan *plan, int start,
-                 int round) {
+                 int round, const struct turn_listener *listener) {
+  if (process->taker->job) {
+    program_turn_draw(plan, process->taker, listener, start, round);
+    return;
+  }
   json_t *answer = ask(process, 'r', 2 * patience(plan) + 10);
   if (answer)
     process->taker->starts[start].seconds[round] = real_of(answer, "seconds");
@@ -220,6 +229,10 @@ static void draw(struct process *process, const struct plan *plan, int start,
 /* Asks what remains to be asked after the rounds. */
 static void finish(struct process *process, const struct plan *plan,
                    int start) {
+  if (process->taker->job) {
+    program_turn_finish(plan, process->taker, start);
+    return;
+  }
   struct start *into = &process->taker->starts[start];
   json_t *memory = ask(process, 'm', 10);
   if (memory)
@@ -237,7 +250,9 @@ static void finish(struct process *process, const struct plan *plan,
 
 static void end_all(struct process *process, int n) {
   for (int k = 0; k < n; k++)
-    if (process[k].id > 0)
+    if (process[k].taker->program)
+      program_turn_kill(process[k].taker);
+    else if (process[k].id > 0)
       close_process(&process[k], 0);
 }
 
@@ -247,7 +262,7 @@ static enum hsr_status finish_lot(const struct plan *plan,
                                   const struct turn_listener *listener,
                                   struct hsr_error *err) {
   for (int k = 0; k < n; k++)
-    if (process[k].id > 0)
+    if (is_alive(&process[k]))
       finish(&process[k], plan, start);
   for (int k = 0; k < n; k++)
     if (process[k].starved)
@@ -288,8 +303,8 @@ run_lot(const struct plan *plan, const struct place *place,
       order[k] = k;
     gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
     for (int k = 0; k < n; k++)
-      if (process[order[k]].id > 0) {
-        draw(&process[order[k]], plan, start, round);
+      if (is_alive(&process[order[k]])) {
+        draw(&process[order[k]], plan, start, round, listener);
         tell(progress, plan, listener, start);
       }
   }

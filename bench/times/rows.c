@@ -16,7 +16,7 @@ static long memory_of(const json_t *cell) {
     const json_t *memory = json_object_get(start, "memory_kb");
     long taken =
         results_number(memory, "peak") - results_number(memory, "before");
-    if (memory && taken > most)
+    if (json_is_integer(json_object_get(memory, "before")) && taken > most)
       most = taken;
   }
   return most;

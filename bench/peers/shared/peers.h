@@ -6,13 +6,14 @@
  *   null if it cannot be started here, "kind": "ids", "cells" of a grid,
  *   "segments" or "none", "threads": whether it can draw on several, "what":
  *   what a frame contains and what it leaves out}
- * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
- *   draws when told to: bench/run/serve.h
+ * hsr-peers NAME FOLDER
+ *   draws when told to, by the protocol of docs/programs.md. It knows the scene by
+ *   its name. The answer is as the peer's kind: ids, or cells in their place
  * hsr-peers judge NAME SCENE VIEW WxH
  *   for a peer that draws lines: compares its drawing with the line oracle's,
  *   and prints {"compared": edges, "mismatches": edges, ...}. The peer's "what"
  *   tells how. A picture of ids or cells is judged by the program that reads
- *   IDS-FILE.
+ *   them.
  *
  * Exit status: as hsr's, and HSR_E_REFUSED for a scene that the peer refuses.
  */

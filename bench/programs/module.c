@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/programs/module.h"
+#include "algorithms/setup.h"
+#include "bench/programs/program.h"
+#include "common/answers/kinds/ids.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { MOST_PROGRAMS = 128 };
+
+/* A program that was named. An algorithm learns which it is by what is chosen of
+ * its only option. */
+struct known {
+  char *path;
+  struct hsr_algorithm plain, counting;
+  struct hsr_listed listed;
+};
+static struct known known[MOST_PROGRAMS];
+static int n_known;
+static double limit = 60;
+
+void program_set_limit(double seconds) {
+  limit = seconds;
+}
+
+/* --- As an algorithm ------------------------------------------------------ */
+
+const struct hsr_algorithm program_demands = {.name = "triangles",
+                                              .subjects = 1 << HSR_FACES,
+                                              .makes = {{&hsr_answer_ids}},
+                                              .restrictions = HSR_TR};
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  (void)option;
+  struct hsr_setup *triangles = malloc(sizeof *triangles);
+  *prepared = triangles;
+  return triangles
+             ? hsr_setup_init(triangles, &program_demands, NULL, world, err)
+             : hsr_fail_nomem(err);
+}
+
+static void release(void *prepared) {
+  hsr_setup_free(prepared);
+  free(prepared);
+}
+
+static bool is_whole(const struct hsr_view *v) {
+  return v->m == v->whole_m && v->n == v->whole_n && v->offset_x == 0 &&
+         v->offset_y == 0;
+}
+
+static enum hsr_status draw(struct program *program, const struct hsr_job *job,
+                            char byte, struct hsr_error *err) {
+  struct program_phases phases;
+  enum hsr_status status = program_ready(program, limit, &phases, err);
+  if (!status)
+    status = program_unset(program, err);
+  if (!status)
+    status = program_draw(program, byte, 1, limit, NULL, NULL, err);
+  if (!status)
+    status = program_read_ids(program, job->answer->ids, err);
+  return status;
+}
+
+static enum hsr_status run(const struct hsr_job *job, char byte,
+                           struct hsr_error *err) {
+  const struct known *its = &known[job->option[0]];
+  const struct hsr_setup *triangles = job->prepared;
+  if (!is_whole(job->view))
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "a program draws whole pictures, no tiles");
+  struct program_job asked = {.path = its->path,
+                              .name = its->plain.name,
+                              .answer = its->plain.makes[0].kind->name,
+                              .world = job->world,
+                              .triangles = triangles->world,
+                              .scene = job->world->roster.scene->name,
+                              .view = job->view,
+                              .n_views = 1,
+                              .threads = 1};
+  struct program *program;
+  enum hsr_status status = program_start(&asked, &program, err);
+  if (!status)
+    status = draw(program, job, byte, err);
+  if (!status)
+    return program_end(program, err);
+  program_kill(program);
+  return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return run(job, 'f', err);
+}
+
+static enum hsr_status render_counting(const struct hsr_job *job,
+                                       struct hsr_error *err) {
+  return run(job, 'c', err);
+}
+
+/* --- Finding one ---------------------------------------------------------- */
+
+bool program_is(const struct hsr_algorithm *a) {
+  return a->prepare == prepare;
+}
+
+const char *program_path(const struct hsr_algorithm *a) {
+  for (int k = 0; k < n_known; k++)
+    if (a == &known[k].plain || a == &known[k].counting)
+      return known[k].path;
+  return NULL;
+}
+
+static enum hsr_status check_file(const char *path, struct hsr_error *err) {
+  struct stat about;
+  if (stat(path, &about))
+    return hsr_fail(err, HSR_E_USAGE, "%s: %s", path, strerror(errno));
+  if (S_ISDIR(about.st_mode))
+    return hsr_fail(err, HSR_E_USAGE, "%s: a folder, not a program", path);
+  return access(path, X_OK)
+             ? hsr_fail(err, HSR_E_USAGE, "%s: cannot be run: %s", path,
+                        strerror(errno))
+             : HSR_OK;
+}
+
+/* Cuts ":answer=KIND" off, and finds the kind. */
+static enum hsr_status choose_kind(char *path,
+                                   const struct hsr_answer_type **kind,
+                                   struct hsr_error *err) {
+  static const char word[] = ":answer=";
+  char *at = strstr(path, word);
+  *kind = &hsr_answer_ids;
+  if (!at)
+    return HSR_OK;
+  *at = '\0';
+  return !strcmp(at + sizeof word - 1, "ids")
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_USAGE,
+                        "%s: answer=%.40s: a program draws ids", path,
+                        at + sizeof word - 1);
+}
+
+/* Notes a program; its path becomes the list's. */
+static const struct known *add(char *path, const char *text,
+                               const struct hsr_answer_type *kind) {
+  struct known *k = &known[n_known];
+  k->path = path;
+  k->plain = (struct hsr_algorithm){.name = strdup(text),
+                                    .title = "A program",
+                                    .authors = "",
+                                    .source = path,
+                                    .taxonomy = HSR_YARDSTICK,
+                                    .subjects = 1 << HSR_FACES,
+                                    .makes = {{kind}},
+                                    .flags = HSR_FRAME_STATE,
+                                    .prepare = prepare,
+                                    .render = render,
+                                    .release = release};
+  memset(k->plain.base, HSR_MAX_COUNTERS, sizeof k->plain.base);
+  k->counting = k->plain;
+  k->counting.render = render_counting;
+  k->listed = (struct hsr_listed){&k->plain, &k->counting};
+  n_known += k->plain.name != NULL;
+  return k->plain.name ? k : NULL;
+}
+
+static const struct known *find(const char *text) {
+  for (int k = 0; k < n_known; k++)
+    if (!strcmp(known[k].plain.name, text))
+      return &known[k];
+  return NULL;
+}
+
+/* The program that a text names, which may be known already. */
+static enum hsr_status find_or_add(const char *text, const struct known **found,
+                                   struct hsr_error *err) {
+  const struct hsr_answer_type *kind;
+  *found = find(text);
+  if (*found)
+    return HSR_OK;
+  if (n_known == MOST_PROGRAMS)
+    return hsr_fail(err, HSR_E_USAGE, "at most %d programs",
+                    (int)MOST_PROGRAMS);
+  char *path = strdup(text);
+  enum hsr_status status =
+      path ? choose_kind(path, &kind, err) : hsr_fail_nomem(err);
+  if (!status)
+    status = check_file(path, err);
+  if (!status && !(*found = add(path, text, kind)))
+    status = hsr_fail_nomem(err);
+  if (status)
+    free(path);
+  return status;
+}
+
+enum hsr_status program_variant_parse(const char *text,
+                                      struct hsr_variant *variant,
+                                      struct hsr_error *err) {
+  if (!strchr(text, '/') || strlen(text) > HSR_MOST_VARIANT)
+    return hsr_variant_parse(text, variant, err);
+  const struct known *found;
+  enum hsr_status status = find_or_add(text, &found, err);
+  if (status)
+    return status;
+  *variant = hsr_variant_standard(&found->listed);
+  variant->choice.values.option[0] = found - known;
+  return HSR_OK;
+}
