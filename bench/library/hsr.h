@@ -623,10 +623,10 @@ struct hsr_style {
 };
 
 /* Writes an answer to a file, as hsr render -o does: .exr .png ... of pictures,
- * .npy of ids, .svg .pdf .vtp of drawings, .vti of voxels. A failure leaves no
- * partial file.
- * HSR_E_USAGE if such a file cannot hold the answer, or the kind takes no
- * account of what the style says; HSR_E_INPUT if it cannot be written. */
+ * .npy of ids, .svg .pdf .vtp .json of drawings, .vti of voxels. A failure
+ * leaves no partial file. HSR_E_USAGE if such a file cannot hold the answer, or
+ * the kind takes no account of what the style says; HSR_E_INPUT if it cannot be
+ * written. */
 HSR_API enum hsr_status hsr_write(const struct hsr_answer *answer,
                                   const char *path,
                                   const struct hsr_style *style,

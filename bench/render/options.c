@@ -239,7 +239,8 @@ static const struct argp_option entries[] = {
      "filtered, depth Z and face id; .npy the face ids, 4294967295 where there "
      "is none; .png and others the colours; .svg, .pdf "
      "and, in world space, .vtp hold a line "
-     "drawing or visible polygons. May be given several times. Of several "
+     "drawing or visible polygons; .json a line drawing's intervals, edge by "
+     "edge, for programs. May be given several times. Of several "
      "views, FILE has %d in "
      "the place of the number: f%03d.png",
      0},

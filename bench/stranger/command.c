@@ -4,10 +4,13 @@
 #include "bench/options/command.h"
 #include "bench/options/view.h"
 #include "bench/options/words.h"
+#include "bench/stranger/lines.h"
 #include "bench/stranger/picture.h"
 #include "bench/stranger/say.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/json/drawing_json.h"
 #include "common/files/suffix.h"
+#include "common/files/whole_input.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -68,6 +71,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->scene.name && !o->picture.path)
       return option_fail(&o->base,
                          "judge: which picture? (see hsr judge --help)");
+    if (o->picture.path && hsr_ends_in(o->picture.path, ".json") &&
+        (o->output || o->picture.colours || o->picture.triangles ||
+         o->picture.channel || o->picture.has_none))
+      return option_fail(&o->base,
+                         "judge: of a drawing of lines, there is no --output, "
+                         "--colours, --triangles, --channel or --none");
     break;
   default:
     break;
@@ -103,13 +112,15 @@ static const struct argp argp = {
     "from the top. It says how many samples are wrong, where, and of what "
     "kind the faults are, the most likely one first.\v"
     "PICTURE is an array of ids (.npy), an .exr with a channel of ids, 32-bit "
-    "numbers and nothing else (.raw, with --size), or a picture in colours "
-    "with --colours. Exit status: 0 all samples are right, 1 some are "
+    "numbers and nothing else (.raw, with --size), a picture in colours with "
+    "--colours, or a drawing of lines (.json, as hsr render writes it). Exit "
+    "status: 0 all samples are right, 1 some are "
     "wrong.\n\n"
     "  hsr judge house mine.npy\n"
     "  hsr judge house mine.npy --view 3 -o kinds.png\n"
     "  hsr judge mesh:elephant mine.raw -s 640x480 --json\n"
-    "  hsr judge house mine.png --colours table.txt",
+    "  hsr judge house mine.png --colours table.txt\n"
+    "  hsr judge house mine.json",
     NULL,
     NULL,
     NULL};
@@ -140,6 +151,39 @@ static enum hsr_status judge(const struct options *o, struct lib_scene *scene,
   return status || !verdict->differing ? status : HSR_E_DIFFERENCE;
 }
 
+/* A line drawing. Its size is that of the options, else that of the file. */
+static enum hsr_status judge_drawing(const struct options *o,
+                                     struct lib_scene *scene,
+                                     struct hsr_error *err) {
+  struct hsr_drawing drawing;
+  struct line_verdict verdict;
+  int size[2];
+  struct hsr_request request = client_request(&o->view, NULL, 1);
+  enum hsr_status status =
+      hsr_drawing_json_read(o->picture.path, &drawing, size, err);
+  if (!status && !o->view.m && !size[0])
+    status = hsr_fail(err, HSR_E_USAGE,
+                      "%s: has no size; --size gives it, as the shape of the "
+                      "picture matters",
+                      hsr_path_shown(o->picture.path));
+  if (!status && !o->view.m) {
+    request.m = size[0];
+    request.n = size[1];
+  }
+  if (!status)
+    status = lines_judge(scene, &request, &drawing, &verdict, err);
+  hsr_drawing_free(&drawing);
+  if (status)
+    return status;
+  const struct judged judged = {
+      .scene = o->scene.name, .picture = o->picture.path, .view = o->view.view};
+  if (o->json)
+    status = say_lines_json(&judged, &verdict, request.m, request.n, err);
+  else
+    say_lines(&judged, &verdict, request.m, request.n);
+  return status || !verdict.differing ? status : HSR_E_DIFFERENCE;
+}
+
 static enum hsr_status judge_file(const struct options *o,
                                   struct lib_scene *scene,
                                   struct hsr_error *err) {
@@ -168,7 +212,9 @@ enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = client_open(&o.scene, &o.view, &scene, err);
   if (!status)
-    status = judge_file(&o, scene, err);
+    status = hsr_ends_in(o.picture.path, ".json")
+                 ? judge_drawing(&o, scene, err)
+                 : judge_file(&o, scene, err);
   hsr_close(scene);
   return status;
 }

@@ -3,6 +3,8 @@
 libbench_a_SOURCES += \
   %D%/command.c \
   %D%/kinds.def \
+  %D%/lines.c \
+  %D%/lines.h \
   %D%/over.c \
   %D%/over.h \
   %D%/parts.h \

@@ -2,6 +2,7 @@
 #include "bench/stranger/say.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/image.h"
+#include "common/files/json/json.h"
 #include "common/files/srgb.h"
 
 #include <jansson.h>
@@ -84,15 +85,11 @@ static json_t *reason_json(const struct stranger_verdict *v,
 
 static json_t *reasons_json(const struct stranger_verdict *v) {
   json_t *list = json_array();
-  bool good = list;
-  for (int k = 0; k < v->n_whole && good; k++)
-    good = !json_array_append_new(list, reason_json(v, &v->whole[k], true));
-  for (int k = 0; k < v->n_sample && good; k++)
-    good = !json_array_append_new(list, reason_json(v, &v->sample[k], false));
-  if (good)
-    return list;
-  json_decref(list);
-  return NULL;
+  for (int k = 0; k < v->n_whole; k++)
+    hsr_json_append(&list, reason_json(v, &v->whole[k], true));
+  for (int k = 0; k < v->n_sample; k++)
+    hsr_json_append(&list, reason_json(v, &v->sample[k], false));
+  return list;
 }
 
 /* A new reference; NULL: memory ran out. */
@@ -152,4 +149,69 @@ enum hsr_status say_picture(const struct judged *judged, const char *path,
   enum hsr_status status = hsr_image_write(path, &picture, NULL, err);
   free(rgb);
   return status;
+}
+
+/* --- Line drawings -------------------------------------------------------- */
+
+static void say_edge(const struct hsr_edge_name *e, char text[100]) {
+  if (e->implied)
+    snprintf(text, 100, "number %u where faces %u and %u penetrate", e->part,
+             e->a, e->b);
+  else
+    snprintf(text, 100, "from vertex %u to %u", e->a, e->b);
+}
+
+void say_lines(const struct judged *judged, const struct line_verdict *v, int m,
+               int n) {
+  char scene[TERMINAL_NAME], picture[TERMINAL_NAME];
+  printf("%s, view %ld, %d x %d, %s: ",
+         terminal_plain(judged->scene, scene, sizeof scene), judged->view, m, n,
+         terminal_plain(judged->picture, picture, sizeof picture));
+  if (!v->differing) {
+    printf("all %llu edges are right\n", (unsigned long long)v->compared);
+    return;
+  }
+  printf("%llu of %llu edges are wrong\nmost likely:\n",
+         (unsigned long long)v->differing, (unsigned long long)v->compared);
+  for (int k = 0; k < v->n_reasons; k++) {
+    char number[TERMINAL_NUMBER], edge[100], text[300];
+    int used = printf("  %-16s ",
+                      terminal_number(v->reason[k].edges, "edges", number));
+    say_edge(&v->reason[k].first, edge);
+    snprintf(text, sizeof text, "%s; first: %s", line_words(v->reason[k].kind),
+             edge);
+    terminal_wrap(stdout, used, 19, text);
+  }
+}
+
+static json_t *line_json(const struct line_reason *r) {
+  const struct hsr_edge_name *e = &r->first;
+  json_t *first =
+      e->implied
+          ? json_pack("{s:[I,I,I]}", "implied", (json_int_t)e->a,
+                      (json_int_t)e->b, (json_int_t)e->part)
+          : json_pack("{s:[I,I]}", "edge", (json_int_t)e->a, (json_int_t)e->b);
+  return json_pack("{s:s, s:s, s:I, s:o}", "kind", line_key(r->kind), "words",
+                   line_words(r->kind), "edges", (json_int_t)r->edges, "first",
+                   first);
+}
+
+enum hsr_status say_lines_json(const struct judged *judged,
+                               const struct line_verdict *v, int m, int n,
+                               struct hsr_error *err) {
+  json_t *reasons = json_array();
+  for (int k = 0; k < v->n_reasons; k++)
+    hsr_json_append(&reasons, line_json(&v->reason[k]));
+  json_t *all =
+      json_pack("{s:s, s:s, s:s, s:I, s:[i,i], s:I, s:I, s:o}", "schema",
+                "hsr-judge/1", "scene", judged->scene, "picture",
+                judged->picture, "view", (json_int_t)judged->view, "size", m, n,
+                "compared", (json_int_t)v->compared, "wrong",
+                (json_int_t)v->differing, "reasons", reasons);
+  if (!all)
+    return hsr_fail_nomem(err);
+  json_dumpf(all, stdout, JSON_INDENT(1));
+  putchar('\n');
+  json_decref(all);
+  return HSR_OK;
 }

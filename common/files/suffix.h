@@ -18,7 +18,7 @@ static inline bool hsr_ends_in(const char *path, const char *suffix) {
  * picture of pixels. */
 static inline bool hsr_is_line_file(const char *path) {
   return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
-         hsr_ends_in(path, ".vtp");
+         hsr_ends_in(path, ".vtp") || hsr_ends_in(path, ".json");
 }
 
 /* Whether a file of this name holds numbers, without colours. */

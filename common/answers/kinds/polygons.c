@@ -80,7 +80,7 @@ static enum hsr_status shade(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  return !hsr_is_array_file(path);
+  return !hsr_is_array_file(path) && !hsr_ends_in(path, ".json");
 }
 
 /* On paper, .svg or .pdf. */

@@ -4,6 +4,7 @@
 #include "common/answers/kinds/segments.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
+#include "common/files/json/drawing_json.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/plot.h"
 #include "common/files/suffix.h"
@@ -95,7 +96,8 @@ static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
   return write_image(plot, path, text, err);
 }
 
-/* A .vtp file holds all intervals, in world space. The other files are drawings
+/* A .vtp file holds all intervals, in world space, and a .json file holds them
+ * along their edges. The other files are drawings
  * on paper. */
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
@@ -104,6 +106,9 @@ static enum hsr_status write(const struct hsr_answer *answer,
   (void)shaded;
   if (hsr_ends_in(path, ".vtp"))
     return hsr_drawing_write_vtp(answer->body, path, err);
+  if (hsr_ends_in(path, ".json"))
+    return hsr_drawing_json_write(path, answer->body, answer->m, answer->n,
+                                  err);
   struct hsr_plot plot;
   enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
                                          showing->view, showing->hidden, err);

@@ -3,6 +3,8 @@ libcore_a_SOURCES += \
   %D%/palette_json.h \
   %D%/scene_json.h
 libcore_a_SOURCES += \
+  %D%/drawing_json.c \
+  %D%/drawing_json.h \
   %D%/json.c \
   %D%/json.h \
   %D%/json_file.c \
