@@ -79,6 +79,7 @@ libbench_a_SOURCES = \
   %D%/programs/module.h \
   %D%/programs/program.c \
   %D%/programs/program.h \
+  %D%/programs/segments.c \
   %D%/ranks/composite.c \
   %D%/ranks/composite.h \
   %D%/ranks/loose_faces.c \

@@ -2,6 +2,8 @@
 #include "bench/programs/module.h"
 #include "algorithms/setup.h"
 #include "bench/programs/program.h"
+#include "common/answers/kinds/segments.h"
+#include "common/lines/edges.h"
 #include "common/answers/kinds/ids.h"
 
 #include <errno.h>
@@ -55,6 +57,19 @@ static bool is_whole(const struct hsr_view *v) {
          v->offset_y == 0;
 }
 
+/* The segments, with their places. */
+static enum hsr_status read_segments(struct program *program,
+                                     const struct hsr_job *job,
+                                     struct hsr_error *err) {
+  struct hsr_edges edges;
+  enum hsr_status status = hsr_edges_init(&edges, job->world, err);
+  if (!status)
+    status = program_read_segments(program, &edges,
+                                   hsr_answer_drawing_of(job->answer), err);
+  hsr_edges_free(&edges);
+  return status;
+}
+
 static enum hsr_status draw(struct program *program, const struct hsr_job *job,
                             char byte, struct hsr_error *err) {
   struct program_phases phases;
@@ -64,7 +79,8 @@ static enum hsr_status draw(struct program *program, const struct hsr_job *job,
   if (!status)
     status = program_draw(program, byte, 1, limit, NULL, NULL, err);
   if (!status)
-    status = program_read_ids(program, job->answer->ids, err);
+    status = job->answer->ids ? program_read_ids(program, job->answer->ids, err)
+                              : read_segments(program, job, err);
   return status;
 }
 
@@ -130,25 +146,32 @@ static enum hsr_status check_file(const char *path, struct hsr_error *err) {
 }
 
 /* Cuts ":answer=KIND" off, and finds the kind. */
-static enum hsr_status choose_kind(char *path,
-                                   const struct hsr_answer_type **kind,
+static enum hsr_status choose_kind(char *path, struct hsr_made *made,
                                    struct hsr_error *err) {
+  static const struct {
+    const char *name;
+    struct hsr_made made;
+  } all[] = {{"ids", {.kind = &hsr_answer_ids}},
+             {"segments", {.kind = &hsr_answer_segments}},
+             {"visible-segments", {&hsr_answer_segments, 0, HSR_VISIBLE_ONLY}}};
   static const char word[] = ":answer=";
   char *at = strstr(path, word);
-  *kind = &hsr_answer_ids;
-  if (!at)
-    return HSR_OK;
-  *at = '\0';
-  return !strcmp(at + sizeof word - 1, "ids")
-             ? HSR_OK
-             : hsr_fail(err, HSR_E_USAGE,
-                        "%s: answer=%.40s: a program draws ids", path,
-                        at + sizeof word - 1);
+  const char *name = at ? at + sizeof word - 1 : all[0].name;
+  if (at)
+    *at = '\0';
+  for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+    if (!strcmp(name, all[k].name)) {
+      *made = all[k].made;
+      return HSR_OK;
+    }
+  return hsr_fail(err, HSR_E_USAGE,
+                  "%s: answer=%.40s: must be ids, segments or visible-segments",
+                  path, name);
 }
 
 /* Notes a program; its path becomes the list's. */
 static const struct known *add(char *path, const char *text,
-                               const struct hsr_answer_type *kind) {
+                               const struct hsr_made *made) {
   struct known *k = &known[n_known];
   k->path = path;
   k->plain = (struct hsr_algorithm){.name = strdup(text),
@@ -157,7 +180,7 @@ static const struct known *add(char *path, const char *text,
                                     .source = path,
                                     .taxonomy = HSR_YARDSTICK,
                                     .subjects = 1 << HSR_FACES,
-                                    .makes = {{kind}},
+                                    .makes = {*made},
                                     .flags = HSR_FRAME_STATE,
                                     .prepare = prepare,
                                     .render = render,
@@ -180,7 +203,7 @@ static const struct known *find(const char *text) {
 /* The program that a text names, which may be known already. */
 static enum hsr_status find_or_add(const char *text, const struct known **found,
                                    struct hsr_error *err) {
-  const struct hsr_answer_type *kind;
+  struct hsr_made made = {.kind = NULL};
   *found = find(text);
   if (*found)
     return HSR_OK;
@@ -189,10 +212,10 @@ static enum hsr_status find_or_add(const char *text, const struct known **found,
                     (int)MOST_PROGRAMS);
   char *path = strdup(text);
   enum hsr_status status =
-      path ? choose_kind(path, &kind, err) : hsr_fail_nomem(err);
+      path ? choose_kind(path, &made, err) : hsr_fail_nomem(err);
   if (!status)
     status = check_file(path, err);
-  if (!status && !(*found = add(path, text, kind)))
+  if (!status && !(*found = add(path, text, &made)))
     status = hsr_fail_nomem(err);
   if (status)
     free(path);

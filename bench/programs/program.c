@@ -21,7 +21,7 @@ enum { MOST_LINE = 1 << 16 };
 struct program {
   char name[200], folder[PROGRAM_PATH - 32];
   int m, n;
-  bool has_ids, late;
+  bool has_ids, has_segments, late;
   bool (*stopped)(void);
   pid_t keeper;
   int in, out, control; /* this end of the pipes */
@@ -82,6 +82,7 @@ enum hsr_status program_start(const struct program_job *job,
   p->m = job->view->m;
   p->n = job->view->n;
   p->has_ids = program_has_ids(job);
+  p->has_segments = job->world && !p->has_ids;
   p->stopped = job->stopped;
   void *shared = mmap(NULL, sizeof *p->fate, PROT_READ | PROT_WRITE,
                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -331,15 +332,25 @@ void program_file(const struct program *p, const char *name, char *path) {
 /* What no face is called, and the background neither. */
 #define UNSET 0xfefefefeu
 
-static enum hsr_status fail_for_ids(struct program *p, const char *what,
-                                    struct hsr_error *err) {
+enum hsr_status program_fail(struct program *p, const char *what,
+                             struct hsr_error *err) {
   stop(p, false);
   return hsr_fail(err, HSR_E_INPUT, "%s: %s", p->name, what);
 }
 
-enum hsr_status program_unset(struct program *p, struct hsr_error *err) {
-  if (!p->has_ids)
-    return HSR_OK;
+static enum hsr_status unset_segments(struct program *p,
+                                      struct hsr_error *err) {
+  char path[PROGRAM_PATH];
+  program_file(p, "segments", path);
+  FILE *file = fopen(path, "we");
+  bool good = file && fputs(PROGRAM_UNSET_SEGMENTS, file) >= 0;
+  if (file && fclose(file))
+    good = false;
+  return good ? HSR_OK
+              : program_fail(p, "its file segments cannot be written", err);
+}
+
+static enum hsr_status unset_ids(struct program *p, struct hsr_error *err) {
   size_t n = (size_t)p->m * (size_t)p->n;
   uint32_t *ids = malloc(n * sizeof *ids);
   char path[PROGRAM_PATH], text[400];
@@ -357,7 +368,13 @@ enum hsr_status program_unset(struct program *p, struct hsr_error *err) {
     close(file);
   free(ids);
   snprintf(text, sizeof text, "%s: %s", path, strerror(why));
-  return good ? HSR_OK : fail_for_ids(p, text, err);
+  return good ? HSR_OK : program_fail(p, text, err);
+}
+
+enum hsr_status program_unset(struct program *p, struct hsr_error *err) {
+  return p->has_ids        ? unset_ids(p, err)
+         : p->has_segments ? unset_segments(p, err)
+                           : HSR_OK;
 }
 
 enum hsr_status program_read_ids(struct program *p, uint32_t *ids,
@@ -379,13 +396,13 @@ enum hsr_status program_read_ids(struct program *p, uint32_t *ids,
     snprintf(text, sizeof text,
              "its file ids holds %zu numbers, and the picture has %d x %d", got,
              p->m, p->n);
-    return fail_for_ids(p, text, err);
+    return program_fail(p, text, err);
   }
   if (unset) {
     snprintf(text, sizeof text,
              "it left %zu of %zu samples unwritten, the first at (%zu, %zu)",
              unset, n, first % (size_t)p->m, first / (size_t)p->m);
-    return fail_for_ids(p, text, err);
+    return program_fail(p, text, err);
   }
   return HSR_OK;
 }

@@ -78,9 +78,25 @@ enum hsr_status program_draw(struct program *program, char byte, long n,
  * nothing if the answer has none. */
 enum hsr_status program_unset(struct program *program, struct hsr_error *err);
 
+/* Says what is wrong with what it has drawn, and ends it. HSR_E_INPUT. */
+enum hsr_status program_fail(struct program *program, const char *what,
+                             struct hsr_error *err);
+
+/* What its file of segments holds that is not written. */
+#define PROGRAM_UNSET_SEGMENTS "unwritten\n"
+
 /* Reads m * n ids. HSR_E_INPUT if there are fewer, or one was not written. */
 enum hsr_status program_read_ids(struct program *program, uint32_t *ids,
                                  struct hsr_error *err);
+
+/* Reads the intervals of edges, sorted. Their ends in space are left 0 unless there
+ * are `edges`; an edge that is none of these is HSR_E_INPUT, too. */
+struct hsr_edges;
+struct hsr_drawing;
+enum hsr_status program_read_segments(struct program *program,
+                                      const struct hsr_edges *edges,
+                                      struct hsr_drawing *drawing,
+                                      struct hsr_error *err);
 
 /* The path of a file in its folder; `path` has PROGRAM_PATH bytes. */
 enum { PROGRAM_PATH = 320 };

@@ -11,6 +11,7 @@
 #include "bench/sweep/journal.h"
 #include "bench/sweep/programs.h"
 #include "bench/terminal/terminal.h"
+#include "common/answers/kinds/segments.h"
 #include "common/files/json/json.h"
 
 #include <errno.h>
@@ -45,9 +46,12 @@ struct place_run {
   struct shared *shared;
   bool kept[SWEEP_MOST_ENTRANTS];  /* judged before: by the journal */
   bool noted[SWEEP_MOST_ENTRANTS]; /* in the journal */
-  uint32_t *picture; /* the oracle's of the last view, shared; NULL unless
+  uint32_t *picture;    /* the oracle's of the last view, shared; NULL unless
                         programs take part, which the peers are, too */
-  uint32_t *drawn;   /* a program's */
+  uint32_t *drawn;      /* a program's */
+  struct wanted *lines; /* the line oracle's, of all views; NULL unless a
+                           program draws lines rightly */
+  struct hsr_drawing lines_drawn;               /* a program's */
   struct hsr_setup triangles;                   /* for programs of users */
   struct program_job job[SWEEP_MOST_ENTRANTS];  /* for programs */
   struct turn_taker taker[SWEEP_MOST_ENTRANTS]; /* entrants that are timed */
@@ -371,6 +375,29 @@ static enum hsr_status make_triangles(struct place_run *run,
                               &run->stage.world, err);
 }
 
+/* Asks the line oracle, for the first program that draws lines rightly. It was asked
+ * before, in a process of its own, and took no longer than it may. */
+static enum hsr_status ask_lines(struct place_run *run, int k,
+                                 struct hsr_error *err) {
+  const struct hsr_form *form = &run->entrant[k]->choice.form;
+  struct group group = {.world = &run->stage.world,
+                        .form = *form,
+                        .view = run->view,
+                        .number = run->view_number,
+                        .n_views = run->place.walk};
+  if (run->lines || form->type != HSR_SEGMENTS)
+    return HSR_OK;
+  run->lines = calloc((size_t)run->place.walk, sizeof *run->lines);
+  return run->lines
+             ? ask_oracle(&group, oracle_of(HSR_SEGMENTS), run->lines, err)
+             : hsr_fail_nomem(err);
+}
+
+static void free_lines(struct place_run *run) {
+  hsr_drawing_free(&run->lines_drawn);
+  free_wanted(&(struct group){.n_views = run->place.walk}, run->lines);
+}
+
 /* Lines up those to be timed. Peers are timed whatever they draw. */
 static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   const struct sweep_options *o = run->sweep->plan->options;
@@ -385,6 +412,8 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
                                  .verdict = cell->verdict};
     if (is_program(run->entrant[k]) && cell->verdict == RIGHT) {
       enum hsr_status status = make_triangles(run, err);
+      if (!status)
+        status = ask_lines(run, k, err);
       if (status)
         return status;
       taker->adapt_seconds = run->triangles.adapt_seconds;
@@ -434,6 +463,29 @@ static uint64_t compare_picture(const struct place_run *run, int k,
   return differing;
 }
 
+/* Compares the drawing that a program has made last, of the last view. */
+static enum hsr_status judge_lines(struct place_run *run, int k,
+                                   struct turn_taker *taker,
+                                   struct hsr_error *err) {
+  const struct hsr_answer *right = &run->lines[run->place.walk - 1].answer;
+  struct hsr_drawing_difference found;
+  enum hsr_status status =
+      program_read_segments(taker->program, NULL, &run->lines_drawn, err);
+  if (status)
+    return status;
+  hsr_drawing_compare(
+      &run->lines_drawn, hsr_answer_drawing_of(right),
+      hsr_makes_how(run->entrant[k]->listed->plain, HSR_SEGMENTS) &
+          HSR_VISIBLE_ONLY,
+      &found);
+  if (!found.differing)
+    return HSR_OK;
+  run->shared->cells[k].compared = found.edges;
+  run->shared->cells[k].mismatches = found.differing;
+  taker->verdict = WRONG;
+  return HSR_OK;
+}
+
 /* A peer is timed whatever it draws. A program was judged before, and has no time
  * if it draws another picture now. */
 static enum hsr_status judge_drawn(void *data, struct turn_taker *taker,
@@ -443,6 +495,8 @@ static enum hsr_status judge_drawn(void *data, struct turn_taker *taker,
   const struct entrant *e = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
   uint64_t compared;
+  if (!is_peer(e) && !strcmp(e->kind, HSR_SEGMENTS->name))
+    return judge_lines(run, k, taker, err);
   if (strcmp(e->kind, "ids") != 0 && !names_cells(e))
     return HSR_OK;
   enum hsr_status status = program_read_ids(taker->program, run->drawn, err);
@@ -813,6 +867,7 @@ static void close_place(struct place_run *run) {
   if (run->picture)
     munmap(run->picture, picture_size(run));
   free(run->drawn);
+  free_lines(run);
   if (run->triangles.algorithm)
     hsr_setup_free(&run->triangles);
   if (run->shared)

@@ -97,9 +97,11 @@ void program_turn_draw(const struct plan *plan, struct turn_taker *taker,
   struct hsr_error err;
   struct start *into = &taker->starts[start];
   double seconds = 0;
-  enum hsr_status status = program_unset(taker->program, &err);
-  if (!status && taker->has_runner)
+  enum hsr_status status = HSR_OK;
+  if (taker->has_runner)
     status = draw_rounds(plan, taker, 1, NULL, &err);
+  if (!status)
+    status = program_unset(taker->program, &err);
   if (!status)
     status = draw_rounds(plan, taker, taker->rounds, &seconds, &err);
   if (!status)

@@ -55,6 +55,8 @@ static void read_job(const char *folder) {
              &version, answer, &m, &n, &n_cameras) != 5 ||
       version != 1)
     fail("job: not understood");
+  if (strcmp(answer, "ids"))
+    exit(6); /* it declines lines */
   cameras = malloc((size_t)n_cameras * sizeof *cameras);
   for (camera *c = cameras; c < cameras + n_cameras; c++)
     if (fscanf(file, " camera %15s eye %lf %lf %lf forward %lf %lf %lf "

@@ -14,7 +14,8 @@ for (const line of readFileSync(`${folder}/job`, "utf8").trim().split("\n")) {
   const [name, ...rest] = line.split(" ");
   words[name] = rest;
 }
-if (words.cameras[0] !== "1") process.exit(6); // it declines walks
+// It declines walks, and lines.
+if (words.cameras[0] !== "1" || words.answer[0] !== "ids") process.exit(6);
 const [m, n] = words.size.map(Number);
 const [E, F, R, U] = ["eye", "forward", "right", "up"].map((k) => words[k].map(Number));
 const near = Number(words.near[0]), parallel = words.camera[0] === "parallel";

@@ -15,8 +15,8 @@ words = {}
 for line in open(folder + "/job"):
     name, *rest = line.split()
     words[name] = rest  # one camera: each name comes once
-if words["cameras"] != ["1"]:
-    sys.exit(6)  # it declines walks
+if words["cameras"] != ["1"] or words["answer"] != ["ids"]:
+    sys.exit(6)  # it declines walks, and lines
 m, n = map(int, words["size"])
 E, F, R, U = (np.array(words[k], float) for k in ("eye", "forward", "right", "up"))
 near, parallel = float(words["near"][0]), words["camera"] == ["parallel"]
