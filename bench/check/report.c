@@ -100,8 +100,7 @@ static void say_again(const struct scene_run *run, int size, int view, int a,
            "again: hsr check %s -a %s --%s %d --size %dx%d --timeout %ld%s%s",
            terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
            o->frames ? "frames" : "order", o->view[view] + 1, o->m[size],
-           o->n[size], o->timeout,
-           o->import.strict ? " --strict" : "",
+           o->n[size], o->timeout, o->import.strict ? " --strict" : "",
            o->import.two_sided ? " --two-sided" : "");
 }
 

@@ -521,7 +521,8 @@ enum hsr_status judge_group(const struct group *g) {
   enum hsr_status status =
       wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
   give_turn(g);
-  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&wanted[g->n_views - 1].answer);
+  const uint32_t *ids =
+      status ? NULL : hsr_answer_ids_of(&wanted[g->n_views - 1].answer);
   if (g->picture && ids)
     memcpy(g->picture, ids,
            (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);

@@ -206,12 +206,12 @@ struct hsr_scene;
 /* How a scene is made. NULL: all is standard. */
 struct hsr_open_options {
   size_t size;
-  int threads;         /* that import it, lay it out and prepare it for
+  int threads;   /* that import it, lay it out and prepare it for
                           algorithms, 1 to 64; 0: 1 */
-  int strict;          /* not 0: a file with faces that have no area is
+  int strict;    /* not 0: a file with faces that have no area is
                           refused; 0: they are left out and counted, since they
                           cover no sample */
-  int two_sided;       /* not 0: all faces are seen from both sides; 0: those of
+  int two_sided; /* not 0: all faces are seen from both sides; 0: those of
                           a closed mesh are seen from outside only */
 };
 
@@ -356,7 +356,7 @@ struct hsr_request {
    * it, not always the caller's. Nothing is told while an algorithm prepares.
    * NULL: nobody is told. */
   int (*progress)(void *context, double share);
-  void *context; /* for progress */
+  void *context;    /* for progress */
   double offset[2]; /* how far each sample lies to the right of the middle of
                        its place, and below it, in samples: above -1/2 and below
                        1/2. Of kind "ids" */

@@ -58,7 +58,8 @@ static void add_run(struct lesson_runs *runs, const json_t *cell) {
       strcmp(results_text(cell, "status"), "ok") != 0 ||
       strcmp(results_text(cell, "scene"), results_text(runs->view, "scene")) !=
           0 ||
-      hsr_variant_parse(name, variant, &err) || lib_check_trace(variant, &err) ||
+      hsr_variant_parse(name, variant, &err) ||
+      lib_check_trace(variant, &err) ||
       steps_of(cell, &runs->options) > MOST_STEPS)
     return;
   runs->subject[runs->n++] =

@@ -12,10 +12,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct { double x, y, z; } vec;
-typedef struct { unsigned corner[3], face, one_sided; } triangle;
-typedef struct { vec E, F, R, U; double near; } camera;
-typedef struct { double c0, c1, c2; } plane; /* c0 + c1 x + c2 y */
+typedef struct {
+  double x, y, z;
+} vec;
+typedef struct {
+  unsigned corner[3], face, one_sided;
+} triangle;
+typedef struct {
+  vec E, F, R, U;
+  double near;
+} camera;
+typedef struct {
+  double c0, c1, c2;
+} plane; /* c0 + c1 x + c2 y */
 
 static int m, n, parallel, n_cameras, n_triangles;
 static camera *cameras, now;
@@ -25,13 +34,19 @@ static uint32_t *ids;
 static double *nearest;
 static long depth_tests, writes;
 
-static vec sub(vec a, vec b) { return (vec){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static double dot(vec a, vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static vec sub(vec a, vec b) {
+  return (vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static double dot(vec a, vec b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 static vec cross(vec a, vec b) {
   return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
                a.x * b.y - a.y * b.x};
 }
-static double at(plane p, double x, double y) { return p.c0 + p.c1 * x + p.c2 * y; }
+static double at(plane p, double x, double y) {
+  return p.c0 + p.c1 * x + p.c2 * y;
+}
 
 static void fail(const char *what) {
   fprintf(stderr, "%s\n", what);
@@ -51,7 +66,8 @@ static void read_job(const char *folder) {
   char answer[16], kind[16];
   int version;
   FILE *file = open_in(folder, "job", "r");
-  if (fscanf(file, "hsr-program %d answer %15s size %d %d threads %*d cameras %d",
+  if (fscanf(file,
+             "hsr-program %d answer %15s size %d %d threads %*d cameras %d",
              &version, answer, &m, &n, &n_cameras) != 5 ||
       version != 1)
     fail("job: not understood");
@@ -59,10 +75,12 @@ static void read_job(const char *folder) {
     exit(6); /* it declines lines */
   cameras = malloc((size_t)n_cameras * sizeof *cameras);
   for (camera *c = cameras; c < cameras + n_cameras; c++)
-    if (fscanf(file, " camera %15s eye %lf %lf %lf forward %lf %lf %lf "
-               "right %lf %lf %lf up %lf %lf %lf near %lf", kind, &c->E.x, &c->E.y,
-               &c->E.z, &c->F.x, &c->F.y, &c->F.z, &c->R.x, &c->R.y, &c->R.z,
-               &c->U.x, &c->U.y, &c->U.z, &c->near) != 14)
+    if (fscanf(file,
+               " camera %15s eye %lf %lf %lf forward %lf %lf %lf "
+               "right %lf %lf %lf up %lf %lf %lf near %lf",
+               kind, &c->E.x, &c->E.y, &c->E.z, &c->F.x, &c->F.y, &c->F.z,
+               &c->R.x, &c->R.y, &c->R.z, &c->U.x, &c->U.y, &c->U.z,
+               &c->near) != 14)
       fail("job: a camera is missing");
   parallel = !strcmp(kind, "parallel");
   fclose(file);
@@ -105,13 +123,14 @@ static void draw_triangle(const triangle *t) {
   vec a = sub(V[t->corner[0]], now.E), b = sub(V[t->corner[1]], now.E),
       c = sub(V[t->corner[2]], now.E);
   vec N = cross(sub(b, a), sub(c, a));
-  double front = parallel ? dot(N, now.F) : dot(N, a); /* < 0: seen from its front */
+  double front =
+      parallel ? dot(N, now.F) : dot(N, a); /* < 0: seen from its front */
   if (front == 0 || (t->one_sided && front > 0))
     return;
   plane ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
   /* 1/t or, in parallel projection, -t: the greater is nearer. */
-  plane depth = {(parallel ? -dot(N, a) : dot(N, now.F)) / front, dot(N, now.R) / front,
-                 dot(N, now.U) / front};
+  plane depth = {(parallel ? -dot(N, a) : dot(N, now.F)) / front,
+                 dot(N, now.R) / front, dot(N, now.U) / front};
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
       double x = (2. * i + 1 - m) / m, y = (n - 2. * j - 1) / n;
@@ -152,8 +171,8 @@ int main(int argc, char **argv) {
     rewind(file);
     if (fwrite(ids, sizeof *ids, size, file) != size || fflush(file))
       fail("ids: cannot be written");
-    printf("{\"counts\": {\"depth tests\": %ld, \"writes\": %ld}}\n", depth_tests,
-           writes);
+    printf("{\"counts\": {\"depth tests\": %ld, \"writes\": %ld}}\n",
+           depth_tests, writes);
     fflush(stdout);
   }
   return 0;

@@ -36,10 +36,10 @@ static void put(struct writer *writer, const char *before, json_t *value,
   put_text(writer, before);
   size_t flags = JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(digits);
   if (!writer->status && (!value || json_dumpf(value, writer->out, flags)))
-    writer->status = ferror(writer->out)
-                         ? hsr_path_fail(writer->path,
-                                               "cannot be written", writer->err)
-                         : hsr_fail_nomem(writer->err);
+    writer->status =
+        ferror(writer->out)
+            ? hsr_path_fail(writer->path, "cannot be written", writer->err)
+            : hsr_fail_nomem(writer->err);
   json_decref(value);
 }
 
