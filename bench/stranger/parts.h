@@ -52,8 +52,12 @@ struct supposed {
 /* How many samples differ. */
 uint64_t count_differing(const uint32_t *a, const uint32_t *b, size_t n);
 
+/* Whether one id is everywhere. */
+bool is_uniform(const uint32_t *ids, size_t n);
+
 /* Finds the faults of the picture as a whole, fills verdict->whole, and puts
- * them right in *now. HSR_E_NOMEM. */
+ * them right in *now. Of a picture that is the same everywhere nothing is
+ * supposed, since it is like any other that is nearly empty. HSR_E_NOMEM. */
 enum hsr_status find_whole(const struct studio *studio, struct supposed *now,
                            struct stranger_verdict *verdict,
                            struct hsr_error *err);

@@ -16,6 +16,7 @@ struct looking {
   const struct supposed *now;
   double unit;                    /* of q, in 24 bits of depth */
   uint32_t *beside[SURROUNDINGS]; /* what is right half a sample away */
+  bool is_empty;                  /* one id is everywhere */
   uint16_t *kinds;                /* of each sample that differs */
 };
 
@@ -201,7 +202,8 @@ static enum hsr_status look_at_row(struct looking *l, int j,
     struct case_ c = {.i = i, .j = j, .got = now->got[k]};
     c.over = overlook_sample(&l->over, i, j, &c.n);
     if (c.over)
-      l->kinds[k] = (uint16_t)kinds_of(l, &c, now->wanted[k]);
+      l->kinds[k] = (uint16_t)(kinds_of(l, &c, now->wanted[k]) |
+                               (l->is_empty ? KIND(EMPTY) : 0));
     if (!c.over || l->over.tally.out_of_memory)
       status = hsr_fail_nomem(err);
   }
@@ -211,6 +213,7 @@ static enum hsr_status look_at_row(struct looking *l, int j,
 static enum hsr_status look(struct looking *l, const struct studio *studio,
                             const struct supposed *now, struct hsr_error *err) {
   l->now = now;
+  l->is_empty = now->all > 1 && is_uniform(now->got, now->all);
   l->kinds = calloc(now->all, sizeof *l->kinds);
   enum hsr_status status = overlook_open(&l->over, studio, now, err);
   if (!status && !l->kinds)

@@ -32,6 +32,10 @@ uint64_t count_differing(const uint32_t *a, const uint32_t *b, size_t n) {
   return differing;
 }
 
+bool is_uniform(const uint32_t *ids, size_t n) {
+  return n < 2 || !memcmp(ids, ids + 1, (n - 1) * sizeof *ids);
+}
+
 /* Takes a supposition if it is the best so far. Its arrays are taken over, or
  * freed. */
 static void try_this(struct trial *t, struct supposed *s,
@@ -200,20 +204,13 @@ static enum hsr_status try_fans(struct trial *t) {
 
 /* --- Other cameras -------------------------------------------------------- */
 
-static bool is_empty(const uint32_t *ids, size_t n) {
-  size_t k = 0;
-  while (k < n && ids[k] == HSR_NO_FACE)
-    k++;
-  return k == n;
-}
-
 static enum hsr_status try_view(struct trial *t, const struct hsr_view *view,
                                 enum stranger_kind kind, const char *words) {
   struct supposed s = *t->now;
   s.got = s.origin = NULL;
   s.view = *view;
   enum hsr_status status = studio_draw(t->studio, view, &s.wanted, t->err);
-  if (!status && is_empty(s.wanted, s.all))
+  if (!status && is_uniform(s.wanted, s.all))
     drop(&s); /* no camera is to blame for that */
   else if (!status)
     try_this(t, &s, kind, words);
@@ -559,7 +556,8 @@ static enum hsr_status find_one(const struct studio *studio,
 enum hsr_status find_whole(const struct studio *studio, struct supposed *now,
                            struct stranger_verdict *verdict,
                            struct hsr_error *err) {
-  bool found = true;
+  bool found =
+      !is_uniform(now->got, now->all) || is_uniform(now->wanted, now->all);
   enum hsr_status status = HSR_OK;
   while (found && now->left && verdict->n_whole < STRANGER_MOST_WHOLE &&
          !status)

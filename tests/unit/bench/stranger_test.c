@@ -390,6 +390,11 @@ static void shake(const struct stage *s, uint32_t *ids) {
     ids[k] = beside[(unsigned)k * 2654435761u >> 30][k];
 }
 
+static void draw_nothing(const struct stage *s, uint32_t *ids) {
+  for (int k = 0; k < s->m * s->n; k++)
+    ids[k] = HSR_BACKGROUND;
+}
+
 static void throw_dice(const struct stage *s, uint32_t *ids) {
   for (int k = 0; k < s->m * s->n; k++)
     ids[k] = (unsigned)k * 2654435761u >> 28
@@ -432,6 +437,7 @@ static const struct {
     {"beside edges", shake, STRANGER_EDGE, false},
     {"lost by depth", lose_depth, STRANGER_DEPTH, false},
     {"the farthest", show_farthest, STRANGER_FARTHEST, false},
+    {"empty", draw_nothing, STRANGER_EMPTY, true},
     {"dice", throw_dice, STRANGER_WRONG, false},
 };
 
@@ -441,8 +447,10 @@ first_of(const struct stranger_verdict *v) {
 }
 
 /* The farthest face is also what a near plane leaves, or what is below all
- * decals. */
+ * decals. And where nothing is closed, nothing is left if fronts are culled. */
 static bool is_ambiguous(const struct stage *s, int which) {
+  if (spoils[which].kind == STRANGER_EMPTY)
+    return !strcmp(s->name, "deep-stack") || !strcmp(s->name, "decals");
   return spoils[which].kind == STRANGER_FARTHEST &&
          (!strcmp(s->name, "near-plane") || !strcmp(s->name, "decals"));
 }
