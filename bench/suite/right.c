@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/suite/right.h"
-#include "bench/library/hsr.h"
+#include "bench/library/within.h"
 #include "bench/terminal/interrupt.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct right {
-  struct hsr_scene *scene;
+  struct lib_scene *scene;
 };
 
 enum hsr_status right_open(const char *path, struct right **right,
@@ -37,7 +37,7 @@ static int go_on(void *context, double share) {
 
 static enum hsr_status draw(const struct right *right, const char *algorithm,
                             uint32_t view, int m, int n,
-                            struct hsr_answer **answer, struct hsr_error *err) {
+                            struct lib_answer **answer, struct hsr_error *err) {
   const struct hsr_request request = {.size = sizeof request,
                                       .algorithm = algorithm,
                                       .view = view,
@@ -50,7 +50,7 @@ static enum hsr_status draw(const struct right *right, const char *algorithm,
 
 enum hsr_status right_ids(const struct right *right, uint32_t view, int m,
                           int n, uint32_t *ids, struct hsr_error *err) {
-  struct hsr_answer *answer;
+  struct lib_answer *answer;
   const uint32_t *found;
   enum hsr_status status = draw(right, "oracle", view, m, n, &answer, err);
   if (!status)
@@ -61,7 +61,7 @@ enum hsr_status right_ids(const struct right *right, uint32_t view, int m,
   return status;
 }
 
-static void put_segment(const struct hsr_segment *s, double *row) {
+static void put_segment(const struct lib_segment *s, double *row) {
   const double column[SEGMENT_COLUMNS] = {
       s->is_implied, s->a,     s->b,       s->part,    s->invisibility,
       s->t0,         s->t1,    s->from[0], s->from[1], s->from[2],
@@ -72,8 +72,8 @@ static void put_segment(const struct hsr_segment *s, double *row) {
 enum hsr_status right_segments(const struct right *right, uint32_t view, int m,
                                int n, double **row, size_t *n_rows,
                                struct hsr_error *err) {
-  struct hsr_answer *answer;
-  const struct hsr_segment *segment;
+  struct lib_answer *answer;
+  const struct lib_segment *segment;
   *row = NULL;
   enum hsr_status status = draw(right, "line-oracle", view, m, n, &answer, err);
   if (!status)

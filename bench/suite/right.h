@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The right answers of a scene file, through hsr.h. Its structs have names that
- * hsr's own structs have, too; so a file that draws includes this, and none of
- * hsr's own headers of scenes. */
+/* The right answers of a scene file, through hsr.h. */
 #ifndef HSR_BENCH_SUITE_RIGHT_H
 #define HSR_BENCH_SUITE_RIGHT_H
 
