@@ -157,6 +157,7 @@ tap_scripts = \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
+  %D%/suite/judge.test \
   %D%/suite/suite.test \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \

@@ -7,6 +7,7 @@
 #include "bench/stranger/lines.h"
 #include "bench/stranger/picture.h"
 #include "bench/stranger/say.h"
+#include "bench/stranger/suite.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/drawing_json.h"
 #include "common/files/suffix.h"
@@ -15,16 +16,59 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLOURS = 0x200, TRIANGLES, CHANNEL, NONE };
+enum { COLOURS = 0x200, TRIANGLES, CHANNEL, NONE, SUITE };
 
 struct options {
   struct option_base base;
   struct scene_options scene;
   struct view_options view;
   struct picture_format picture;
-  const char *output;
+  const char *output, *suite;
   bool json;
 };
+
+static bool is_page(const char *path) {
+  return hsr_ends_in(path, ".html");
+}
+
+/* With --suite the one argument, which was taken for a scene, is a folder. */
+static error_t check_suite(struct options *o) {
+  const struct picture_format *p = &o->picture;
+  if (!o->scene.name)
+    return option_fail(
+        &o->base, "judge: which folder of results? (see hsr judge --help)");
+  if (p->path)
+    return option_fail(&o->base, "judge: one folder of results, not also '%s'",
+                       p->path);
+  if (p->colours || p->triangles || p->channel || p->has_none || o->view.m)
+    return option_fail(&o->base, "judge: with --suite, pictures are .npy files "
+                                 "of ids of their own size");
+  if (o->output && !is_page(o->output))
+    return option_fail(&o->base,
+                       "--output %s: of a suite, a page is written, "
+                       ".html",
+                       o->output);
+  return 0;
+}
+
+/* What only a suite has. */
+static error_t check_picture(struct options *o) {
+  if (o->output && is_page(o->output))
+    return option_fail(&o->base,
+                       "--output %s: a page is of a --suite; the "
+                       "kinds are colours, as in a .png",
+                       o->output);
+  if (o->scene.name && !o->picture.path)
+    return option_fail(&o->base,
+                       "judge: which picture? (see hsr judge --help)");
+  const struct picture_format *p = &o->picture;
+  if (p->path && hsr_ends_in(p->path, ".json") &&
+      (o->output || p->colours || p->triangles || p->channel || p->has_none))
+    return option_fail(&o->base,
+                       "judge: of a drawing of lines, there is no --output, "
+                       "--colours, --triangles, --channel or --none");
+  return 0;
+}
 
 static error_t parse_argument(struct options *o, char *arg,
                               struct argp_state *state) {
@@ -43,13 +87,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   switch (key) {
   case 'o':
-    if (hsr_ends_in(arg, ".exr") || !hsr_is_colour_file(arg))
+    if (!is_page(arg) && (hsr_ends_in(arg, ".exr") || !hsr_is_colour_file(arg)))
       return option_fail(
           &o->base, "--output %s: the kinds are colours, as in a .png", arg);
     o->output = arg;
     return 0;
   case 'j':
     o->json = true;
+    return 0;
+  case SUITE:
+    o->suite = arg;
     return 0;
   case COLOURS:
     o->picture.colours = arg;
@@ -68,15 +115,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_ARG:
     return parse_argument(o, arg, state);
   case ARGP_KEY_END:
-    if (o->scene.name && !o->picture.path)
-      return option_fail(&o->base,
-                         "judge: which picture? (see hsr judge --help)");
-    if (o->picture.path && hsr_ends_in(o->picture.path, ".json") &&
-        (o->output || o->picture.colours || o->picture.triangles ||
-         o->picture.channel || o->picture.has_none))
-      return option_fail(&o->base,
-                         "judge: of a drawing of lines, there is no --output, "
-                         "--colours, --triangles, --channel or --none");
+    if (o->suite ? check_suite(o) : check_picture(o))
+      return EINVAL;
     break;
   default:
     break;
@@ -91,6 +131,11 @@ static const struct argp argp = {
          "which colour is which kind",
          0},
         JSON_ARGP_OPTION,
+        {"suite", SUITE, "DIR", 0,
+         "judge all pictures of a suite (hsr suite): the argument is the "
+         "folder "
+         "of NAME.npy files; -o writes a page, .html",
+         0},
         {"colours", COLOURS, "FILE", 0,
          "of a picture in colours: a text file with a line \"r g b face\" for "
          "each colour; the word none is no face",
@@ -107,7 +152,7 @@ static const struct argp argp = {
         VIEW_ARGP_OPTIONS_OF("that of PICTURE"),
         {0}},
     parse,
-    "SCENE PICTURE",
+    "SCENE PICTURE\n--suite DIR RESULTS",
     "Judges anybody's picture of SCENE: a face id for each sample, by rows "
     "from the top. It says how many samples are wrong, where, and of what "
     "kind the faults are, the most likely one first.\v"
@@ -120,7 +165,8 @@ static const struct argp argp = {
     "  hsr judge house mine.npy --view 3 -o kinds.png\n"
     "  hsr judge mesh:elephant mine.raw -s 640x480 --json\n"
     "  hsr judge house mine.png --colours table.txt\n"
-    "  hsr judge house mine.json",
+    "  hsr judge house mine.json\n"
+    "  hsr judge --suite suite results -o page.html",
     NULL,
     NULL,
     NULL};
@@ -200,11 +246,29 @@ static enum hsr_status judge_file(const struct options *o,
   return status;
 }
 
+static enum hsr_status judge_suite(const struct options *o,
+                                   struct hsr_error *err) {
+  struct suite_judgement judgement;
+  enum hsr_status status =
+      suite_judge(&judgement, o->suite, o->scene.name, err);
+  if (!status && o->output)
+    status = suite_write_page(&judgement, o->output, err);
+  if (!status && o->json)
+    status = suite_say_json(&judgement, err);
+  else if (!status)
+    suite_say_text(&judgement);
+  const bool right = judgement.state[SUITE_RIGHT] == judgement.n;
+  suite_free(&judgement);
+  return status || right ? status : HSR_E_DIFFERENCE;
+}
+
 enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
   struct options o = {.base = {.err = err}, .view = VIEW_OPTIONS_STANDARD};
   struct lib_scene *scene = NULL;
   o.view.m = o.view.n = 0; /* the picture's */
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  if (!status && o.suite)
+    return judge_suite(&o, err);
   if (!status)
     status = aim_scene(&o.scene, &o.view, err);
   o.picture.m = o.view.m;

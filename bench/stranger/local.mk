@@ -16,6 +16,10 @@ libbench_a_SOURCES += \
   %D%/stranger.c \
   %D%/stranger.h \
   %D%/studio.c \
+  %D%/suite.h \
+  %D%/suite_cases.c \
+  %D%/suite_page.c \
+  %D%/suite_say.c \
   %D%/table.c \
   %D%/table.h \
   %D%/whole.c
