@@ -5,8 +5,9 @@
 #include "bench/stranger/suite.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/npy.h"
-#include "common/files/sha256.h"
 
+#include <errno.h>
+#include <sha2.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -32,8 +33,7 @@ static enum hsr_status load(const char *path, json_t **all,
 
 static enum hsr_status check_file(const char *suite, const json_t *file,
                                   struct hsr_error *err) {
-  char path[MOST_PATH], sum[HSR_SHA256_TEXT];
-  uint64_t bytes;
+  char path[MOST_PATH], sum[SHA256_DIGEST_STRING_LENGTH];
   const char *name = json_string_value(json_object_get(file, "name"));
   const char *wanted = json_string_value(json_object_get(file, "sha256"));
   if (!name || !wanted)
@@ -41,11 +41,15 @@ static enum hsr_status check_file(const char *suite, const json_t *file,
                     "%.300s/manifest.json: a file without name or sha256",
                     suite);
   path_in(path, suite, "", name, "");
-  enum hsr_status status = hsr_sha256_of_file(path, sum, &bytes, err);
-  if (!status && strcmp(sum, wanted))
-    status = hsr_fail(err, HSR_E_INPUT,
-                      "%.300s: is not the file that the manifest names", path);
-  return status;
+  if (!SHA256File(path, sum))
+    return errno == ENOMEM
+               ? hsr_fail_nomem(err)
+               : hsr_fail(err, HSR_E_INPUT, "%.300s: cannot be read: %s", path,
+                          strerror(errno));
+  return strcmp(sum, wanted)
+             ? hsr_fail(err, HSR_E_INPUT,
+                        "%.300s: is not the file that the manifest names", path)
+             : HSR_OK;
 }
 
 /* Whether each file of the manifest is there, as it was made. */
