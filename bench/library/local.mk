@@ -15,6 +15,7 @@ libpublic_a_SOURCES = \
   %D%/scenes.c \
   %D%/structs.c \
   %D%/twins.c \
+  %D%/within.h \
   %D%/write.c
 
 hsrlibdir = $(libdir)
