@@ -10,6 +10,7 @@
 #include "bench/run/serve.h"
 #include "bench/run/stage.h"
 #include "bench/run/terminate.h"
+#include "common/answers/kinds/ids.h"
 #include "common/base/clock.h"
 #include "common/files/json/json.h"
 
@@ -105,6 +106,7 @@ struct request {
   char scene[1024];
   long view, threads, cameras;
   int m, n;
+  const char *file; /* for hsr-peers ids; else NULL */
 };
 
 /* Everything that one run uses. */
@@ -155,6 +157,16 @@ static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
   if (!status)
     status = run->peer->judge(run->state, &run->stage.view, &verdict, err);
   return status ? status : json_print(verdict, err);
+}
+
+/* Writes what a peer draws. */
+static enum hsr_status write_run(struct run *run, struct hsr_error *err) {
+  const struct peer_canvas *canvas = &run->canvas;
+  struct hsr_answer answer =
+      hsr_answer_of_ids(canvas->ids, canvas->m, canvas->n);
+  enum hsr_status status = draw_frame(run, err);
+  return status ? status
+                : hsr_answer_write_ids(&answer, run->request->file, err);
 }
 
 /* Lays out every object once, in its own coordinates. */
@@ -270,7 +282,7 @@ run_peer(const struct peer *peer, const struct request *request,
   return status;
 }
 
-/* --- hsr-peers NAME FOLDER, hsr-peers judge ------------------------------- */
+/* --- hsr-peers NAME FOLDER, judge, ids ------------------------------------ */
 
 /* Takes what it knows from a line of a job. */
 static void read_line(struct request *r, const char *line) {
@@ -306,18 +318,42 @@ static enum hsr_status serve_peer(const char *name, const char *folder,
   return status ? status : run_peer(peer, &request, folder, serve_run, err);
 }
 
+/* NAME SCENE VIEW WxH. */
+static enum hsr_status parse_request(char **argv, struct request *request,
+                                     const struct peer **peer,
+                                     struct hsr_error *err) {
+  *request = (struct request){.threads = 1};
+  if (!parse_count(argv[3], 1, 1000, &request->view) ||
+      !parse_size(argv[4], &request->m, &request->n))
+    return hsr_fail(err, HSR_E_USAGE, "%s: NAME SCENE VIEW WxH", argv[0]);
+  snprintf(request->scene, sizeof request->scene, "%s", argv[2]);
+  return choose_peer(argv[1], peer, err);
+}
+
 static enum hsr_status command_judge_lines(int argc, char **argv,
                                            struct hsr_error *err) {
-  struct request request = {.threads = 1};
+  struct request request;
   const struct peer *peer;
-  if (argc != 5 || !parse_count(argv[3], 1, 1000, &request.view) ||
-      !parse_size(argv[4], &request.m, &request.n))
+  if (argc != 5)
     return hsr_fail(err, HSR_E_USAGE, "judge: NAME SCENE VIEW WxH");
-  snprintf(request.scene, sizeof request.scene, "%s", argv[2]);
-  enum hsr_status status = choose_peer(argv[1], &peer, err);
+  enum hsr_status status = parse_request(argv, &request, &peer, err);
   if (!status && !peer->judge)
     status = hsr_fail(err, HSR_E_USAGE, "judge: %s draws no lines", peer->name);
   return status ? status : run_peer(peer, &request, NULL, judge_run, err);
+}
+
+static enum hsr_status command_ids(int argc, char **argv,
+                                   struct hsr_error *err) {
+  struct request request;
+  const struct peer *peer;
+  if (argc != 6)
+    return hsr_fail(err, HSR_E_USAGE, "ids: NAME SCENE VIEW WxH FILE.npy");
+  enum hsr_status status = parse_request(argv, &request, &peer, err);
+  if (!status && strcmp(peer->kind, "ids") != 0)
+    status = hsr_fail(err, HSR_E_USAGE, "ids: %s draws %s", peer->name,
+                      strcmp(peer->kind, "none") ? peer->kind : "nothing");
+  request.file = argv[5];
+  return status ? status : run_peer(peer, &request, NULL, write_run, err);
 }
 
 /* --- The program ---------------------------------------------------------- */
@@ -325,6 +361,7 @@ static enum hsr_status command_judge_lines(int argc, char **argv,
 static const struct hsr_command commands[] = {
     {"list", NULL, command_peers},
     {"judge", NULL, command_judge_lines},
+    {"ids", NULL, command_ids},
     {NULL, NULL, NULL}};
 
 static enum hsr_status run_command(int argc, char **argv,
@@ -336,7 +373,7 @@ static enum hsr_status run_command(int argc, char **argv,
     return serve_peer(argv[1], argv[2], err);
   return hsr_fail(err, HSR_E_USAGE,
                   "hsr-peers: list, or NAME FOLDER, or judge NAME SCENE VIEW "
-                  "WxH");
+                  "WxH, or ids NAME SCENE VIEW WxH FILE.npy");
 }
 
 /* Makes the process keep the memory that it has once taken. llvmpipe allocates
