@@ -7,6 +7,7 @@ libcore_a_SOURCES += \
   %D%/part.h \
   %D%/pieces.h \
   %D%/scene.h \
+  %D%/unused.h \
   %D%/world.h
 libcore_a_SOURCES += \
   %D%/extract.c \
@@ -20,4 +21,5 @@ libcore_a_SOURCES += \
   %D%/planes.c \
   %D%/planes.h \
   %D%/scene.c \
+  %D%/unused.c \
   %D%/world.c

@@ -290,7 +290,7 @@ enum hsr_status hsr_scene_view(struct hsr_scene *scene,
   return HSR_OK;
 }
 
-static bool all_finite(const double *v, int n) {
+bool hsr_coordinates_fit(const double *v, int n) {
   for (int i = 0; i < n; i++)
     if (!(fabs(v[i]) <= LARGEST_COORDINATE))
       return false;
@@ -299,10 +299,10 @@ static bool all_finite(const double *v, int n) {
 
 enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err) {
-  if (!all_finite(camera->eye, 3) || !all_finite(camera->at, 3) ||
-      !all_finite(camera->up, 3) || !all_finite(&camera->fov, 1) ||
-      !all_finite(&camera->near, 1) || !all_finite(&camera->parallel, 1) ||
-      !all_finite(camera->light, 4))
+  if (!hsr_coordinates_fit(camera->eye, 3) || !hsr_coordinates_fit(camera->at, 3) ||
+      !hsr_coordinates_fit(camera->up, 3) || !hsr_coordinates_fit(&camera->fov, 1) ||
+      !hsr_coordinates_fit(&camera->near, 1) || !hsr_coordinates_fit(&camera->parallel, 1) ||
+      !hsr_coordinates_fit(camera->light, 4))
     return hsr_fail(err, HSR_E_INPUT,
                     "camera: a value is not finite or above %g",
                     LARGEST_COORDINATE);
@@ -484,7 +484,7 @@ static uint32_t check_faces(void *context, uint32_t from, uint32_t to) {
 static enum hsr_status check_object(const struct hsr_object *object,
                                     int threads, struct hsr_error *err) {
   for (uint32_t v = 0; v < object->n_vertices; v++)
-    if (!all_finite(object->xyz + 3 * (size_t)v, 3))
+    if (!hsr_coordinates_fit(object->xyz + 3 * (size_t)v, 3))
       return hsr_fail(err, HSR_E_INPUT,
                       "object %s: vertex %u has a coordinate above %g",
                       object->name, v, LARGEST_COORDINATE);
@@ -504,7 +504,7 @@ static enum hsr_status check_object(const struct hsr_object *object,
 static enum hsr_status check_grid(const struct hsr_grid *grid,
                                   struct hsr_error *err) {
   for (int a = 0; a < 3; a++)
-    if (!all_finite((double[]){grid->bound[a][0], grid->bound[a][grid->n[a]]},
+    if (!hsr_coordinates_fit((double[]){grid->bound[a][0], grid->bound[a][grid->n[a]]},
                     2))
       return hsr_fail(err, HSR_E_INPUT,
                       "the grid has a coordinate above %g along %c",

@@ -126,6 +126,10 @@ enum hsr_status hsr_scene_set_grid(struct hsr_scene *scene,
 enum hsr_status hsr_object_reserve(struct hsr_object *object,
                                    uint32_t n_vertices, uint32_t n_faces);
 
+/* Whether n coordinates are finite, and not above 1e30 in size: all that are used
+ * must be. */
+bool hsr_coordinates_fit(const double *coordinate, int n);
+
 /* Appends a vertex and stores its number in *number (unless NULL).
  * HSR_E_NOMEM; HSR_E_INPUT if a coordinate is not finite or the object would
  * have more than 2^32 - 2 vertices. */

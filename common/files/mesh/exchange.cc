@@ -105,6 +105,7 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   file.memory.reset();
   if (!builder.n_given())
     file.refuse(0, "holds no face");
+  builder.settle_unused();
   builder.leave_out_flat();
   if (!workshop.object->n_faces)
     file.refuse(0, "none of its %llu faces has an area",

@@ -2,8 +2,10 @@
 #include "common/files/mesh/mesh_file.h"
 #include "common/base/arena.h"
 #include "common/scene/flat.h"
+#include "common/scene/unused.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -183,16 +185,16 @@ void Mesh_builder::forget() {
 }
 
 void Mesh_builder::vertex(double x, double y, double z) {
-  switch (hsr_object_vertex(object_, x, y, z, nullptr)) {
+  switch (hsr_object_vertex(object_, 0, 0, 0, nullptr)) {
   case HSR_OK:
+    std::copy_n(std::array<double, 3>{x, y, z}.begin(), 3,
+                object_->xyz + 3 * size_t{object_->n_vertices - 1});
     return;
   case HSR_E_NOMEM:
     throw std::bad_alloc();
   default:
     refuse_element(path_, "vertex", object_->n_vertices,
-                   object_->n_vertices < UINT32_MAX - 1
-                       ? "has a coordinate that is not finite"
-                       : "is one more than an object can hold");
+                   "is one more than an object can hold");
   }
 }
 
@@ -238,6 +240,18 @@ void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
   }
   ring_.assign(vertices, vertices + n);
   give(number, ring_.data(), hsr_ring_tidy(ring_.data(), n), rgb);
+}
+
+void Mesh_builder::settle_unused() {
+  uint32_t n = 0, vertex = 0, face = 0;
+  if (hsr_object_settle_unused(object_, threads_, &n, &vertex, &face))
+    refuse_element(path_, "vertex", vertex,
+                   ("is not finite or above 1e30, and face " +
+                    std::to_string(face) + " uses it")
+                       .c_str());
+  if (n)
+    note(std::to_string(n) + (n == 1 ? " vertex" : " vertices") +
+         " passed over: not finite or above 1e30, and used by no face");
 }
 
 void Mesh_builder::leave_out_flat() {

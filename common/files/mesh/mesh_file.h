@@ -70,7 +70,7 @@ public:
   int threads() const { return threads_; }
   /* Makes room. The caller has checked that the file can hold so many. */
   void reserve(size_t n_vertices, size_t n_faces);
-  /* Appends a vertex. */
+  /* Appends a vertex. Its coordinates may be anything until settle_unused(). */
   void vertex(double x, double y, double z);
   /* Returns room for the first n vertices, three numbers each, for the caller
    * to fill. Then took_vertices() says how many of them there are. */
@@ -90,6 +90,8 @@ public:
   /* Leaves out the faces without area that are still there, unless it is
    * strict. */
   void leave_out_flat();
+  /* Passes over vertices that are not finite, if no face uses them. */
+  void settle_unused();
   /* Removes everything that was given. */
   void forget();
   /* Adds a line about something in the file that was ignored. */

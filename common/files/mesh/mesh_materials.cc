@@ -53,7 +53,7 @@ bool is_there(const std::string &path) {
 
 void Materials::read_file(const std::string &path) {
   Mesh_file file = load_mesh_file(path.c_str());
-  skip_byte_order_mark(file);
+  make_plain_text(file);
   Text text(file, {'#', true});
   std::string name;
   for (size_t n = 0; text.next_line();) {

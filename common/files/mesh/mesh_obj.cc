@@ -117,7 +117,8 @@ void Block_reader::vertex() {
   size_t n = 0;
   double value[7];
   for (; text_.more(); n++) {
-    const double number = text_.real("vertex", n_ + 1);
+    const double number =
+        n < 4 ? text_.any_real("vertex", n_ + 1) : text_.real("vertex", n_ + 1);
     if (n < 7)
       value[n] = number;
   }
@@ -334,7 +335,7 @@ void Obj_reader::read() {
 } // namespace
 
 void obj_read(Mesh_file &file, Mesh_builder &builder) {
-  skip_byte_order_mark(file);
+  make_plain_text(file);
   Obj_reader(file, builder).read();
 }
 

@@ -123,7 +123,7 @@ void Block_reader::vertex(size_t v) {
   std::array<double, 4> coordinate{0, 0, 0, 1};
   size_t n = 0;
   for (; text_.more(); n++) {
-    const double value = text_.real("vertex", v);
+    const double value = text_.any_real("vertex", v);
     if (n < dimension)
       coordinate[n] = value;
   }
@@ -134,8 +134,6 @@ void Block_reader::vertex(size_t v) {
   for (size_t k = 0; k < 3; k++) {
     if (h)
       coordinate[k] /= coordinate[3];
-    if (!std::isfinite(coordinate[k]))
-      text_.refuse("vertex %zu divided by its w is not finite", v);
     xyz_[3 * v + k] = coordinate[k];
   }
 }
@@ -264,7 +262,7 @@ void give(const std::vector<Block> &blocks, Mesh_builder &builder) {
 } // namespace
 
 void off_read(Mesh_file &file, Mesh_builder &builder) {
-  skip_byte_order_mark(file);
+  make_plain_text(file);
   Text text(file, STYLE);
   const Header header = read_header(file, text);
   builder.reserve(header.n_vertices, header.n_faces);

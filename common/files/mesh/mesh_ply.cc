@@ -66,8 +66,9 @@ double Text_source::value(const Type &type) {
     text_.refuse("%s %zu has fewer values than its properties", name_.c_str(),
                  number_);
   if (type.is_real)
-    return type.size == 4 ? double{text_.real<float>(name_.c_str(), number_)}
-                          : text_.real<double>(name_.c_str(), number_);
+    return type.size == 4
+               ? double{text_.any_real<float>(name_.c_str(), number_)}
+               : text_.any_real<double>(name_.c_str(), number_);
   long long integer;
   Word word;
   if (!text_.integer(integer, word))
@@ -241,9 +242,6 @@ template <class Source> void Reader<Source>::vertices(const Element &element) {
     vertex_rgb_.resize(3 * element.n);
   for (size_t v = 0; v < element.n; v++) {
     values(element, v, false);
-    for (size_t p = 0; p < element.properties.size(); p++)
-      if (!element.properties[p].count_type && !std::isfinite(value_[p]))
-        source_.refuse("vertex %zu has a value that is not finite", v);
     builder_.vertex(value_[place.at[0]], value_[place.at[1]],
                     value_[place.at[2]]);
     if (colours.there)
@@ -305,8 +303,32 @@ template <class Source> void Reader<Source>::read() {
 
 } // namespace
 
-void ply_read(Mesh_file &file, Mesh_builder &builder) {
+/* Makes the lines of a file end in LF or CR LF, of a binary file those of its
+ * header. */
+static void make_plain(Mesh_file &file) {
+  constexpr Word END = "end_header", BINARY = "format binary";
+  const bool wide =
+      file.size() > 1 && (file.begin[1] == '\0' || file.begin[0] == '\xff' ||
+                          file.begin[0] == '\xfe');
+  if (wide)
+    return make_plain_text(file);
   skip_byte_order_mark(file);
+  const Word all(file.begin, file.size());
+  const size_t end = all.find(END), binary = all.substr(0, end).find(BINARY);
+  if (end == Word::npos || binary == Word::npos)
+    return make_plain_text(file);
+  /* A CR at the header's end is a line end if others are: a byte LF behind it is
+   * of the first record then. */
+  char *past = file.begin + end + END.size();
+  const size_t first = all.find('\r');
+  const bool alone = first < end && all[first + 1] != '\n';
+  end_lines(file.begin, past);
+  if (alone && past < file.end && *past == '\r')
+    *past = '\n';
+}
+
+void ply_read(Mesh_file &file, Mesh_builder &builder) {
+  make_plain(file);
   ply::Header header(file);
   header.read();
   Text &text = header.text();

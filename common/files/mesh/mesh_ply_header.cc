@@ -27,8 +27,6 @@ const Type *find_type(Word name) {
 void Header::next_line() {
   if (!text_.next_line())
     text_.refuse("the file ends in its header");
-  if (text_.passed_empty_lines())
-    text_.refuse("there is an empty line before this one, in the header");
 }
 
 Word Header::word(const char *what) {
@@ -120,9 +118,8 @@ void Header::check_vertices() const {
     const Property *found = find_property(elements[vertices], name);
     if (!found)
       text_.refuse("vertices have no property '%s'", name.data());
-    if (found->count_type || !found->type->is_real)
-      text_.refuse("the property '%s' of vertices is not float or double",
-                   name.data());
+    if (found->count_type)
+      text_.refuse("the property '%s' of vertices is a list", name.data());
   }
 }
 
@@ -135,8 +132,8 @@ void Header::check_faces() {
       continue;
     if (!index_list.empty())
       text_.refuse("faces have two lists of vertices");
-    if (!found->count_type || found->type->size != 4 || found->type->is_real)
-      text_.refuse("the property '%s' of faces is not a list of int or uint",
+    if (!found->count_type || found->type->is_real)
+      text_.refuse("the property '%s' of faces is not a list of integers",
                    name.data());
     index_list = found->name;
   }

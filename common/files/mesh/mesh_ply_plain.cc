@@ -36,7 +36,7 @@ public:
 private:
   static uint32_t take_vertices(void *context, uint32_t from, uint32_t to);
   static uint32_t take_triangles(void *context, uint32_t from, uint32_t to);
-  bool take_vertex(const char *at, double *p) const;
+  void take_vertex(const char *at, double *p) const;
 
   const Element &vertex_;
   size_t n_, n_faces_, size_ = 0; /* of a vertex, in bytes */
@@ -47,27 +47,22 @@ private:
   uint32_t *corners_ = nullptr;
 };
 
-/* False: a value is not finite. */
-bool Plain_reader::take_vertex(const char *at, double *p) const {
-  bool finite = true;
+void Plain_reader::take_vertex(const char *at, double *p) const {
   for (size_t k = 0; k < vertex_.properties.size(); k++) {
     const size_t size = vertex_.properties[k].type->size;
     const double value = real_at(at, size);
-    finite &= std::isfinite(value);
     for (size_t a = 0; a < 3; a++)
       if (where_[a] == k)
         p[a] = value;
     at += size;
   }
-  return finite;
 }
 
 uint32_t Plain_reader::take_vertices(void *context, uint32_t from,
                                      uint32_t to) {
   const Plain_reader &r = *static_cast<const Plain_reader *>(context);
   for (uint32_t v = from; v < to; v++)
-    if (!r.take_vertex(r.at_ + r.size_ * v, r.xyz_ + 3 * size_t{v}))
-      return v;
+    r.take_vertex(r.at_ + r.size_ * v, r.xyz_ + 3 * size_t{v});
   return to;
 }
 
@@ -95,8 +90,7 @@ bool Plain_reader::read() {
         where_[a] = k;
   }
   xyz_ = builder_.vertices(n_);
-  if (hsr_share_search(threads, n, RANGE, take_vertices, this) < n)
-    return false;
+  hsr_share_search(threads, n, RANGE, take_vertices, this);
   builder_.took_vertices(n_);
   corners_ = builder_.triangles(n_faces_);
   if (hsr_share_search(threads, n_faces, RANGE, take_triangles, this) < n_faces)

@@ -230,7 +230,7 @@ bool starts_as_text(const Mesh_file &file) {
 void stl_read(Mesh_file &file, Mesh_builder &builder) {
   if (file.size() == HEADER + COUNT + TRIANGLE * binary_facets(file))
     return read_binary(file, builder);
-  skip_byte_order_mark(file);
+  make_plain_text(file);
   if (!starts_as_text(file))
     refuse_any(file);
   read_text(file, builder);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <utility>
+
+#include <iconv.h>
 
 namespace hsr {
 
@@ -16,6 +19,50 @@ bool read_integer(Word word, long long &number) {
 void skip_byte_order_mark(Mesh_file &file) {
   if (file.size() >= 3 && !std::memcmp(file.begin, "\xef\xbb\xbf", 3))
     file.begin += 3;
+}
+
+void end_lines(char *begin, char *end) {
+  for (char *at = begin; at < end; at++) {
+    at = static_cast<char *>(
+        std::memchr(at, '\r', static_cast<size_t>(end - at)));
+    if (!at)
+      return;
+    if (at + 1 == end || at[1] != '\n')
+      *at = '\n';
+  }
+}
+
+namespace {
+
+/* From UTF-16 of the system's that iconv knows by `name`. */
+void make_utf8(Mesh_file &file, const char *name) {
+  const iconv_t conversion = iconv_open("UTF-8", name);
+  if (conversion == reinterpret_cast<iconv_t>(-1))
+    file.refuse(0, "is in UTF-16, which is not known here");
+  char *from = file.begin + 2;
+  size_t left = file.size() - 2, room = 3 * (left / 2) + 4;
+  std::unique_ptr<char[]> text(new char[room]);
+  char *to = text.get();
+  const bool bad =
+      iconv(conversion, &from, &left, &to, &room) == static_cast<size_t>(-1);
+  iconv_close(conversion);
+  if (bad || left)
+    file.refuse(0, "is in UTF-16, and broken at byte %zu",
+                static_cast<size_t>(from - file.begin));
+  file.begin = text.get();
+  file.end = to;
+  file.memory = std::move(text);
+}
+
+} // namespace
+
+void make_plain_text(Mesh_file &file) {
+  if (file.size() >= 2 && !std::memcmp(file.begin, "\xff\xfe", 2))
+    make_utf8(file, "UTF-16LE");
+  else if (file.size() >= 2 && !std::memcmp(file.begin, "\xfe\xff", 2))
+    make_utf8(file, "UTF-16BE");
+  skip_byte_order_mark(file);
+  end_lines(file.begin, file.end);
 }
 
 double Number_type::of_bytes(const void *bytes, bool big_endian) const {

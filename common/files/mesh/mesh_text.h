@@ -39,6 +39,14 @@ bool read_integer(Word word, long long &number);
 /* Moves file.begin past a byte order mark, if the text starts with one. */
 void skip_byte_order_mark(Mesh_file &file);
 
+/* Makes lines that end in CR alone end in LF. */
+void end_lines(char *begin, char *end);
+
+/* Makes a text UTF-8 without a byte order mark, with lines that end in LF or CR
+ * LF. A text in UTF-16 is known by its byte order mark. Throws Refused for one
+ * that is broken; std::bad_alloc. */
+void make_plain_text(Mesh_file &file);
+
 /* Reads numbers as an istream does, to the last bit: "nan", "inf", hexadecimal
  * numbers and overflow are refused. from_chars, which rounds alike and is
  * faster, reads nearly all. A word that it does not accept as a whole is given
@@ -129,6 +137,18 @@ public:
     const auto quick = std::from_chars(at_, end_, number);
     if (quick.ec == std::errc() && is_end_of_word(quick.ptr) &&
         std::isfinite(number)) {
+      at_ = quick.ptr;
+      return number;
+    }
+    return real_of<Number>(word(), kind, element);
+  }
+  /* The same, but "nan" and "inf" are taken, too, with a sign and in upper case
+   * or lower. */
+  template <class Number = double>
+  Number any_real(const char *kind, size_t element) {
+    Number number;
+    const auto quick = std::from_chars(at_, end_, number);
+    if (quick.ec == std::errc() && is_end_of_word(quick.ptr)) {
       at_ = quick.ptr;
       return number;
     }
