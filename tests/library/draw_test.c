@@ -501,6 +501,16 @@ static void test_files(struct tap *tap, const struct hsr_scene *scene) {
      "and a drawing");
   hsr_get_segments(lines, &segment, &after, NULL);
   ok(tap, before == after && before, "which stays as it was");
+  ok(tap,
+     !hsr_write(answer, "library-draw.npy", NULL, NULL) &&
+         is_written("library-draw.npy") &&
+         !hsr_write(lines, "library-draw.json", NULL, NULL) &&
+         is_written("library-draw.json"),
+     "ids as an array, and a drawing as JSON, too");
+  ok(tap,
+     hsr_write(answer, "library-draw.json", NULL, NULL) == HSR_E_USAGE &&
+         hsr_write(lines, "library-draw.npy", NULL, NULL) == HSR_E_USAGE,
+     "but not the other way");
   ok(tap, hsr_write(answer, "library-draw.svg", NULL, &err) == HSR_E_USAGE,
      "%s", err.text);
   ok(tap, hsr_write(answer, "no/such/folder.ppm", NULL, &err) == HSR_E_INPUT,
@@ -538,7 +548,7 @@ static void test_life(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(62);
+  struct tap tap = plan(64);
   struct hsr_scene *scene = open_scene("house");
   test_usage(&tap, scene);
   test_refused(&tap, scene);
