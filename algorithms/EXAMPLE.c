@@ -13,7 +13,8 @@
  *
  * It is built and tested (tests/example). To make an algorithm of it, copy it
  * to the folder of its taxonomy, write another name for `example`, and add the
- * name to algorithms/list.def and the file to the local.mk of its branch. */
+ * name to algorithms/list.def and the file to the local.mk of its branch. It also
+ * works as it is outside of the tree (docs/modules-outside.md). */
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
 

@@ -247,7 +247,9 @@ bool hsr_choice_composes(const struct hsr_algorithm *algorithm,
 /* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. All other
  * names of the counting build get the ending _counting, by a header that is made
  * of the symbols of the other build (algorithms/local.mk). */
-#if HSR_COUNTING
+#if defined HSR_MODULE /* a module outside of the tree: hsr-module.h */
+#define HSR_ALGORITHM(id) HSR_MODULE_NAME
+#elif HSR_COUNTING
 #define HSR_ALGORITHM(id) hsr_counting_##id
 #else
 #define HSR_ALGORITHM(id) hsr_algorithm_##id

@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "bench/options/command.h"
+#include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
@@ -62,7 +63,9 @@ static void print_help(FILE *out) {
   fputs(
       "\n"
       "  hsr help COMMAND explains each; hsr --version tells the version, and\n"
-      "  hsr --cite how to cite it.\n"
+      "  hsr --cite how to cite it. hsr -m FILE.so COMMAND ... loads a module\n"
+      "  that is not in hsr; an algorithm whose name has a slash is a "
+      "program.\n"
       "\n"
       "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
       "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
@@ -185,10 +188,30 @@ static bool is_help(const char *word) {
   return false;
 }
 
+/* Loads the modules that the words -m FILE name, which come before all others.
+ * *argc and *argv are moved past them. */
+static enum hsr_status load_modules(int *argc, char ***argv,
+                                    struct hsr_error *err) {
+  enum hsr_status status = outside_inherit(err);
+  while (!status && *argc > 1 &&
+         (!strcmp((*argv)[1], "-m") || !strcmp((*argv)[1], "--module"))) {
+    if (*argc < 3)
+      return hsr_fail(err, HSR_E_USAGE, "%s: which module?", (*argv)[1]);
+    status = outside_load((*argv)[2], err);
+    *argc -= 2;
+    *argv += 2;
+  }
+  return status;
+}
+
 int main(int argc, char **argv) {
   hold_standard_files();
   setlocale(LC_CTYPE, "");
   end_in_one_line();
+  struct hsr_error err = {.text = "unexplained failure"};
+  enum hsr_status status = load_modules(&argc, &argv, &err);
+  if (status)
+    return end(status, &err);
   if (argc < 2) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;
@@ -214,8 +237,7 @@ int main(int argc, char **argv) {
   const struct hsr_command *command = find_command(words[0]);
   if (!command)
     return no_command(words[0]);
-  struct hsr_error err = {.text = "unexplained failure"};
-  enum hsr_status status = begin(command, &err);
+  status = begin(command, &err);
   if (!status)
     status = command->run(n, words, &err);
   return end(finish(status, &err), &err);

@@ -5,6 +5,8 @@ hsr_LDADD = $(BENCH_LIBS)
 # For all that loads a library in this process: an address sanitizer does it from
 # a library of its own, for which DT_RUNPATH does not hold.
 hsr_LDFLAGS = -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
+# For modules outside of the tree, which find here what they call.
+hsr_LDFLAGS += -Wl,--dynamic-list=$(srcdir)/algorithms/outside/names.list
 # What hsr loads is there when hsr is.
 EXTRA_hsr_DEPENDENCIES = $(pkglibexec_PROGRAMS)
 
@@ -56,6 +58,8 @@ libbench_a_SOURCES = \
   %D%/judge/judge_filtered.h \
   %D%/judge/wanted.c \
   %D%/judge/wanted.h \
+  %D%/modules/outside.c \
+  %D%/modules/outside.h \
   %D%/options/camera.c \
   %D%/options/camera.h \
   %D%/options/command.h \

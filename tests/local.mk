@@ -142,6 +142,7 @@ tap_scripts = \
   %D%/command/full.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/outside.test \
   %D%/command/peers.test \
   %D%/command/programs.test \
   %D%/command/programs_bench.test \

@@ -14,6 +14,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 struct hsr_arena {
   struct hsr_arena_block *blocks; /* newest first; NULL when empty */
@@ -70,6 +71,7 @@ void hsr_huge_pages(void *memory, size_t size);
 #define HSR_NEW_ZEROED(arena, type, n)                                         \
   ((type *)hsr_arena_zeroed((arena), (n), sizeof(type)))
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

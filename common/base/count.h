@@ -19,6 +19,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* --- Counters ------------------------------------------------------------- */
 
@@ -286,6 +287,7 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #define HSR_ACCEPTED(tally, counter, a, b, window, part)                       \
   HSR_TOLD(tally, counter, a, b, window, 0, part)
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

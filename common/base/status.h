@@ -6,6 +6,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* The values are the exit statuses of the command. */
 enum hsr_status {
@@ -43,6 +44,7 @@ enum hsr_status hsr_fail(struct hsr_error *err, enum hsr_status status,
 /* Fills *err (unless NULL) with "out of memory" and returns HSR_E_NOMEM. */
 enum hsr_status hsr_fail_nomem(struct hsr_error *err);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -41,6 +41,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* A stored screen coordinate that is not NaN is within HSR_DELTA pixels of the
  * exact one, and is at most HSR_GUARD pixels in size. */
@@ -451,6 +452,7 @@ bool hsr_loop_beyond_near(const struct hsr_view *view, struct hsr_loop plane,
 bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
                         double sx, double sy, struct hsr_tally *tally);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

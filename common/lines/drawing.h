@@ -14,6 +14,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* The name of an edge. For an edge of faces, a < b are its vertices, and part
  * is 0. For an implied edge, a < b are the faces that penetrate, and part is
@@ -86,6 +87,7 @@ void hsr_drawing_compare(const struct hsr_drawing *got,
                          const struct hsr_drawing *wanted, bool visible_only,
                          struct hsr_drawing_difference *difference);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -22,6 +22,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* A polygon in arrays of coordinates: corner k has the coordinates
  * x[stride * vertex[k]], likewise y and z. All borrowed. */
@@ -72,6 +73,7 @@ int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
 int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
                                    bool *out_of_memory);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

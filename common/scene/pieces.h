@@ -29,6 +29,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* One side of the plane of face `face`: +1 in front of it, -1 behind. */
 struct hsr_cut {
@@ -98,6 +99,7 @@ static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
                 : hsr_face_loop(world, f);
 }
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -25,6 +25,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* Which ids belong to which instance. Every world has a roster. */
 struct hsr_roster {
@@ -195,6 +196,7 @@ static inline bool hsr_on_plane(const struct hsr_world *world, uint32_t f,
   return false;
 }
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -15,6 +15,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 /* X(field, symbol, meaning): each is a row of Table I. */
 #define HSR_TABLE1(X)                                                          \
@@ -71,6 +72,7 @@ enum hsr_status hsr_count_penetrations(const struct hsr_world *world,
                                        uint64_t *n_pairs,
                                        struct hsr_error *err);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -49,6 +49,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 #define HSR_MAX_SIZE 16384      /* most samples along a side of a view */
 #define HSR_MAX_WHOLE (1 << 20) /* the same of a picture made of tiles */
@@ -185,6 +186,7 @@ static inline double hsr_sample_y(const struct hsr_view *view, int j) {
   return j + (0.5 + view->offset_y);
 }
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

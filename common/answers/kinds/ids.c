@@ -249,6 +249,7 @@ static json_t *ids_json(const struct hsr_answer *answer,
   return hsr_runs_json(answer->body, count_samples(answer), HSR_BACKGROUND);
 }
 
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 const struct hsr_answer_type hsr_answer_ids = {
     .name = "ids",
     .meaning = "the visible face of every sample",
@@ -274,3 +275,4 @@ const struct hsr_answer_type hsr_answer_ids = {
     .print = print,
     .paint = paint,
     .json = ids_json};
+#pragma GCC visibility pop

@@ -9,6 +9,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 #define HSR_IDS (&hsr_answer_ids)
 
@@ -24,6 +25,7 @@ struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
 enum hsr_status hsr_answer_write_ids(const struct hsr_answer *answer,
                                      const char *path, struct hsr_error *err);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -211,6 +211,7 @@ static json_t *drawing_json(const struct hsr_answer *answer,
   return segments;
 }
 
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 const struct hsr_answer_type hsr_answer_segments = {
     .name = "segments",
     .meaning = "every edge in intervals of one quantitative invisibility",
@@ -232,3 +233,4 @@ const struct hsr_answer_type hsr_answer_segments = {
     .settle = settle,
     .json = drawing_json,
     .part_json = segment_json};
+#pragma GCC visibility pop

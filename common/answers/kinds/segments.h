@@ -10,6 +10,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(protected) /* for modules: hsr-module.h */
 
 #define HSR_SEGMENTS (&hsr_answer_segments)
 
@@ -21,6 +22,7 @@ struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_answer hsr_answer_of_drawing(struct hsr_drawing *drawing, int m,
                                         int n);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif
