@@ -72,6 +72,8 @@ lesson_sources = \
 check_PROGRAMS += %D%/greene/figures
 %C%_greene_figures_SOURCES = %D%/greene/figures.c
 lesson_page = %D%/lesson/lesson.html %D%/lesson/lesson.css
+EXTRA_DIST += %D%/suite/README.md %D%/suite/make %D%/suite/rays.txt \
+  %D%/suite/opengl.txt
 EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/area/passes.txt %D%/area/strict.txt \
   %D%/area/results.ndjson %D%/area/samples-house.txt \

@@ -20,6 +20,9 @@ _hsr() {
       awk 'NR > 1 && !NF { exit } NR > 1 { print $1 }')
     # the last of several names, divided by commas
     [[ $word == *,* ]] && first=${word%,*},
+  elif [[ $command == suite && $before == --scenes ]]; then
+    words=$("$hsr" suite --list 2>/dev/null | awk '{ print $1; print $2 }' | sort -u)
+    [[ $word == *,* ]] && first=${word%,*},
   elif [[ $before == --palette ]]; then
     words=$("$hsr" list 2>/dev/null |
       awk 'palettes { print $1 } /^Palettes/ { palettes = 1 }')

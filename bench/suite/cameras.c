@@ -26,7 +26,9 @@ static json_t *rays_json(const struct hsr_view *view) {
 
 /* --- Matrices ------------------------------------------------------------- */
 
-/* The planes before and behind all that is visible. */
+/* The planes before and behind all that is visible. What lies on the camera's near
+ * plane does not exist, but OpenGL and Vulkan keep what is on theirs; so theirs is
+ * half way from there to the nearest that is visible. */
 struct planes {
   double near, far;
 };
@@ -44,8 +46,10 @@ static struct planes find_planes(const struct hsr_world *world,
     farthest = fmax(farthest, image[2]);
   }
   struct planes planes = {view->near, 1.001 * farthest};
-  if (!view->parallel && !(planes.near > 0))
-    planes.near = isfinite(least) ? least / 2 : planes.far / 1024;
+  if (isfinite(least))
+    planes.near += (least - view->near) / 2;
+  else if (!view->parallel && !(planes.near > 0))
+    planes.near = planes.far / 1024;
   if (!(planes.far > planes.near))
     planes.far = 2 * planes.near + 1;
   return planes;

@@ -92,6 +92,8 @@ static const char text[] =
     "- `view` and `projection` are its two parts, rounded once more.\n"
     "- Nothing that is visible lies before `opengl.near` or behind "
     "`opengl.far`.\n"
+    "  This `near` is half way from the camera's `near` to the nearest visible\n"
+    "  point, because a rasteriser keeps what is on its near plane.\n"
     "- Where a sample lies exactly on an edge, it is understood as moved to "
     "the right\n"
     "  by an infinitesimal, and far less down. Of faces at the same depth "
