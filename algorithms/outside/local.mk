@@ -18,6 +18,7 @@ module_headers = \
   common/base/window.h \
   common/exact/screen.h \
   common/files/image.h \
+  common/files/npy.h \
   common/files/page.h \
   common/grids/grid.h \
   common/grids/palette.h \
