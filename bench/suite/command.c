@@ -201,6 +201,10 @@ static enum hsr_status make(struct making *m, struct hsr_error *err) {
   enum hsr_status status = find_meshes(&m->has_meshes, err);
   if (!status)
     status = add_scenes(m, err);
+  if (!status && !json_array_size(m->scenes))
+    status = hsr_fail(err, HSR_E_INPUT,
+                      "suite: these scenes need libcgal-demo, which is not "
+                      "installed");
   if (!status && interrupt_came())
     status = interrupt_fail(err);
   if (!status)
