@@ -299,9 +299,12 @@ bool hsr_coordinates_fit(const double *v, int n) {
 
 enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err) {
-  if (!hsr_coordinates_fit(camera->eye, 3) || !hsr_coordinates_fit(camera->at, 3) ||
-      !hsr_coordinates_fit(camera->up, 3) || !hsr_coordinates_fit(&camera->fov, 1) ||
-      !hsr_coordinates_fit(&camera->near, 1) || !hsr_coordinates_fit(&camera->parallel, 1) ||
+  if (!hsr_coordinates_fit(camera->eye, 3) ||
+      !hsr_coordinates_fit(camera->at, 3) ||
+      !hsr_coordinates_fit(camera->up, 3) ||
+      !hsr_coordinates_fit(&camera->fov, 1) ||
+      !hsr_coordinates_fit(&camera->near, 1) ||
+      !hsr_coordinates_fit(&camera->parallel, 1) ||
       !hsr_coordinates_fit(camera->light, 4))
     return hsr_fail(err, HSR_E_INPUT,
                     "camera: a value is not finite or above %g",
@@ -504,8 +507,8 @@ static enum hsr_status check_object(const struct hsr_object *object,
 static enum hsr_status check_grid(const struct hsr_grid *grid,
                                   struct hsr_error *err) {
   for (int a = 0; a < 3; a++)
-    if (!hsr_coordinates_fit((double[]){grid->bound[a][0], grid->bound[a][grid->n[a]]},
-                    2))
+    if (!hsr_coordinates_fit(
+            (double[]){grid->bound[a][0], grid->bound[a][grid->n[a]]}, 2))
       return hsr_fail(err, HSR_E_INPUT,
                       "the grid has a coordinate above %g along %c",
                       LARGEST_COORDINATE, "xyz"[a]);
