@@ -157,7 +157,7 @@ void try_bad_obj(tap *t) {
         {"f 1 2 3x\n", "is not a corner"},
         {"v 1 2\n", "has 2 numbers"},
         {"v 1 2 3 4 5\n", "has 5 numbers"},
-        {"v 1 2 nan\n", "is not a finite number"},
+        {"v 1 2 x\n", "is not a finite number"},
         {"vq 1 2\n", "is not a statement"}}) {
     const std::string both = with(with(text, late, "f 1\n"), early, line);
     ok(t,
