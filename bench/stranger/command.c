@@ -40,9 +40,18 @@ static error_t check_suite(struct options *o) {
   if (p->path)
     return option_fail(&o->base, "judge: one folder of results, not also '%s'",
                        p->path);
-  if (p->colours || p->triangles || p->channel || p->has_none || o->view.m)
-    return option_fail(&o->base, "judge: with --suite, pictures are .npy files "
-                                 "of ids of their own size");
+  const char *other = p->colours     ? "--colours"
+                      : p->triangles ? "--triangles"
+                      : p->channel   ? "--channel"
+                      : p->has_none  ? "--none"
+                      : o->view.m    ? "--size"
+                                     : NULL;
+  if (other)
+    return option_fail(
+        &o->base,
+        "%s is not for a --suite: its pictures are .npy files of "
+        "ids, of their own size",
+        other);
   if (o->output && !is_page(o->output))
     return option_fail(&o->base,
                        "--output %s: of a suite, a page is written, "
@@ -110,7 +119,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case NONE:
     o->picture.has_none = true;
     if (!parse_count(arg, -0x7fffffffL, 0xffffffffL, &o->picture.none))
-      return option_fail(&o->base, "--none %s: must be a whole number", arg);
+      return option_fail(
+          &o->base, "--none %s: must be a whole number up to 4294967295", arg);
     return 0;
   case ARGP_KEY_ARG:
     return parse_argument(o, arg, state);

@@ -90,6 +90,11 @@ static enum hsr_status take_id(struct reading *r, size_t k, uint32_t *id) {
                     "%s: sample %s is %.0f; of what is negative, only -1 has a "
                     "meaning: no face",
                     hsr_path_shown(f->path), say_place(r, k, place), v);
+  if (v > UINT32_MAX - 2 && r->n_faces == UINT32_MAX)
+    return hsr_fail(
+        r->err, HSR_E_INPUT,
+        "%s: sample %s has face %.0f; a number of 32 bits is wanted",
+        hsr_path_shown(f->path), say_place(r, k, place), v);
   if (v > UINT32_MAX - 2)
     return hsr_fail(r->err, HSR_E_INPUT,
                     "%s: sample %s has face %.0f, which does not exist: the "

@@ -243,6 +243,7 @@ static enum hsr_status judge_picture(struct desk *desk, struct suite_result *r,
     status = hsr_fail(err, read, "%s", why.text);
   else if (read) {
     r->state = SUITE_UNUSABLE;
+    r->compared = r->differing = 0;
     memcpy(r->why, why.text, sizeof r->why);
   }
   free(picture.ids);

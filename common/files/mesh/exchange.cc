@@ -110,8 +110,9 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   if (!workshop.object->n_faces)
     file.refuse(0, "none of its %llu faces has an area",
                 static_cast<unsigned long long>(builder.n_given()));
-  bool solid = false;
-  if (hsr_object_is_solid(workshop.object, builder.threads(), &solid))
+  bool solid = builder.one_sided();
+  if (!builder.says_sides() &&
+      hsr_object_is_solid(workshop.object, builder.threads(), &solid))
     throw std::bad_alloc();
   workshop.object->one_sided = solid && !(import && import->two_sided);
   workshop.deliver(scene);

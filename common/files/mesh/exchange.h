@@ -5,7 +5,8 @@
  * Faces       polygons are kept as polygons.
  * Sides       a mesh that is closed and consistently oriented outward becomes a
  *             one-sided object. Any other becomes two-sided. With
- *             hsr_import.two_sided, all become two-sided.
+ *             hsr_import.two_sided, all become two-sided. A .ply file may say
+ *             it itself: faces have a property one_sided, as those of hsr suite.
  * Colours     the colour of a face is the first of these that the file has: its
  *             own (.off .ply, and .vtp of hsr export); that of its material
  *             (.obj with its .mtl); the mean of its vertices' colours (.ply

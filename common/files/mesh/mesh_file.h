@@ -87,6 +87,14 @@ public:
    * face(). */
   void give_faces_again();
   bool strict() const { return strict_; }
+  /* What the file says of its faces: all are seen from their front alone, or
+   * from both sides. Otherwise the mesh is looked at. */
+  void set_one_sided(bool one_sided) {
+    says_sides_ = true;
+    one_sided_ = one_sided;
+  }
+  bool says_sides() const { return says_sides_; }
+  bool one_sided() const { return one_sided_; }
   /* Leaves out the faces without area that are still there, unless it is
    * strict. */
   void leave_out_flat();
@@ -108,7 +116,7 @@ private:
 
   struct hsr_object *object_;
   const char *path_;
-  bool strict_;
+  bool strict_, says_sides_ = false, one_sided_ = false;
   int threads_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
   std::vector<uint32_t> ring_; /* of a face, without repeats */

@@ -184,6 +184,7 @@ private:
   std::vector<float> face_rgb_;   /* of each of these; or empty */
   std::vector<float> vertex_rgb_; /* of all vertices; or empty */
   bool has_vertices_ = false;     /* they are given */
+  bool has_one_sided_ = false, has_two_sided_ = false; /* faces */
   std::array<float, 256> linear_; /* of a byte of a colour */
 };
 
@@ -269,8 +270,14 @@ template <class Source> void Reader<Source>::give() {
 /* Faces that come before the vertices wait for them. */
 template <class Source> void Reader<Source>::faces(const Element &element) {
   const Three colours = colours_of(element);
+  const Property *sides = find_property(element, "one_sided");
+  const size_t side = sides && !sides->count_type
+                          ? static_cast<size_t>(sides - &element.properties[0])
+                          : NONE;
   for (size_t f = 0; f < element.n; f++) {
     values(element, f, true);
+    if (side != NONE)
+      (value_[side] != 0 ? has_one_sided_ : has_two_sided_) = true;
     ends_.push_back(corners_.size());
     if (colours.there) {
       face_rgb_.resize(3 * ends_.size());
@@ -279,6 +286,12 @@ template <class Source> void Reader<Source>::faces(const Element &element) {
     if (has_vertices_)
       give();
   }
+  if (has_one_sided_ && has_two_sided_)
+    builder_.note(
+        "some faces are one-sided and some are not, which an object of "
+        "a file cannot be: 'one_sided' is passed over");
+  else if (side != NONE)
+    builder_.set_one_sided(has_one_sided_);
 }
 
 template <class Source> void Reader<Source>::others(const Element &element) {
