@@ -2,6 +2,7 @@
 /* What hsr check prints: a line for each scene and size, and below it what is
  * wrong, was refused, crashed or came too late. */
 #include "bench/check/check.h"
+#include "bench/modules/outside.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/json.h"
@@ -91,14 +92,30 @@ static void print_wrong(const struct scene_run *run, int size, int view,
   terminal_wrap(stdout, printf("  wrong: "), 4, text);
 }
 
+/* The option that loads the modules outside of the tree: " -m PATH". */
+static void say_modules(char *text, size_t n) {
+  char path[TERMINAL_NAME], word[TERMINAL_NAME];
+  size_t length = 0;
+  *text = '\0';
+  for (const char *at = outside_loaded(); *at && length < n;) {
+    int size = (int)strcspn(at, "\n");
+    snprintf(path, sizeof path, "%.*s", size, at);
+    length += (size_t)snprintf(text + length, n - length, " -m %s",
+                               terminal_word(path, word, sizeof word));
+    at += size + (at[size] == '\n');
+  }
+}
+
 /* The command that judges one cell again. */
 static void say_again(const struct scene_run *run, int size, int view, int a,
                       char *text, size_t n) {
   const struct check_options *o = run->options;
-  char scene[TERMINAL_NAME];
+  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], modules[TERMINAL_NAME];
+  say_modules(modules, sizeof modules);
   snprintf(text, n,
-           "again: hsr check %s -a %s --%s %d --size %dx%d --timeout %ld%s%s",
-           terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
+           "again: hsr%s check %s -a %s --%s %d --size %dx%d --timeout %ld%s%s",
+           modules, terminal_word(run->name, scene, sizeof scene),
+           terminal_word(o->algorithm[a].name, algorithm, sizeof algorithm),
            o->frames ? "frames" : "order", o->view[view] + 1, o->m[size],
            o->n[size], o->timeout, o->import.strict ? " --strict" : "",
            o->import.two_sided ? " --two-sided" : "");
@@ -131,8 +148,12 @@ static void print_failure(const struct scene_run *run, int size, int a) {
       continue;
     if (verdict == TIMEOUT) {
       int length = say_cell(run, size, view, a, text, sizeof text);
-      snprintf(text + length, sizeof text - (size_t)length,
-               ": took longer than %ld s", o->timeout);
+      const char *why = cell_at(run, size, view, a)->why;
+      if (*why)
+        snprintf(text + length, sizeof text - (size_t)length, ": %s", why);
+      else
+        snprintf(text + length, sizeof text - (size_t)length,
+                 ": took longer than %ld s", o->timeout);
       terminal_wrap(stdout, printf("  late: "), 4, text);
     } else {
       print_crash(run, size, view, a);

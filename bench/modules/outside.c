@@ -27,12 +27,12 @@ static enum hsr_status check_version(void *module, const char *path,
 
 /* What its descriptor lacks; NULL: nothing. */
 static const char *lack_of(const struct hsr_algorithm *a) {
-  return !a                  ? "a descriptor, HSR_ALGORITHM"
-         : !a->name          ? "a name"
-         : !a->title         ? "a title"
-         : !a->subjects      ? "subjects"
-         : !a->makes[0].kind ? "what it makes"
-         : !a->render        ? "render"
+  return !a                      ? "a descriptor, HSR_ALGORITHM"
+         : !a->name || !*a->name ? "a name"
+         : !a->title             ? "a title"
+         : !a->subjects          ? "subjects"
+         : !a->makes[0].kind     ? "what it makes"
+         : !a->render            ? "render"
          : a->name[strspn(a->name, "abcdefghijklmnopqrstuvwxyz0123456789-")]
              ? "a name of a to z, 0 to 9 and -"
              : NULL;
@@ -91,6 +91,11 @@ enum hsr_status outside_load(const char *path, struct hsr_error *err) {
     status = hsr_fail_nomem(err);
   free(whole);
   return status;
+}
+
+const char *outside_loaded(void) {
+  const char *all = getenv(VARIABLE);
+  return all ? all : "";
 }
 
 enum hsr_status outside_inherit(struct hsr_error *err) {

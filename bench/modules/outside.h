@@ -12,6 +12,9 @@
  * module; HSR_E_USAGE if its name is taken, or if there are too many. */
 enum hsr_status outside_load(const char *path, struct hsr_error *err);
 
+/* The paths of all that is loaded, with a newline between them; "": nothing. */
+const char *outside_loaded(void);
+
 /* Loads what the process that has started this one has loaded. */
 enum hsr_status outside_inherit(struct hsr_error *err);
 

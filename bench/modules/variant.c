@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed) {
   struct hsr_variant variant = {.listed = listed,
@@ -190,6 +191,11 @@ static enum hsr_status no_algorithm(const char *name, struct hsr_error *err) {
                     "%.200s: a program, which is for hsr check, hsr bench and "
                     "hsr render",
                     name);
+  if (!access(name, X_OK))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "no algorithm '%.100s'; a program has a slash in its name, "
+                    "./%.100s, and a module is loaded by hsr -m",
+                    name, name);
   struct hsr_names list = {0};
   char hint[256] = "";
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)

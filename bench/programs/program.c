@@ -156,7 +156,8 @@ static enum hsr_status say_end(const struct program *p, int status,
                     p->name, WTERMSIG(status), strsignal(WTERMSIG(status)),
                     when, words);
   int code = WEXITSTATUS(status);
-  return hsr_fail(err, code == HSR_E_REFUSED ? HSR_E_REFUSED : HSR_E_INPUT,
+  bool declines = code == HSR_E_REFUSED && !p->frames;
+  return hsr_fail(err, declines ? HSR_E_REFUSED : HSR_E_INPUT,
                   "%s: it ended %s, with status %d%s", p->name, when, code,
                   words);
 }
@@ -189,14 +190,16 @@ static bool is_ready(const struct program *p, double end) {
 
 static enum hsr_status fail_for_time(struct program *p, double seconds,
                                      struct hsr_error *err) {
-  char text[64];
+  char text[64], words[200];
   bool stopped = p->stopped && p->stopped();
+  read_last_words(p, words, sizeof words);
   stop(p, false);
   if (stopped)
     return hsr_fail(err, HSR_E_STOPPED, "stopped");
   p->late = true;
-  return hsr_fail(err, HSR_E_NOMEM, "%s: it took longer than %.0f s %s",
-                  p->name, seconds, when(p, text));
+  return hsr_fail(err, HSR_E_NOMEM,
+                  "%s: it took longer than %.0f s %s, in which no line came%s",
+                  p->name, seconds, when(p, text), words);
 }
 
 static enum hsr_status fail_for_line(struct program *p, const char *line,
