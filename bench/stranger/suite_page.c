@@ -57,7 +57,7 @@ static void put_kinds(const struct suite_judgement *j, FILE *out) {
         "samples<th class=\"n\">pictures\n",
         out);
   for (;;) {
-    const int kind = suite_worst(left);
+    const int kind = (int)suite_worst(left);
     if (!left[kind])
       break;
     fputs("<tr><td>", out);
