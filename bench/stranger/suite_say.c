@@ -46,7 +46,7 @@ static void say_kinds(const struct suite_judgement *j) {
   printf("\n%-44s %8s %8s  %s\n", "kind of fault", "samples", "pictures",
          "most of them in");
   for (;;) {
-    const int kind = suite_worst(left);
+    const int kind = (int)suite_worst(left);
     if (!left[kind])
       return;
     const struct suite_result *most = most_of(j, kind);
