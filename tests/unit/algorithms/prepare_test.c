@@ -303,7 +303,7 @@ static void write_off(const char *path, int more, const char *odd) {
 
 /* The line that refuses a file, by so many threads. */
 static void refuse(const char *path, int threads, struct hsr_error *err) {
-  struct hsr_import import = {.threads = threads};
+  struct hsr_import import = {.threads = threads, .strict = true};
   struct hsr_scene *scene;
   if (!hsr_scene_open(path, &import, &scene, err))
     bail("%s: was not refused", path);
