@@ -12,6 +12,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#if defined __SANITIZE_ADDRESS__
+enum { SANITIZED = 1 };
+#elif defined __has_feature
+enum { SANITIZED = __has_feature(address_sanitizer) };
+#else
+enum { SANITIZED = 0 };
+#endif
+
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 static const char path[] = "npy_test.npy";
@@ -275,9 +283,8 @@ static void test_lies(struct tap *t) {
   getrlimit(RLIMIT_DATA, &all);
   little = all;
   little.rlim_cur = 64 << 20;
-#if defined __SANITIZE_ADDRESS__
-  little = all; /* its own memory does not fit */
-#endif
+  if (SANITIZED)
+    little = all; /* its own memory does not fit */
   setrlimit(RLIMIT_DATA, &little);
   write_file(1, DICT("'<u4'", "True", "(16384, 16384)"), "abcd", 4);
   is_refused("ends early", "numbers of 1 GB are promised", t);
