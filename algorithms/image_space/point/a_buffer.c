@@ -237,7 +237,8 @@ static void add_merged(struct state *s, struct packed *f,
 static bool pack(struct state *s, const struct pixel *p, int i, int j) {
   if (!list_fragments(s, p, i, j))
     return false;
-  struct packed *list = s->packing.items, *end = list + s->packing.n;
+  struct packed *list = s->packing.items;
+  struct packed *end = list ? list + s->packing.n : list; /* NULL: none yet */
   uint64_t rest = s->kernel.all;
   for (struct packed *f = list; f < end; f++) {
     rest &= ~f->mask;
