@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/* Puts vertices that have a coordinate which is not finite, or too large, to the
- * place of another vertex, if no face uses them; they keep their numbers. *n
+/* Moves vertices that no face uses, and that have a coordinate which is not
+ * finite or too large, onto a vertex of a face. They keep their numbers. *n
  * becomes how many. HSR_E_INPUT if a face uses one: *vertex and *face say
  * which. */
 enum hsr_status hsr_object_settle_unused(struct hsr_object *object, int threads,

@@ -287,9 +287,8 @@ template <class Source> void Reader<Source>::faces(const Element &element) {
       give();
   }
   if (has_one_sided_ && has_two_sided_)
-    builder_.note(
-        "some faces are one-sided and some are not, which an object of "
-        "a file cannot be: 'one_sided' is passed over");
+    builder_.note("'one_sided' is passed over: it differs between faces, and "
+                  "hsr takes one value for a file");
   else if (side != NONE)
     builder_.set_one_sided(has_one_sided_);
 }

@@ -176,8 +176,7 @@ void Text::pass_line() {
 bool Text::next_line() {
   if (begun_)
     pass_line();
-  passed_empty_ = false;
-  for (; at_ < end_; pass_line(), passed_empty_ = true) {
+  for (; at_ < end_; pass_line()) {
     start_ = at_;
     begun_ = true;
     if (more())

@@ -102,8 +102,6 @@ public:
 
   /* Goes to the first word of the next line that has one; false at the end. */
   bool next_line();
-  /* Whether the last next_line() skipped lines without a word. */
-  bool passed_empty_lines() const { return passed_empty_; }
   /* Goes to the next word of the line; false at its end. */
   bool more() {
     while (at_ < end_ && is_space(*at_))
@@ -182,7 +180,7 @@ private:
   const Mesh_file &file_;
   Text_style style_;
   const char *at_, *start_, *end_; /* start_: of the line */
-  bool begun_ = false, passed_empty_ = false;
+  bool begun_ = false;
   Number_reader read_;
 };
 
