@@ -40,6 +40,9 @@ hsr_build hsr_build_t_junction, hsr_build_shared_edges,
     hsr_build_collinear_edges, hsr_build_sliver, hsr_build_sub_pixel_gap,
     hsr_build_needle_fan, hsr_build_non_convex;
 
+/* failures/holes.c */
+hsr_build hsr_build_keyholes;
+
 /* failures/eye.c */
 hsr_build hsr_build_behind_eye, hsr_build_near_plane, hsr_build_eye_in_plane,
     hsr_build_non_planar, hsr_build_huge_and_tiny;

@@ -9,6 +9,7 @@ libcore_a_SOURCES += \
   %D%/registry.c \
   %D%/failures/edges.c \
   %D%/failures/eye.c \
+  %D%/failures/holes.c \
   %D%/failures/order.c \
   %D%/parts/lots.c \
   %D%/parts/lots.h \

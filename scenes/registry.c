@@ -203,6 +203,9 @@ const struct hsr_builtin hsr_builtins[] = {
     FAILURE("non-convex", hsr_build_non_convex,
             "combs, stars and spirals: breaks span generators that expect two "
             "edges on a line"),
+    FAILURE("keyholes", hsr_build_keyholes,
+            "rings that pass a vertex twice or run along a bridge: breaks "
+            "methods that take every ring for a simple polygon"),
     FAILURE("non-planar", hsr_build_non_planar,
             "quadrilaterals slightly and grossly out of plane: breaks methods "
             "that take a plane from three corners"),

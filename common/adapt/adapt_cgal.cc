@@ -98,7 +98,7 @@ using Face_base = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
-    CGAL::No_constraint_intersection_tag>;
+    CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 void add_triangle(const Piece &whole, const Triangle &corners, List &list) {
   Piece piece = whole;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The edges of a world, over CGAL.
 //
-// Sides       are sorted by their two vertices; equal ones are one edge.
+// Sides       are sorted by their two vertices; equal ones are one edge. A face
+//             that runs along them twice has no side there: it is a bridge.
 // Implied     edges come from the pairs of faces that penetrate
 //             (penetration.cc), exactly.
 // Touched     Pairs of an edge and a face with overlapping boxes, by CGAL's
@@ -116,11 +117,25 @@ struct Edges {
   }
 };
 
+bool is_again(const Found_side &s, const Found_side &t) {
+  return s.a == t.a && s.b == t.b && s.side.face == t.side.face;
+}
+
+// The last of an odd number of equal sides of a face is one; of an even number,
+// none is.
 void add_real(const hsr_world *world, Edges &made) {
-  for (const Found_side &s : find_sides(world)) {
-    if (made.name.empty() || made.a.back() != s.a || made.b.back() != s.b)
-      made.begin({false, s.a, s.b, 0}, s.a, s.b);
-    made.add_side(s.side);
+  const std::vector<Found_side> sides = find_sides(world);
+  for (size_t k = 0, n = 0; k < sides.size(); k++) {
+    const Found_side &s = sides[k];
+    n++;
+    if (k + 1 < sides.size() && is_again(s, sides[k + 1]))
+      continue;
+    if (n % 2) {
+      if (made.name.empty() || made.a.back() != s.a || made.b.back() != s.b)
+        made.begin({false, s.a, s.b, 0}, s.a, s.b);
+      made.add_side(s.side);
+    }
+    n = 0;
   }
 }
 

@@ -209,25 +209,10 @@ static bool reserve_face(struct hsr_object *object, uint32_t n) {
                  sizeof *object->vertex);
 }
 
-static int compare_numbers(const void *a, const void *b) {
-  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-  return (x > y) - (x < y);
-}
-
-/* Whether a number occurs twice. A short list is searched as it stands. A long
- * one is sorted in `room`, which holds n numbers. */
-static bool has_repeats(const uint32_t *vertices, size_t n, uint32_t *room) {
-  if (n <= 16) {
-    for (size_t i = 1; i < n; i++)
-      for (size_t k = 0; k < i; k++)
-        if (vertices[i] == vertices[k])
-          return true;
-    return false;
-  }
-  memcpy(room, vertices, n * sizeof *room);
-  qsort(room, n, sizeof *room, compare_numbers);
-  for (size_t i = 1; i < n; i++)
-    if (room[i] == room[i - 1])
+/* Whether a vertex follows itself, all around. */
+static bool has_repeats(const uint32_t *vertices, size_t n) {
+  for (size_t i = 0, before = n - 1; i < n; before = i++)
+    if (vertices[i] == vertices[before])
       return true;
   return false;
 }
@@ -242,14 +227,12 @@ enum hsr_status hsr_object_face(struct hsr_object *object,
   for (size_t i = 0; i < n; i++)
     if (vertices[i] >= object->n_vertices)
       return HSR_E_INPUT;
+  if (has_repeats(vertices, n))
+    return HSR_E_INPUT;
   if (!reserve_face(object, (uint32_t)n) ||
       (rgb && !object->rgb && !colour_faces(object)))
     return HSR_E_NOMEM;
-  /* The face's own place serves as room for the search. */
-  uint32_t *place = object->vertex + n_corners;
-  if (has_repeats(vertices, n, place))
-    return HSR_E_INPUT;
-  memcpy(place, vertices, n * sizeof *place);
+  memcpy(object->vertex + n_corners, vertices, n * sizeof *vertices);
   if (object->rgb)
     memcpy(object->rgb + 3 * (size_t)object->n_faces,
            rgb ? rgb : object->colour, 3 * sizeof(float));

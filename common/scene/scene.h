@@ -36,7 +36,10 @@ extern const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS];
 /* Faces that share vertices, in the object's own frame. Vertex v is
  * xyz[3v .. 3v+2]. Face f is the polygon vertex[start[f]], ...,
  * vertex[start[f+1] - 1], counter-clockwise when seen from its front. A face
- * has at least 3 vertices, all different, and its Newell normal is not zero.
+ * has at least 3 vertices, none of which follows itself, and its Newell normal
+ * is not zero. Its ring may pass a vertex twice, or an edge in both directions.
+ * So a face has holes: a bridge runs to each of them and back. What is inside
+ * is decided by parity (docs/correct-picture.md), for which a bridge is nothing.
  * The object owns its arrays. They are malloc'ed, or NULL while they are empty.
  */
 struct hsr_object {
@@ -139,8 +142,8 @@ enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
 
 /* Appends a face of n vertices, given by their numbers. Its colour is rgb[0 ..
  * 2], linear, 0..1; or the object's if rgb is NULL. Both arrays are copied.
- * HSR_E_NOMEM; HSR_E_INPUT if n < 3, a number is out of range or occurs twice,
- * or the object would have more than 2^32 - 2 faces or corners. The geometry is
+ * HSR_E_NOMEM; HSR_E_INPUT if n < 3, a number is out of range or follows
+ * itself, or the object would have more than 2^32 - 2 faces or corners. The geometry is
  * checked later, by hsr_scene_finish. */
 enum hsr_status hsr_object_face(struct hsr_object *object,
                                 const uint32_t *vertices, size_t n,

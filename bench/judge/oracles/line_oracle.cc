@@ -170,6 +170,21 @@ struct shape {
   std::vector<stretch> implied; /* in the order of edges */
 };
 
+/* A face that has a pair of vertices an even number of times crosses from its
+ * inside to its inside there, by parity: it has no side. */
+void leave_out_bridges(std::vector<side> *sides) {
+  const auto same = [](const side &s, const side &t) {
+    return s.a == t.a && s.b == t.b && s.face == t.face;
+  };
+  std::vector<side> kept;
+  for (const side &s : *sides)
+    if (!kept.empty() && same(kept.back(), s))
+      kept.pop_back();
+    else
+      kept.push_back(s);
+  *sides = std::move(kept);
+}
+
 void find_sides(const hsr_world &world, shape *made) {
   for (uint32_t f = 0; f < world.n_faces; f++) {
     uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
@@ -184,6 +199,7 @@ void find_sides(const hsr_world &world, shape *made) {
               return std::array<uint32_t, 3>{s.a, s.b, s.face} <
                      std::array<uint32_t, 3>{t.a, t.b, t.face};
             });
+  leave_out_bridges(&made->sides);
 }
 
 /* ---- Implied edges ---- */

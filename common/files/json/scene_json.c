@@ -168,10 +168,8 @@ static enum hsr_status add_face(const struct hsr_json_node *at, size_t n,
   reader->import.n_dropped += flat;
   if (!status)
     return HSR_OK;
-  return hsr_json_refuse(at, n < 3    ? "has fewer than 3 vertices"
-                             : strict ? "has the same vertex twice"
-                                      : "passes a vertex twice; its ring must "
-                                        "be divided there");
+  return hsr_json_refuse(at, n < 3 ? "has fewer than 3 vertices"
+                                   : "has the same vertex twice");
 }
 
 /* The colour of a face: three numbers, or four, of which the last is its

@@ -43,9 +43,9 @@ struct hsr_import {
  * same as the one before it is left out. After a failure the scene has no new
  * object, and *err names the file, the line or element, and the fault.
  * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an unknown
- * suffix; a coordinate is not finite; an index is out of range; a face passes a
- * vertex twice; no face has an area. If it is strict, also if a face has fewer
- * than 3 vertices, a repeated vertex or no area. HSR_E_NOMEM. */
+ * suffix; a coordinate is not finite; an index is out of range; no face has an
+ * area. If it is strict, also if a face has fewer
+ * than 3 vertices, the same vertex twice in succession, or no area. HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import, struct hsr_error *err);
 

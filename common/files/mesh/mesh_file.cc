@@ -119,17 +119,10 @@ namespace {
 } // namespace
 
 const char *face_fault(const uint32_t *vertices, size_t n) {
-  constexpr size_t FEW = 16; /* are compared with one another */
-  bool twice = false;
   if (n < 3)
     return "has fewer than 3 vertices";
-  if (n > FEW) {
-    std::vector<uint32_t> sorted(vertices, vertices + n);
-    std::sort(sorted.begin(), sorted.end());
-    twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-  }
-  for (size_t k = 1; k < n && n <= FEW && !twice; k++)
-    twice = std::find(vertices, vertices + k, vertices[k]) != vertices + k;
+  const bool twice = vertices[0] == vertices[n - 1] ||
+                     std::adjacent_find(vertices, vertices + n) != vertices + n;
   return twice ? "has the same vertex twice" : nullptr;
 }
 
@@ -198,14 +191,6 @@ void Mesh_builder::vertex(double x, double y, double z) {
   }
 }
 
-bool Mesh_builder::is_flat(const uint32_t *vertices, size_t n) const {
-  bool out_of_memory = false;
-  const bool flat = hsr_ring_is_flat(object_, vertices, n, &out_of_memory);
-  if (out_of_memory)
-    throw std::bad_alloc();
-  return flat;
-}
-
 /* Appends a face, or says what is wrong with it. */
 void Mesh_builder::give(uint64_t number, const uint32_t *vertices, size_t n,
                         const float *rgb) {
@@ -225,10 +210,7 @@ void Mesh_builder::give(uint64_t number, const uint32_t *vertices, size_t n,
     refuse_element(path_, "face", number, "is one more than can be held");
   if (strict_)
     refuse_element(path_, "face", number, fault);
-  if (!is_flat(vertices, n))
-    refuse_element(path_, "face", number,
-                   "passes a vertex twice; its ring must be divided there");
-  n_dropped_++;
+  n_dropped_++; /* two corners are left, or one */
 }
 
 void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {

@@ -49,7 +49,7 @@ const char *shown_path(const char *path);
 std::string shown_word(std::string_view word);
 
 /* Returns what is wrong with the n vertex numbers of a face, for a strict
- * reader; NULL: nothing. */
+ * reader: they are fewer than 3, or one follows itself. NULL: nothing. */
 const char *face_fault(const uint32_t *vertices, size_t n);
 
 /* Sets rgb to the mean colour of n corners and returns it. vertex_rgb has three
@@ -112,7 +112,6 @@ public:
 private:
   void give(uint64_t number, const uint32_t *vertices, size_t n,
             const float *rgb);
-  bool is_flat(const uint32_t *vertices, size_t n) const;
 
   struct hsr_object *object_;
   const char *path_;

@@ -26,9 +26,9 @@ static const unsigned demands[] = {HSR_TR,
 enum { DEMANDS = sizeof demands / sizeof *demands };
 
 static const char *const scenes[] = {
-    "house",      "penetration",  "cyclic-overlap", "non-convex",
-    "behind-eye", "coplanar",     "t-junction",     "color-cube",
-    "soup:200:3", "lattice:40:5", "non-planar"};
+    "house",      "penetration", "cyclic-overlap", "non-convex",
+    "behind-eye", "coplanar",    "t-junction",     "color-cube",
+    "keyholes",   "soup:200:3",  "lattice:40:5",   "non-planar"};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 struct fixture {

@@ -76,6 +76,7 @@ static const struct {
              {"sub-pixel-gap", 0x8da9b62cd99dacc7, 0x9e2f0dbb76e52b5d},
              {"needle-fan", 0x68abbf67836c9900, 0x8bd3f52aeeb28698},
              {"non-convex", 0x741285e08ece5942, 0xbebe6f2a8673696a},
+             {"keyholes", 0x0eb0ee109b943430, 0x33bf8a005d0fb0f7},
              {"non-planar", 0x65e26050ee3f2280, 0x5d95e760d5de7455},
              {"huge-and-tiny", 0xe9aede247d1da8f5, 0x1444cc1d3018e2fe},
              {"behind-eye", 0xf91e59c56181f291, 0x96b40c17c78d50a4},
@@ -742,6 +743,24 @@ static bool is_non_convex(const struct hsr_scene *scene) {
   return is_closed(find(scene, "comb")) && is_closed(find(scene, "spiral"));
 }
 
+static bool passes_twice(const struct hsr_object *object, uint32_t f) {
+  const uint32_t *ring = object->vertex + object->start[f];
+  uint32_t n = face_of(object, f).n;
+  for (uint32_t k = 1; k < n; k++)
+    for (uint32_t l = 0; l < k; l++)
+      if (ring[k] == ring[l])
+        return true;
+  return false;
+}
+
+static bool has_keyholes(const struct hsr_scene *scene) {
+  const struct hsr_object *made = find(scene, "plate"),
+                          *sheets = find(scene, "sheets");
+  return passes_twice(made, 0) && passes_twice(made, 1) && is_closed(made) &&
+         passes_twice(sheets, 0) && passes_twice(sheets, 1) &&
+         passes_twice(sheets, 2) && !passes_twice(sheets, 3);
+}
+
 static bool is_non_planar(const struct hsr_scene *scene) {
   const struct hsr_object *lifted = find(scene, "lifted");
   for (uint32_t f = 0; f < lifted->n_faces; f++)
@@ -1154,6 +1173,7 @@ static const struct {
     {"sub-pixel-gap", "samples lie in gaps of 2^-40", has_gaps},
     {"needle-fan", "720 faces have one vertex in common", is_fan},
     {"non-convex", "every face has a reflex corner", is_non_convex},
+    {"keyholes", "faces pass vertices twice; closed", has_keyholes},
     {"non-planar", "no corner-lifted face is plane", is_non_planar},
     {"huge-and-tiny", "from 1e-6 to 1e6", is_huge_and_tiny},
     {"behind-eye", "faces reach from before to behind the eye", is_behind},

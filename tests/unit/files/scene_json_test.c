@@ -794,7 +794,7 @@ int main(void) {
   json_set_alloc_funcs(hold, let_go);
   char directory[] = "/tmp/hsr-scene-json-XXXXXX";
   must(mkdtemp(directory) && !chdir(directory));
-  struct tap tap = plan(5 + 4 + 11 + 7 + 2 + 6 + COUNT(bad) + 7 + 2);
+  struct tap tap = plan(5 + 4 + 11 + 7 + 2 + 6 + COUNT(bad) + 8 + 2);
   test_round_trip(&tap);
   test_bad_writes(&tap);
   test_defaults(&tap);

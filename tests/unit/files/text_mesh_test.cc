@@ -122,15 +122,15 @@ void try_lines_that_go_on(tap *t) {
      "lines that go on in the next");
 }
 
-/* A face of many vertices, of which one is there twice. */
+/* A face of many vertices, of which the last is the first once more. */
 void try_large_face(tap *t) {
   std::string text = "f 1 2 3\nf";
   for (int v = 1; v <= 20; v++) {
     text = "v " + place(v) + "\n" + text;
-    text += " " + std::to_string(v == 20 ? 7 : v);
+    text += " " + std::to_string(v == 20 ? 1 : v);
   }
   ok(t, all_say(file("large.obj", text + "\n"), "face 1 has the same vertex"),
-     "a face of 20 vertices with one twice");
+     "a face of 20 vertices that ends where it began");
 }
 
 /* The text with `line` put at the start of the line that holds byte `at`. */
