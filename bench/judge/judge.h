@@ -78,7 +78,7 @@ struct group {
   sem_t *turns;
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */
-  uint32_t *picture; /* where the oracle leaves its ids of the last view, m * n,
+  uint32_t *picture; /* where the oracle leaves its ids, m * n of each view,
                         HSR_NOT_WRITTEN where it was not asked; or NULL */
 };
 
