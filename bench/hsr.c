@@ -169,7 +169,9 @@ static void tell(const struct hsr_error *err) {
 
 /* Tells of a failure and leaves the ranks. Returns the exit status. */
 static int end(enum hsr_status status, const struct hsr_error *err) {
-  int exit_status = status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+  int exit_status = status == HSR_E_REFUSED || status == HSR_E_STOPPED
+                        ? HSR_E_NOMEM
+                        : (int)status;
   if (status && status != HSR_E_DIFFERENCE) {
     tell(err);
     ranks_end(exit_status);

@@ -77,6 +77,7 @@ libbench_a_SOURCES = \
   %D%/options/words.h \
   %D%/programs/files.c \
   %D%/programs/files.h \
+  %D%/programs/ids.c \
   %D%/programs/keeper.c \
   %D%/programs/keeper.h \
   %D%/programs/module.c \

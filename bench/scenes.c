@@ -1,19 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr scenes: lists the built-in scenes and the meshes. */
+/* hsr scenes: lists the built-in scenes and the meshes, or tells the cameras of
+ * one. */
 #include "bench/options/command.h"
-#include "bench/options/parser.h"
+#include "bench/options/scene.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/json.h"
+#include "common/files/json/scene_json.h"
 #include "scenes/scenes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const char about[] =
+struct options {
+  struct option_base base;
+  const char *cameras; /* the scene whose cameras are printed, or NULL */
+  bool json;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case 'j':
+    o->json = true;
+    return 0;
+  case 'c':
+    o->cameras = arg;
+    return 0;
+  case ARGP_KEY_ARG:
+    return option_fail(&o->base,
+                       "scenes: takes no scene or file, not '%s'; --cameras "
+                       "does",
+                       arg);
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"cameras", 'c', "SCENE", 0,
+         "print instead the cameras of a scene, built-in or in a file, as the "
+         "file that --camera reads",
+         0},
+        JSON_ARGP_OPTION,
+        {0}},
+    parse,
+    NULL,
     "Lists the built-in scenes with their standard parameters, the number of "
     "faces and views that these give, and what each is for; and the real "
-    "meshes of Debian's libcgal-demo, if that is installed.";
+    "meshes of Debian's libcgal-demo, if that is installed.\v"
+    "  hsr scenes --cameras house > house.json\n"
+    "  hsr render house --camera house.json --view 2 -o house.png",
+    NULL,
+    NULL,
+    NULL};
 
 /* Faces and views of a built-in scene with its standard parameters; 0 if its
  * package is missing. */
@@ -108,14 +149,22 @@ static enum hsr_status print_text(char **meshes, size_t n_meshes,
   return HSR_OK;
 }
 
-enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
-  bool json;
-  enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
+/* The cameras of a scene, each number with all its digits. */
+static enum hsr_status print_cameras(const char *name, struct hsr_error *err) {
+  struct hsr_scene *scene;
+  enum hsr_status status =
+      open_scene(name, (struct hsr_import){.strict = false}, &scene, err);
   if (status)
     return status;
+  status = hsr_cameras_json_print(scene->views, scene->n_views, stdout, err);
+  hsr_scene_delete(scene);
+  return status;
+}
+
+static enum hsr_status print_scenes(bool json, struct hsr_error *err) {
   char **meshes;
   size_t n_meshes;
-  status = hsr_mesh_names(&meshes, &n_meshes, err);
+  enum hsr_status status = hsr_mesh_names(&meshes, &n_meshes, err);
   if (status)
     return status;
   status = json ? print_json(meshes, n_meshes, err)
@@ -124,4 +173,12 @@ enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
     free(meshes[k]);
   free(meshes);
   return status;
+}
+
+enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
+  struct options o = {.base = {.err = err}};
+  enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  if (status)
+    return status;
+  return o.cameras ? print_cameras(o.cameras, err) : print_scenes(o.json, err);
 }

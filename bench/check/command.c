@@ -53,17 +53,19 @@ static bool is_judged(const struct hsr_algorithm *a) {
          !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
 }
 
-/* One algorithm, with its options. */
-static error_t add_named(struct check_options *o, const char *name) {
+/* One algorithm, with its options, or a program. */
+static enum hsr_status add_named(void *options, const char *name,
+                                 struct hsr_error *err) {
+  struct check_options *o = options;
   struct hsr_variant variant;
-  if (program_variant_parse(name, &variant, o->base.err)) {
-    o->base.failed = true;
-    return EINVAL;
-  }
+  enum hsr_status status = program_variant_parse(name, &variant, err);
+  if (status)
+    return status;
   if (variant.listed->plain->flags & HSR_NO_PICTURE ||
       !oracle_of(variant.choice.form.type))
-    return option_fail(&o->base, "check: %s draws nothing to compare", name);
-  return add_algorithm(o, &variant);
+    return hsr_fail(err, HSR_E_USAGE, "check: %s draws nothing to compare",
+                    name);
+  return add_algorithm(o, &variant) ? HSR_E_USAGE : HSR_OK;
 }
 
 /* Those whose names match a pattern; or else the one that is named so. */
@@ -76,7 +78,10 @@ static error_t add_matching(struct check_options *o, const char *pattern) {
       found = true;
       failed = add_algorithm(o, &variant);
     }
-  return failed || found ? failed : add_named(o, pattern);
+  if (failed || found || !program_each(pattern, add_named, o, o->base.err))
+    return failed;
+  o->base.failed = true;
+  return EINVAL;
 }
 
 static error_t add_algorithms(struct check_options *o, char *arg) {
@@ -353,7 +358,7 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   o->timeout = 60;
   struct totals totals = {.mismatches = 0};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
-  program_set_limit((double)o->timeout + 5); /* the judge's comes before */
+  program_set_limit((double)o->timeout);
   o->turns = shared_memory(sizeof *o->turns);
   if (!status && (!o->turns || sem_init(o->turns, 1, (unsigned)o->jobs)))
     status = hsr_fail_nomem(err);

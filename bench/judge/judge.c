@@ -328,13 +328,16 @@ static void set_verdict(const struct group *g, int number, enum verdict verdict,
   }
 }
 
-/* What the end of its process says of a picture that it did not complete. */
+/* What the end of its process says of a picture that it did not complete. One
+ * that has a limit of time of its own says itself that it was stopped. */
 static enum verdict verdict_of_end(pid_t ended, int end) {
   if (ended < 0)
     return CRASH;
   if (WIFSIGNALED(end))
     return WTERMSIG(end) == SIGALRM ? TIMEOUT : CRASH;
-  return WEXITSTATUS(end) == HSR_E_REFUSED ? REFUSED : CRASH;
+  return WEXITSTATUS(end) == HSR_E_REFUSED   ? REFUSED
+         : WEXITSTATUS(end) == HSR_E_STOPPED ? TIMEOUT
+                                             : CRASH;
 }
 
 /* The process may have failed when all pictures were complete. */
@@ -513,6 +516,15 @@ static enum hsr_status judge_all(const struct group *g,
   return HSR_OK;
 }
 
+static void leave_pictures(const struct group *g, const struct wanted *wanted) {
+  size_t n = (size_t)g->view->m * (size_t)g->view->n;
+  for (int k = 0; k < g->n_views; k++) {
+    const uint32_t *ids = hsr_answer_ids_of(&wanted[k].answer);
+    if (ids)
+      memcpy(g->picture + (size_t)k * n, ids, n * sizeof *ids);
+  }
+}
+
 enum hsr_status judge_group(const struct group *g) {
   const struct hsr_algorithm *oracle = oracle_of(g->form.type);
   struct hsr_error err;
@@ -521,11 +533,8 @@ enum hsr_status judge_group(const struct group *g) {
   enum hsr_status status =
       wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
   give_turn(g);
-  const uint32_t *ids =
-      status ? NULL : hsr_answer_ids_of(&wanted[g->n_views - 1].answer);
-  if (g->picture && ids)
-    memcpy(g->picture, ids,
-           (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);
+  if (g->picture && !status)
+    leave_pictures(g, wanted);
   if (!status)
     status = judge_all(g, wanted);
   free_wanted(g, wanted);

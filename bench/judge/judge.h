@@ -48,6 +48,8 @@ struct cell {
   char refusal[560]; /* who refused and why */
 };
 
+struct crew_watch; /* bench/run/crew.h */
+
 /* All algorithms of one form of answer on one scene and size. All borrowed. */
 struct group {
   const struct hsr_variant *algorithm; /* also those of other forms */
@@ -78,7 +80,9 @@ struct group {
   sem_t *turns;
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */
-  uint32_t *picture; /* where the oracle leaves its ids of the last view, m * n,
+  const struct crew_watch *watch; /* who is told while the oracle draws whole
+                                     pictures of samples; or NULL */
+  uint32_t *picture; /* where the oracle leaves its ids, m * n of each view,
                         HSR_NOT_WRITTEN where it was not asked; or NULL */
 };
 

@@ -118,6 +118,22 @@ static enum hsr_status ask_samples(const struct hsr_setup *oracle,
   return status;
 }
 
+static enum hsr_status ask_all(const struct hsr_setup *oracle,
+                               const struct hsr_view *view,
+                               const struct crew_watch *watch,
+                               struct wanted *wanted, struct hsr_tally *tally,
+                               struct hsr_error *err) {
+  struct crew *crew = crew_new(1);
+  if (!crew)
+    return hsr_fail_nomem(err);
+  if (watch)
+    crew_watch(crew, watch);
+  enum hsr_status status =
+      crew_render(crew, oracle, view, &wanted->answer, tally, err);
+  crew_free(crew);
+  return status;
+}
+
 enum hsr_status clean_answer(struct hsr_answer *answer,
                              const struct hsr_setup *setup,
                              const struct hsr_view *view,
@@ -161,9 +177,8 @@ static enum hsr_status ask_view(const struct group *g,
     status = clean_answer(&wanted->answer, oracle, view, err);
   if (status)
     return status;
-  return wanted->sample
-             ? ask_samples(oracle, view, wanted, &tally, err)
-             : render_view(oracle, view, 1, &wanted->answer, &tally, NULL, err);
+  return wanted->sample ? ask_samples(oracle, view, wanted, &tally, err)
+                        : ask_all(oracle, view, g->watch, wanted, &tally, err);
 }
 
 /* Each frame of a walk by an oracle of its own. */

@@ -591,8 +591,8 @@ HSR_API enum hsr_status hsr_judge(const struct hsr_answer *answer,
                                   struct hsr_error *err);
 
 /* The same for ids that anybody has found: m n of them by rows, for the camera,
- * size and window of the request, of which all else has no effect. Errors as
- * hsr_draw and hsr_judge. */
+ * size and window of the request. Its progress() is told while the oracle draws;
+ * all else of it has no effect. Errors as hsr_draw and hsr_judge. */
 HSR_API enum hsr_status hsr_judge_ids(const struct hsr_scene *scene,
                                       const struct hsr_request *request,
                                       const uint32_t *ids,

@@ -3,6 +3,7 @@
 #include "bench/library/library.h"
 #include "bench/judge/judge.h"
 #include "bench/judge/wanted.h"
+#include "bench/run/crew.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,16 @@ struct case_ {
   const struct hsr_view *view;
   const struct hsr_answer *got;
   bool coarse;
+  const struct hsr_request *request; /* whose progress() is told; or NULL */
 };
+
+/* The oracle draws in so many bands at least. */
+enum { BANDS = 50 };
+
+static bool tell(void *whom, double share) {
+  const struct hsr_request *request = whom;
+  return request->progress(request->context, share);
+}
 
 /* --- Places --------------------------------------------------------------- */
 
@@ -113,11 +123,14 @@ static enum hsr_status judge(const struct case_ *c, struct hsr_verdict *verdict,
   enum hsr_status status = lib_scene_world(c->scene, oracle, NULL, &world, err);
   if (status)
     return status;
+  const struct crew_watch watch = {tell, (void *)c->request, BANDS};
   struct group group = {.world = world,
                         .form = *form,
                         .view = c->view,
                         .number = &number,
                         .n_views = 1};
+  if (c->request && c->request->progress)
+    group.watch = &watch;
   struct wanted *wanted = calloc(1, sizeof *wanted);
   if (!wanted)
     return hsr_fail_nomem(err);
@@ -183,8 +196,10 @@ enum hsr_status hsr_judge_ids(const struct lib_scene *scene,
     return status;
   /* Nothing writes to it. */
   struct hsr_answer got = hsr_answer_of_ids((uint32_t *)ids, view.m, view.n);
-  struct case_ c = {
-      .scene = (struct lib_scene *)scene, .view = &view, .got = &got};
+  struct case_ c = {.scene = (struct lib_scene *)scene,
+                    .view = &view,
+                    .got = &got,
+                    .request = &taken};
   status = judge(&c, &found, err);
   return status ? status
                 : lib_give("verdict", verdict, sizeof found, &found, err);

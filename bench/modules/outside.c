@@ -4,11 +4,45 @@
 #include "bench/modules/modules.h"
 
 #include <dlfcn.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Paths, one a line, for the processes that this one starts. */
 #define VARIABLE "HSR_MODULES"
+
+/* --- A crash -------------------------------------------------------------- */
+
+static char last_words[1024]; /* what is said then, but for the signal */
+static pid_t listener;        /* processes that it forks tell by their status */
+
+/* Tells which modules were loaded, and ends. */
+static void tell_crash(int number) {
+  char line[] = "hsr: signal NN";
+  line[12] = (char)('0' + number / 10);
+  line[13] = (char)('0' + number % 10);
+  if (getpid() != listener) {
+    signal(number, SIG_DFL);
+    raise(number);
+    return;
+  }
+  if (write(STDERR_FILENO, line, sizeof line - 1) > 0)
+    (void)!write(STDERR_FILENO, last_words, strlen(last_words));
+  _exit(HSR_E_INTERNAL);
+}
+
+/* A module that crashes takes hsr with it, but not without a word. */
+static void listen_for_crash(const char *path) {
+  static const int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+  size_t length = strlen(last_words);
+  length -= length > 0; /* the newline */
+  snprintf(last_words + length, sizeof last_words - length, "%s %.400s\n",
+           length ? "" : ", a crash, with a module from outside:", path);
+  listener = getpid();
+  for (size_t k = 0; k < sizeof deadly / sizeof *deadly; k++)
+    signal(deadly[k], tell_crash);
+}
 
 /* --- What may be wrong with it -------------------------------------------- */
 
@@ -66,7 +100,11 @@ static enum hsr_status load(const char *path, struct hsr_error *err) {
   struct hsr_listed found = {dlsym(module, "hsr_module_plain"),
                              dlsym(module, "hsr_module_counting")};
   enum hsr_status status = check_version(module, path, err);
-  return status ? status : add(&found, path, err);
+  if (!status)
+    status = add(&found, path, err);
+  if (!status)
+    listen_for_crash(path);
+  return status;
 }
 
 /* Tells those that are started later. */

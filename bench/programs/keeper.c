@@ -136,6 +136,26 @@ static void kill_all(struct fate *fate, bool ended) {
   has_ended(fate, false);
 }
 
+/* Notes its last line on standard error. */
+static void note_last_words(const struct keeping *k) {
+  char path[PROGRAM_PATH], all[4096];
+  snprintf(path, sizeof path, "%s/stderr", k->folder);
+  FILE *file = fopen(path, "rbe");
+  if (!file)
+    return;
+  if (!fseek(file, -(long)sizeof all + 1, SEEK_END) || !fseek(file, 0, 0)) {
+    size_t n = fread(all, 1, sizeof all - 1, file);
+    while (n && strchr("\r\n ", all[n - 1]))
+      n--;
+    all[n] = '\0';
+    const char *last = strrchr(all, '\n');
+    last = last ? last + 1 : all;
+    if (*last)
+      snprintf(k->fate->words, sizeof k->fate->words, ": %.150s", last);
+  }
+  fclose(file);
+}
+
 /* Waits for a byte, or for the end of the input. */
 static bool is_told_to_wait(const struct keeping *k) {
   char byte;
@@ -162,6 +182,7 @@ _Noreturn void keep(const struct keeping *k) {
     ended = program < 0 || ends_by_itself(fate);
   if (program > 0)
     kill_all(fate, ended);
+  note_last_words(k);
   files_remove(k->folder);
   _exit(0);
 }

@@ -10,6 +10,7 @@ struct fate {
   bool ended; /* by itself, before it was killed */
   int status; /* as of waitpid */
   pid_t program;
+  char words[200]; /* its last line on standard error, after ": "; "": none */
 };
 
 /* What the keeper works with: its ends of three pipes. */

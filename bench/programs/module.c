@@ -7,6 +7,7 @@
 #include "common/answers/kinds/ids.h"
 
 #include <errno.h>
+#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -84,8 +85,8 @@ static enum hsr_status draw(struct program *program, const struct hsr_job *job,
   return status;
 }
 
-static enum hsr_status run(const struct hsr_job *job, char byte,
-                           struct hsr_error *err) {
+static enum hsr_status run_program(const struct hsr_job *job, char byte,
+                                   struct hsr_error *err) {
   const struct known *its = &known[job->option[0]];
   const struct hsr_setup *triangles = job->prepared;
   if (!is_whole(job->view))
@@ -107,6 +108,16 @@ static enum hsr_status run(const struct hsr_job *job, char byte,
   if (!status)
     return program_end(program, err);
   program_kill(program);
+  return status;
+}
+
+/* The program has its own limit of time, by which its last words are heard. So the
+ * judge's stands still meanwhile. */
+static enum hsr_status run(const struct hsr_job *job, char byte,
+                           struct hsr_error *err) {
+  unsigned left = alarm(0);
+  enum hsr_status status = run_program(job, byte, err);
+  alarm(left);
   return status;
 }
 
@@ -145,6 +156,9 @@ static enum hsr_status check_file(const char *path, struct hsr_error *err) {
              : HSR_OK;
 }
 
+/* Before the kind of answer that a program is named with. */
+#define ANSWER ":answer="
+
 /* Cuts ":answer=KIND" off, and finds the kind. */
 static enum hsr_status choose_kind(char *path, struct hsr_made *made,
                                    struct hsr_error *err) {
@@ -154,9 +168,8 @@ static enum hsr_status choose_kind(char *path, struct hsr_made *made,
   } all[] = {{"ids", {.kind = &hsr_answer_ids}},
              {"segments", {.kind = &hsr_answer_segments}},
              {"visible-segments", {&hsr_answer_segments, 0, HSR_VISIBLE_ONLY}}};
-  static const char word[] = ":answer=";
-  char *at = strstr(path, word);
-  const char *name = at ? at + sizeof word - 1 : all[0].name;
+  char *at = strstr(path, ANSWER);
+  const char *name = at ? at + sizeof ANSWER - 1 : all[0].name;
   if (at)
     *at = '\0';
   for (size_t k = 0; k < sizeof all / sizeof *all; k++)
@@ -234,4 +247,54 @@ enum hsr_status program_variant_parse(const char *text,
   *variant = hsr_variant_standard(&found->listed);
   variant->choice.values.option[0] = found - known;
   return HSR_OK;
+}
+
+/* --- Patterns ------------------------------------------------------------- */
+
+static bool is_program_file(const char *path) {
+  struct hsr_error ignored;
+  return !check_file(path, &ignored);
+}
+
+/* Calls take() for the programs among files, each with `rest` behind its path. */
+static enum hsr_status add_found(const glob_t *found, const char *rest,
+                                 enum hsr_status (*take)(void *, const char *,
+                                                         struct hsr_error *),
+                                 void *data, size_t *n, struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (size_t k = 0; k < found->gl_pathc && !status; k++) {
+    char text[HSR_MOST_VARIANT + 1];
+    snprintf(text, sizeof text, "%s%s", found->gl_pathv[k], rest);
+    if (!is_program_file(found->gl_pathv[k]))
+      continue;
+    ++*n;
+    status = take(data, text, err);
+  }
+  return status;
+}
+
+enum hsr_status program_each(const char *text,
+                             enum hsr_status (*take)(void *data,
+                                                     const char *text,
+                                                     struct hsr_error *err),
+                             void *data, struct hsr_error *err) {
+  if (!strchr(text, '/') || !strpbrk(text, "*?["))
+    return take(data, text, err);
+  const char *rest = strstr(text, ANSWER);
+  char *pattern = strndup(text, rest ? (size_t)(rest - text) : strlen(text));
+  if (!pattern)
+    return hsr_fail_nomem(err);
+  glob_t found = {.gl_pathc = 0};
+  size_t n = 0;
+  int end = glob(pattern, 0, NULL, &found);
+  enum hsr_status status = HSR_OK;
+  if (!end)
+    status = add_found(&found, rest ? rest : "", take, data, &n, err);
+  if (end == GLOB_NOSPACE)
+    status = hsr_fail_nomem(err);
+  else if (!n)
+    status = hsr_fail(err, HSR_E_USAGE, "no program matches '%.200s'", pattern);
+  globfree(&found);
+  free(pattern);
+  return status;
 }

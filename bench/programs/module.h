@@ -17,6 +17,15 @@ enum hsr_status program_variant_parse(const char *text,
                                       struct hsr_variant *variant,
                                       struct hsr_error *err);
 
+/* Calls take(data, text, err) for the text itself, or, if it has a slash and one of
+ * *?[, for each program whose path matches it as a shell has it. HSR_E_USAGE if
+ * none does; or what take() fails with. */
+enum hsr_status program_each(const char *text,
+                             enum hsr_status (*take)(void *data,
+                                                     const char *text,
+                                                     struct hsr_error *err),
+                             void *data, struct hsr_error *err);
+
 /* Whether an algorithm is a program; and the path of its file. */
 bool program_is(const struct hsr_algorithm *algorithm);
 const char *program_path(const struct hsr_algorithm *algorithm);

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -20,7 +21,7 @@ enum { MOST_LINE = 1 << 16 };
 
 struct program {
   char name[200], folder[PROGRAM_PATH - 32];
-  int m, n;
+  struct program_picture picture;
   bool has_ids, has_segments, late;
   bool (*stopped)(void);
   pid_t keeper;
@@ -79,8 +80,8 @@ enum hsr_status program_start(const struct program_job *job,
   if (!p)
     return hsr_fail_nomem(err);
   snprintf(p->name, sizeof p->name, "%s", job->name);
-  p->m = job->view->m;
-  p->n = job->view->n;
+  p->picture = (struct program_picture){job->view->m, job->view->n,
+                                        job->world ? job->world->n_faces : 0};
   p->has_ids = program_has_ids(job);
   p->has_segments = job->world && !p->has_ids;
   p->stopped = job->stopped;
@@ -119,27 +120,6 @@ static struct fate stop(struct program *p, bool by_itself) {
   return *p->fate;
 }
 
-/* Its last line on standard error, after ": "; "" if there is none. */
-static void read_last_words(const struct program *p, char *text, size_t size) {
-  char path[PROGRAM_PATH], all[4096];
-  program_file(p, "stderr", path);
-  FILE *file = fopen(path, "rbe");
-  *text = '\0';
-  if (!file)
-    return;
-  if (!fseek(file, -(long)sizeof all + 1, SEEK_END) || !fseek(file, 0, 0)) {
-    size_t n = fread(all, 1, sizeof all - 1, file);
-    while (n && strchr("\r\n ", all[n - 1]))
-      n--;
-    all[n] = '\0';
-    const char *last = strrchr(all, '\n');
-    last = last ? last + 1 : all;
-    if (*last)
-      snprintf(text, size, ": %.150s", last);
-  }
-  fclose(file);
-}
-
 static const char *when(const struct program *p, char text[64]) {
   if (!p->frames)
     return "before it was ready";
@@ -147,30 +127,29 @@ static const char *when(const struct program *p, char text[64]) {
   return text;
 }
 
-/* Says how it ended, of which `status` tells. */
-static enum hsr_status say_end(const struct program *p, int status,
-                               const char *when, const char *words,
-                               struct hsr_error *err) {
+/* Says how it ended. */
+static enum hsr_status say_end(const struct program *p, const struct fate *fate,
+                               const char *when, struct hsr_error *err) {
+  int status = fate->status;
   if (WIFSIGNALED(status))
     return hsr_fail(err, HSR_E_INPUT, "%s: signal %d, %s, ended it %s%s",
                     p->name, WTERMSIG(status), strsignal(WTERMSIG(status)),
-                    when, words);
+                    when, fate->words);
   int code = WEXITSTATUS(status);
   bool declines = code == HSR_E_REFUSED && !p->frames;
   return hsr_fail(err, declines ? HSR_E_REFUSED : HSR_E_INPUT,
                   "%s: it ended %s, with status %d%s", p->name, when, code,
-                  words);
+                  fate->words);
 }
 
 /* Its output has ended. */
 static enum hsr_status fail_for_end(struct program *p, struct hsr_error *err) {
-  char words[200], text[64];
-  read_last_words(p, words, sizeof words);
+  char text[64];
   struct fate fate = stop(p, true);
   if (!fate.ended)
     return hsr_fail(err, HSR_E_INPUT, "%s: it closed its standard output %s%s",
-                    p->name, when(p, text), words);
-  return say_end(p, fate.status, when(p, text), words, err);
+                    p->name, when(p, text), fate.words);
+  return say_end(p, &fate, when(p, text), err);
 }
 
 /* --- Lines ---------------------------------------------------------------- */
@@ -190,16 +169,15 @@ static bool is_ready(const struct program *p, double end) {
 
 static enum hsr_status fail_for_time(struct program *p, double seconds,
                                      struct hsr_error *err) {
-  char text[64], words[200];
+  char text[64];
   bool stopped = p->stopped && p->stopped();
-  read_last_words(p, words, sizeof words);
-  stop(p, false);
+  struct fate fate = stop(p, false);
   if (stopped)
     return hsr_fail(err, HSR_E_STOPPED, "stopped");
   p->late = true;
-  return hsr_fail(err, HSR_E_NOMEM,
+  return hsr_fail(err, HSR_E_STOPPED,
                   "%s: it took longer than %.0f s %s, in which no line came%s",
-                  p->name, seconds, when(p, text), words);
+                  p->name, seconds, when(p, text), fate.words);
 }
 
 static enum hsr_status fail_for_line(struct program *p, const char *line,
@@ -259,9 +237,57 @@ static enum hsr_status parse_line(struct program *p, size_t length,
   return hsr_fail_nomem(err);
 }
 
-static double number_of(const json_t *json, const char *name) {
-  const json_t *value = json_object_get(json, name);
-  return json_is_number(value) ? json_number_value(value) : -1;
+/* --- What a line says ----------------------------------------------------- */
+
+static enum hsr_status fail_for_value(struct program *p, const char *name,
+                                      const json_t *value, const char *wanted,
+                                      struct hsr_error *err) {
+  char text[300], *said = json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT);
+  snprintf(text, sizeof text, "it said %.40s of '%.60s', where %s is wanted",
+           said ? said : "something", name, wanted);
+  free(said);
+  return program_fail(p, text, err);
+}
+
+/* *number becomes what it says of a phase, or -1 if that is nothing. */
+static enum hsr_status read_number(struct program *p, const json_t *line,
+                                   const char *name, double *number,
+                                   struct hsr_error *err) {
+  const json_t *value = json_object_get(line, name);
+  *number = json_is_number(value) ? json_number_value(value) : -1;
+  return value && !json_is_null(value) && !(*number >= 0)
+             ? fail_for_value(p, name, value, "a number from 0", err)
+             : HSR_OK;
+}
+
+static enum hsr_status check_counts(struct program *p, json_t *line,
+                                    struct hsr_error *err) {
+  json_t *counts = json_object_get(line, "counts"), *value;
+  const char *name;
+  if (counts && !json_is_object(counts))
+    return fail_for_value(p, "counts", counts, "{NAME: NUMBER, ...}", err);
+  json_object_foreach(counts, name, value) {
+    double n = json_is_number(value) ? json_number_value(value) : -1;
+    if (!(n >= 0 && n <= 0x1p53) || n != floor(n))
+      return fail_for_value(p, name, value, "a whole number from 0 to 2^53",
+                            err);
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status read_phases(struct program *p, const json_t *line,
+                                   struct program_phases *phases,
+                                   struct hsr_error *err) {
+  double kb = -1;
+  enum hsr_status status = read_number(p, line, "import", &phases->import, err);
+  if (!status)
+    status = read_number(p, line, "adapt", &phases->adapt, err);
+  if (!status)
+    status = read_number(p, line, "prepare", &phases->prepare, err);
+  if (!status)
+    status = read_number(p, line, "before_kb", &kb, err);
+  phases->before_kb = kb < 0x1p53 ? (long)kb : -1;
+  return status;
 }
 
 enum hsr_status program_ready(struct program *p, double seconds,
@@ -274,12 +300,10 @@ enum hsr_status program_ready(struct program *p, double seconds,
     status = parse_line(p, length, &json, err);
   if (status)
     return status;
-  *phases = (struct program_phases){
-      number_of(json, "import"), number_of(json, "adapt"),
-      number_of(json, "prepare"), (long)number_of(json, "before_kb")};
-  json_decref(json);
   drop_line(p, length);
-  return HSR_OK;
+  status = read_phases(p, json, phases, err);
+  json_decref(json);
+  return status;
 }
 
 /* --- Frames --------------------------------------------------------------- */
@@ -319,21 +343,20 @@ enum hsr_status program_draw(struct program *p, char byte, long n,
   if (status)
     return status;
   drop_line(p, length);
-  if (line)
+  status = p->length ? fail_for_line(p, p->line, p->length, err)
+                     : check_counts(p, last, err);
+  if (line && !status)
     *line = last;
   else
     json_decref(last);
-  return p->length ? fail_for_line(p, p->line, p->length, err) : HSR_OK;
+  return status;
 }
 
-/* --- The picture ---------------------------------------------------------- */
+/* --- What it has made ----------------------------------------------------- */
 
 void program_file(const struct program *p, const char *name, char *path) {
   snprintf(path, PROGRAM_PATH, "%s/%s", p->folder, name);
 }
-
-/* What no face is called, and the background neither. */
-#define UNSET 0xfefefefeu
 
 enum hsr_status program_fail(struct program *p, const char *what,
                              struct hsr_error *err) {
@@ -341,73 +364,14 @@ enum hsr_status program_fail(struct program *p, const char *what,
   return hsr_fail(err, HSR_E_INPUT, "%s: %s", p->name, what);
 }
 
-static enum hsr_status unset_segments(struct program *p,
-                                      struct hsr_error *err) {
-  char path[PROGRAM_PATH];
-  program_file(p, "segments", path);
-  FILE *file = fopen(path, "we");
-  bool good = file && fputs(PROGRAM_UNSET_SEGMENTS, file) >= 0;
-  if (file && fclose(file))
-    good = false;
-  return good ? HSR_OK
-              : program_fail(p, "its file segments cannot be written", err);
-}
-
-static enum hsr_status unset_ids(struct program *p, struct hsr_error *err) {
-  size_t n = (size_t)p->m * (size_t)p->n;
-  uint32_t *ids = malloc(n * sizeof *ids);
-  char path[PROGRAM_PATH], text[400];
-  program_file(p, "ids", path);
-  if (!ids) {
-    stop(p, false);
-    return hsr_fail_nomem(err);
-  }
-  memset(ids, UNSET & 0xff, n * sizeof *ids);
-  int file = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-  bool good = file >= 0 && pwrite(file, ids, n * sizeof *ids, 0) ==
-                               (ssize_t)(n * sizeof *ids);
-  int why = errno;
-  if (file >= 0)
-    close(file);
-  free(ids);
-  snprintf(text, sizeof text, "%s: %s", path, strerror(why));
-  return good ? HSR_OK : program_fail(p, text, err);
+struct program_picture program_picture(const struct program *p) {
+  return p->picture;
 }
 
 enum hsr_status program_unset(struct program *p, struct hsr_error *err) {
-  return p->has_ids        ? unset_ids(p, err)
-         : p->has_segments ? unset_segments(p, err)
+  return p->has_ids        ? program_unset_ids(p, err)
+         : p->has_segments ? program_unset_segments(p, err)
                            : HSR_OK;
-}
-
-enum hsr_status program_read_ids(struct program *p, uint32_t *ids,
-                                 struct hsr_error *err) {
-  size_t n = (size_t)p->m * (size_t)p->n, got = 0, unset = 0, first = 0;
-  char path[PROGRAM_PATH], text[200];
-  program_file(p, "ids", path);
-  FILE *file = fopen(path, "rbe");
-  if (file) {
-    got = fread(ids, sizeof *ids, n, file);
-    fclose(file);
-  }
-  for (size_t k = got; k-- > 0;)
-    if (ids[k] == UNSET) {
-      unset++;
-      first = k;
-    }
-  if (got < n) {
-    snprintf(text, sizeof text,
-             "its file ids holds %zu numbers, and the picture has %d x %d", got,
-             p->m, p->n);
-    return program_fail(p, text, err);
-  }
-  if (unset) {
-    snprintf(text, sizeof text,
-             "it left %zu of %zu samples unwritten, the first at (%zu, %zu)",
-             unset, n, first % (size_t)p->m, first / (size_t)p->m);
-    return program_fail(p, text, err);
-  }
-  return HSR_OK;
 }
 
 /* --- The end -------------------------------------------------------------- */
@@ -432,7 +396,6 @@ long program_peak_kb(const struct program *p) {
 enum hsr_status program_end(struct program *p, struct hsr_error *err) {
   if (!p)
     return HSR_OK;
-  char words[200] = "";
   enum hsr_status status = HSR_OK;
   if (p->keeper) {
     struct fate fate = stop(p, true);
@@ -441,7 +404,7 @@ enum hsr_status program_end(struct program *p, struct hsr_error *err) {
           err, HSR_E_INPUT,
           "%s: it did not end within 2 s when its input had ended", p->name);
     else if (fate.status)
-      status = say_end(p, fate.status, "when its input had ended", words, err);
+      status = say_end(p, &fate, "when its input had ended", err);
   }
   free_program(p);
   return status;

@@ -57,9 +57,9 @@ enum hsr_status program_start(const struct program_job *job,
                               struct program **program, struct hsr_error *err);
 
 /* Waits for its first line. A failure here and below is HSR_E_INPUT: it ended, or
- * printed what is no line of the protocol. HSR_E_NOMEM if it took more than
- * `seconds`, or more memory than it may; HSR_E_REFUSED if it ended with that
- * status; HSR_E_STOPPED. */
+ * printed what is no line of the protocol. HSR_E_STOPPED if it took more than
+ * `seconds`, which program_was_late() tells, or if `stopped` said so;
+ * HSR_E_REFUSED if it ended with that status. */
 enum hsr_status program_ready(struct program *program, double seconds,
                               struct program_phases *phases,
                               struct hsr_error *err);
@@ -74,18 +74,27 @@ enum hsr_status program_draw(struct program *program, char byte, long n,
                              double seconds, double *spent, json_t **line,
                              struct hsr_error *err);
 
-/* Makes the ids those of no face, so that one that is not written shows. Does
- * nothing if the answer has none. */
+/* Makes its file one of which nothing is written, so that what a frame does not
+ * write shows. */
 enum hsr_status program_unset(struct program *program, struct hsr_error *err);
+enum hsr_status program_unset_ids(struct program *program,
+                                  struct hsr_error *err);
+enum hsr_status program_unset_segments(struct program *program,
+                                       struct hsr_error *err);
+
+/* The size of its picture. */
+struct program_picture {
+  int m, n;
+  uint32_t n_faces; /* of the scene; 0: nobody knows */
+};
+struct program_picture program_picture(const struct program *program);
 
 /* Says what is wrong with what it has drawn, and ends it. HSR_E_INPUT. */
 enum hsr_status program_fail(struct program *program, const char *what,
                              struct hsr_error *err);
 
-/* What its file of segments holds that is not written. */
-#define PROGRAM_UNSET_SEGMENTS "unwritten\n"
-
-/* Reads m * n ids. HSR_E_INPUT if there are fewer, or one was not written. */
+/* Reads m * n ids. HSR_E_INPUT if there are fewer or more, or one was not written
+ * or is no face of the scene. */
 enum hsr_status program_read_ids(struct program *program, uint32_t *ids,
                                  struct hsr_error *err);
 

@@ -7,6 +7,22 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What the file holds that is not written. */
+static const char unwritten[] = "unwritten\n";
+
+enum hsr_status program_unset_segments(struct program *program,
+                                       struct hsr_error *err) {
+  char path[PROGRAM_PATH];
+  program_file(program, "segments", path);
+  FILE *file = fopen(path, "we");
+  bool good = file && fputs(unwritten, file) >= 0;
+  if (file && fclose(file))
+    good = false;
+  return good ? HSR_OK
+              : program_fail(program, "its file segments cannot be written",
+                             err);
+}
+
 /* One interval a line: edge A B T0 T1 INVISIBILITY, or, of an implied edge,
  * implied F G PART T0 T1 INVISIBILITY. */
 static bool parse_line(const char *line, struct hsr_segment *s) {
@@ -69,7 +85,7 @@ enum hsr_status program_read_segments(struct program *program,
                                       const struct hsr_edges *edges,
                                       struct hsr_drawing *drawing,
                                       struct hsr_error *err) {
-  char path[PROGRAM_PATH], text[480], first[sizeof PROGRAM_UNSET_SEGMENTS];
+  char path[PROGRAM_PATH], text[480], first[sizeof unwritten];
   hsr_drawing_clear(drawing);
   program_file(program, "segments", path);
   FILE *file = fopen(path, "re");
@@ -78,7 +94,7 @@ enum hsr_status program_read_segments(struct program *program,
     return program_fail(program, text, err);
   }
   enum hsr_status status =
-      fgets(first, sizeof first, file) && !strcmp(first, PROGRAM_UNSET_SEGMENTS)
+      fgets(first, sizeof first, file) && !strcmp(first, unwritten)
           ? program_fail(program, "it left its file segments unwritten", err)
           : HSR_OK;
   rewind(file);

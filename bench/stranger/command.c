@@ -7,7 +7,7 @@
 #include "bench/stranger/lines.h"
 #include "bench/stranger/picture.h"
 #include "bench/stranger/say.h"
-#include "bench/stranger/suite.h"
+#include "bench/stranger/suite/suite.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/drawing_json.h"
 #include "common/files/suffix.h"
@@ -183,19 +183,57 @@ static const struct argp argp = {
 
 /* --- Judging -------------------------------------------------------------- */
 
+/* The oracle's work, for who waits at a terminal. */
+struct waiting {
+  struct progress progress;
+  int n; /* rows */
+};
+
+static int tell_rows(void *whom, double share) {
+  struct waiting *w = whom;
+  progress_tell(&w->progress, (size_t)(share * w->n), (size_t)w->n,
+                "rows of the right picture", "judge");
+  return 1;
+}
+
+/* A picture whose sides are exchanged is one with rows and columns exchanged, or
+ * of another size. */
+static enum hsr_status check_sides(const struct options *o,
+                                   const struct id_picture *picture,
+                                   const struct stranger_verdict *verdict,
+                                   struct hsr_error *err) {
+  for (int k = 0; k < verdict->n_whole; k++)
+    if (verdict->whole[k].kind == STRANGER_TRANSPOSED)
+      return HSR_OK;
+  return picture->is_exchanged
+             ? hsr_fail(err, HSR_E_INPUT,
+                        "%s: has %d x %d samples (columns x rows), not %d x %d",
+                        hsr_path_shown(o->picture.path), picture->m, picture->n,
+                        picture->n, picture->m)
+             : HSR_OK;
+}
+
 static enum hsr_status judge(const struct options *o, struct lib_scene *scene,
+                             const struct lib_scene *own,
                              const struct id_picture *picture,
                              struct stranger_verdict *verdict,
                              struct hsr_error *err) {
+  struct waiting waiting = {progress_begin(stderr), picture->n};
   struct hsr_request request = client_request(&o->view, NULL, 1);
   request.m = picture->m;
   request.n = picture->n;
+  request.progress = tell_rows;
+  request.context = &waiting;
+  const struct stranger_question question = {
+      .scene = scene, .request = &request, .ids = picture->ids, .own = own};
   const struct judged judged = {.scene = o->scene.name,
                                 .picture = o->picture.path,
                                 .view = o->view.view,
                                 .verdict = verdict};
-  enum hsr_status status =
-      stranger_judge(scene, &request, picture->ids, verdict, err);
+  enum hsr_status status = stranger_judge(&question, verdict, err);
+  progress_end(&waiting.progress);
+  if (!status)
+    status = check_sides(o, picture, verdict, err);
   if (!status && o->output)
     status = say_picture(&judged, o->output, err);
   if (status)
@@ -240,9 +278,23 @@ static enum hsr_status judge_drawing(const struct options *o,
   return status || !verdict.differing ? status : HSR_E_DIFFERENCE;
 }
 
-static enum hsr_status judge_file(const struct options *o,
+/* The scene with its own cameras, if options have put others in their place. */
+static enum hsr_status open_own(const struct options *o, const char *name,
+                                struct lib_scene **own, struct hsr_error *err) {
+  const struct hsr_open_options options = {.size = sizeof options,
+                                           .strict = o->scene.import.strict,
+                                           .two_sided =
+                                               o->scene.import.two_sided};
+  *own = NULL;
+  return has_camera_words(&o->view.camera) || o->view.camera.file
+             ? hsr_open(name, &options, own, err)
+             : HSR_OK;
+}
+
+static enum hsr_status judge_file(const struct options *o, const char *name,
                                   struct lib_scene *scene,
                                   struct hsr_error *err) {
+  struct lib_scene *own;
   struct hsr_scene_info info = {.size = sizeof info};
   struct id_picture picture = {.ids = NULL};
   struct stranger_verdict verdict = {.kind = NULL};
@@ -250,7 +302,11 @@ static enum hsr_status judge_file(const struct options *o,
   if (!status)
     status = picture_read(&o->picture, (uint32_t)info.n_faces, &picture, err);
   if (!status)
-    status = judge(o, scene, &picture, &verdict, err);
+    status = open_own(o, name, &own, err);
+  if (!status) {
+    status = judge(o, scene, own, &picture, &verdict, err);
+    hsr_close(own);
+  }
   free(picture.ids);
   stranger_free(&verdict);
   return status;
@@ -277,6 +333,7 @@ enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
   struct lib_scene *scene = NULL;
   o.view.m = o.view.n = 0; /* the picture's */
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  const char *name = o.scene.name;
   if (!status && o.suite)
     return judge_suite(&o, err);
   if (!status)
@@ -288,7 +345,7 @@ enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = hsr_ends_in(o.picture.path, ".json")
                  ? judge_drawing(&o, scene, err)
-                 : judge_file(&o, scene, err);
+                 : judge_file(&o, name, scene, err);
   hsr_close(scene);
   return status;
 }

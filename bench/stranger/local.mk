@@ -16,10 +16,13 @@ libbench_a_SOURCES += \
   %D%/stranger.c \
   %D%/stranger.h \
   %D%/studio.c \
-  %D%/suite.h \
-  %D%/suite_cases.c \
-  %D%/suite_page.c \
-  %D%/suite_say.c \
+  %D%/suite/cases.c \
+  %D%/suite/page.c \
+  %D%/suite/say.c \
+  %D%/suite/suite.h \
   %D%/table.c \
   %D%/table.h \
-  %D%/whole.c
+  %D%/trial.h \
+  %D%/whole.c \
+  %D%/whole_cameras.c \
+  %D%/whole_ids.c

@@ -8,15 +8,18 @@
 /* The scene, ready to be drawn as anybody may have seen it. */
 struct studio {
   struct lib_scene *scene;
+  const struct lib_scene *own;       /* the same with its own views; or NULL */
   const struct hsr_world *world;     /* laid out */
   const struct hsr_world *of_oracle; /* the world that suits the oracle */
   struct hsr_setup fast;             /* draws suppositions quickly */
   bool is_ready;
 };
 
-/* The scene is held for reading until studio_close. To be closed also after a
- * failure. HSR_E_REFUSED if it cannot be laid out; HSR_E_NOMEM. */
-enum hsr_status studio_open(struct studio *studio, struct lib_scene *scene,
+/* The scenes of a question; the first is held for reading until studio_close. To
+ * be closed also after a failure. HSR_E_REFUSED if it cannot be laid out;
+ * HSR_E_NOMEM. */
+enum hsr_status studio_open(struct studio *studio,
+                            const struct stranger_question *question,
                             struct hsr_error *err);
 void studio_close(struct studio *studio);
 

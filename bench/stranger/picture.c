@@ -311,7 +311,10 @@ static enum hsr_status check_shape(struct reading *r) {
                     m, n, HSR_MAX_SIZE);
   r->picture->m = (int)m;
   r->picture->n = (int)n;
-  if (f->m && (r->picture->m != f->m || r->picture->n != f->n))
+  r->picture->is_exchanged =
+      f->m != f->n && r->picture->m == f->n && r->picture->n == f->m;
+  if (f->m && !r->picture->is_exchanged &&
+      (r->picture->m != f->m || r->picture->n != f->n))
     return hsr_fail(r->err, HSR_E_INPUT,
                     "%s: has %llu x %llu samples (columns x rows), not %d x %d",
                     path, m, n, f->m, f->n);

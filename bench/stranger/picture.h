@@ -21,11 +21,13 @@ struct picture_format {
 
 struct id_picture {
   int m, n;
-  uint32_t *ids; /* by rows from the top; HSR_BACKGROUND: no face */
+  bool is_exchanged; /* m and n are what is expected of the other */
+  uint32_t *ids;     /* by rows from the top; HSR_BACKGROUND: no face */
 };
 
 /* Reads the picture of a scene with so many faces. picture->ids is the caller's
- * to free, also after a failure. An id that is no face of the scene is kept.
+ * to free, also after a failure. A picture of another size than expected is
+ * refused, unless its sides are exchanged. An id that is no face of the scene is kept.
  * HSR_E_USAGE if the format does not fit the file's kind; HSR_E_INPUT if a file
  * is wrong; HSR_E_NOMEM. */
 enum hsr_status picture_read(const struct picture_format *format,

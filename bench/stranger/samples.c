@@ -129,6 +129,20 @@ static unsigned sides(const struct case_ *c, size_t w, size_t g) {
   return kinds;
 }
 
+/* Kinds of those who take a face by its number: the last one or the first one,
+ * among those that exist, or among all. */
+static unsigned numbers(const struct case_ *c) {
+  bool last[2] = {true, true}, first[2] = {true, true};
+  for (size_t k = 0; k < c->n; k++)
+    for (int all = 0; all < 2; all++)
+      if (all || c->over[k].exists) {
+        last[all] &= c->over[k].face <= c->got;
+        first[all] &= c->over[k].face >= c->got;
+      }
+  return (last[0] || last[1] ? KIND(LAST) : 0) |
+         (first[0] || first[1] ? KIND(FIRST) : 0);
+}
+
 /* The face is seen half a sample away; or it would be seen here, if faces with
  * an edge within half a sample might cover the sample or not. */
 static bool is_at_edge(struct looking *l, const struct case_ *c, size_t g) {
@@ -153,7 +167,7 @@ static unsigned kinds_of(struct looking *l, const struct case_ *c,
   size_t w = existing(c, false), g = find(c, c->got);
   uint32_t n_faces = l->over.world->n_faces;
   if (c->got >= n_faces && c->got != HSR_NO_FACE)
-    return 0; /* it is none */
+    return KIND(NO_SUCH);
   if ((w < c->n ? c->over[w].face : HSR_NO_FACE) != wanted)
     return 0; /* what is right is only supposed */
   unsigned kinds = sides(c, w, g);
@@ -167,6 +181,8 @@ static unsigned kinds_of(struct looking *l, const struct case_ *c,
   }
   if (is_at_edge(l, c, g))
     kinds |= KIND(EDGE);
+  if (g < c->n)
+    kinds |= numbers(c);
   return kinds;
 }
 

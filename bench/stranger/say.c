@@ -14,6 +14,8 @@
 static const char *say_id(uint32_t id, char text[24]) {
   if (id == HSR_NO_FACE)
     return "background";
+  if (id == STRANGER_BELOW_0)
+    return "face -1";
   snprintf(text, 24, "face %u", id);
   return text;
 }
@@ -70,7 +72,9 @@ void say_text(const struct judged *judged, bool colours) {
 /* --- JSON ----------------------------------------------------------------- */
 
 static json_t *id_json(uint32_t id) {
-  return id == HSR_NO_FACE ? json_null() : json_integer(id);
+  return id == HSR_NO_FACE        ? json_null()
+         : id == STRANGER_BELOW_0 ? json_integer(-1)
+                                  : json_integer(id);
 }
 
 static json_t *reason_json(const struct stranger_verdict *v,

@@ -59,23 +59,6 @@ static enum hsr_status check(const struct supposed *now, const uint32_t *place,
                          (unsigned long long)now->left);
 }
 
-/* An id that is no face is bad input, unless it was explained. */
-static enum hsr_status check_ids(const struct supposed *now, uint32_t n_faces,
-                                 const uint32_t *ids, struct hsr_error *err) {
-  for (size_t k = 0; k < now->all; k++) {
-    uint32_t place = now->origin[k];
-    if (now->got[k] == now->wanted[k] || now->got[k] < n_faces ||
-        now->got[k] == HSR_NO_FACE)
-      continue;
-    return hsr_fail(err, HSR_E_INPUT,
-                    "sample (%u, %u) has face %u, which does not exist: the "
-                    "scene has faces 0 to %u",
-                    place % (uint32_t)now->m, place / (uint32_t)now->m,
-                    ids[place], n_faces - 1);
-  }
-  return HSR_OK;
-}
-
 /* Samples that were wrong and are explained get the kind of what explains
  * them. */
 static void mark_whole(struct stranger_verdict *v, const uint32_t *place) {
@@ -86,14 +69,11 @@ static void mark_whole(struct stranger_verdict *v, const uint32_t *place) {
 
 static enum hsr_status find_reasons(const struct studio *studio,
                                     struct supposed *now, const uint32_t *place,
-                                    const uint32_t *ids,
                                     struct stranger_verdict *verdict,
                                     struct hsr_error *err) {
   uint64_t certain;
   enum hsr_status status = find_whole(studio, now, verdict, err);
   verdict->left = now->left;
-  if (!status)
-    status = check_ids(now, studio->world->n_faces, ids, err);
   if (!status && now->left)
     status = find_samples(studio, now, verdict, &certain, err);
   if (!status)
@@ -102,26 +82,24 @@ static enum hsr_status find_reasons(const struct studio *studio,
 }
 
 /* Looks for reasons. A scene that cannot be laid out has none. */
-static enum hsr_status explain(struct lib_scene *scene,
-                               const struct hsr_view *view, const uint32_t *ids,
-                               const uint32_t *place,
-                               const struct hsr_verdict *judged,
-                               struct stranger_verdict *verdict,
-                               struct hsr_error *err) {
+static enum hsr_status
+explain(const struct stranger_question *question, const struct hsr_view *view,
+        const uint32_t *place, const struct hsr_verdict *judged,
+        struct stranger_verdict *verdict, struct hsr_error *err) {
   struct studio studio;
   struct supposed now = {.got = NULL};
-  enum hsr_status status = studio_open(&studio, scene, err);
+  enum hsr_status status = studio_open(&studio, question, err);
   if (status == HSR_E_REFUSED) {
     memcpy(verdict->no_reasons, err->text, sizeof verdict->no_reasons);
     studio_close(&studio);
     return HSR_OK;
   }
   if (!status)
-    status = begin(&studio, view, ids, &now, err);
+    status = begin(&studio, view, question->ids, &now, err);
   if (!status)
     status = check(&now, place, judged, err);
   if (!status)
-    status = find_reasons(&studio, &now, place, ids, verdict, err);
+    status = find_reasons(&studio, &now, place, verdict, err);
   free_supposed(&now);
   studio_close(&studio);
   return status;
@@ -141,40 +119,39 @@ static void find_box(struct stranger_verdict *v, const uint32_t *place) {
   }
 }
 
-static enum hsr_status judge(struct lib_scene *scene,
-                             const struct hsr_request *request,
-                             const uint32_t *ids, uint32_t *place,
-                             struct stranger_verdict *verdict,
+static enum hsr_status judge(const struct stranger_question *question,
+                             uint32_t *place, struct stranger_verdict *verdict,
                              struct hsr_error *err) {
   struct hsr_view view;
   struct hsr_error why = {.text = ""};
   struct hsr_verdict judged = {.size = sizeof judged,
                                .place = place,
                                .room = (size_t)verdict->m * (size_t)verdict->n};
-  enum hsr_status status = hsr_judge_ids(scene, request, ids, &judged, &why);
+  enum hsr_status status = hsr_judge_ids(question->scene, question->request,
+                                         question->ids, &judged, &why);
   verdict->compared = judged.compared;
   verdict->differing = judged.differing;
   memcpy(verdict->first, judged.first, sizeof verdict->first);
   if (!status && judged.differing) {
     find_box(verdict, place);
-    status = lib_view(scene, request, &hsr_answer_ids, &view, &why);
+    status = lib_view(question->scene, question->request, &hsr_answer_ids,
+                      &view, &why);
     if (!status)
-      status = explain(scene, &view, ids, place, &judged, verdict, &why);
+      status = explain(question, &view, place, &judged, verdict, &why);
   }
   return status ? hsr_fail(err, status, "%s", why.text) : HSR_OK;
 }
 
-enum hsr_status stranger_judge(struct lib_scene *scene,
-                               const struct hsr_request *request,
-                               const uint32_t *ids,
+enum hsr_status stranger_judge(const struct stranger_question *question,
                                struct stranger_verdict *verdict,
                                struct hsr_error *err) {
+  const struct hsr_request *request = question->request;
   const size_t n = (size_t)request->m * (size_t)request->n;
   *verdict = (struct stranger_verdict){.m = request->m, .n = request->n};
   uint32_t *place = malloc(n * sizeof *place);
   verdict->kind = calloc(n, sizeof *verdict->kind);
   enum hsr_status status = place && verdict->kind
-                               ? judge(scene, request, ids, place, verdict, err)
+                               ? judge(question, place, verdict, err)
                                : hsr_fail_nomem(err);
   free(place);
   return status;

@@ -59,12 +59,23 @@ struct stranger_verdict {
   char no_reasons[480]; /* why none are looked for; "" */
 };
 
-/* Judges m n ids for the camera and the size of a request. *verdict is freed by
- * stranger_free, also after a failure. HSR_E_INPUT for an id that is no face,
- * and cannot be meant for one; else as hsr_judge_ids. */
-enum hsr_status stranger_judge(struct lib_scene *scene,
-                               const struct hsr_request *request,
-                               const uint32_t *ids,
+/* What is judged: m n ids for the camera and the size of a request. All
+ * borrowed. */
+struct stranger_question {
+  struct lib_scene *scene;
+  const struct hsr_request *request;
+  const uint32_t *ids;
+  const struct lib_scene
+      *own; /* the same scene with its own views, where `scene`
+                                  has others instead; NULL: it has not */
+};
+
+/* An id that is one less than that of face 0. */
+#define STRANGER_BELOW_0 0xfffffffdu
+
+/* Judges. *verdict is freed by stranger_free, also after a failure. Errors as
+ * hsr_judge_ids. */
+enum hsr_status stranger_judge(const struct stranger_question *question,
                                struct stranger_verdict *verdict,
                                struct hsr_error *err);
 void stranger_free(struct stranger_verdict *verdict);

@@ -46,7 +46,7 @@ struct place_run {
   struct shared *shared;
   bool kept[SWEEP_MOST_ENTRANTS];  /* judged before: by the journal */
   bool noted[SWEEP_MOST_ENTRANTS]; /* in the journal */
-  uint32_t *picture;    /* the oracle's of the last view, shared; NULL unless
+  uint32_t *picture;    /* the oracle's of all views, shared; NULL unless
                         programs take part, which the peers are, too */
   uint32_t *drawn;      /* a program's */
   struct wanted *lines; /* the line oracle's, of all views; NULL unless a
@@ -448,26 +448,27 @@ static uint32_t wanted_of(const struct place_run *run, int k, uint32_t face) {
   return cell;
 }
 
-/* Compares the picture that a program has drawn last with the oracle's, if there
- * is one. Returns how many samples of it differ. */
-static uint64_t compare_picture(const struct place_run *run, int k,
+/* Compares the picture of a view that a program has drawn last with the oracle's,
+ * if there is one. Returns how many samples of it differ. */
+static uint64_t compare_picture(const struct place_run *run, int k, int view,
                                 uint64_t *compared) {
   size_t n = picture_size(run) / sizeof *run->picture;
+  const uint32_t *right = run->picture + (size_t)view * n;
   uint64_t differing = 0;
   *compared = 0;
   for (size_t s = 0; s < n; s++)
-    if (run->picture[s] != HSR_NOT_WRITTEN) {
+    if (right[s] != HSR_NOT_WRITTEN) {
       ++*compared;
-      differing += run->drawn[s] != wanted_of(run, k, run->picture[s]);
+      differing += run->drawn[s] != wanted_of(run, k, right[s]);
     }
   return differing;
 }
 
-/* Compares the drawing that a program has made last, of the last view. */
-static enum hsr_status judge_lines(struct place_run *run, int k,
+/* Compares the drawing of a view that a program has made last. */
+static enum hsr_status judge_lines(struct place_run *run, int k, int view,
                                    struct turn_taker *taker,
                                    struct hsr_error *err) {
-  const struct hsr_answer *right = &run->lines[run->place.walk - 1].answer;
+  const struct hsr_answer *right = &run->lines[view].answer;
   struct hsr_drawing_difference found;
   enum hsr_status status =
       program_read_segments(taker->program, NULL, &run->lines_drawn, err);
@@ -489,20 +490,20 @@ static enum hsr_status judge_lines(struct place_run *run, int k,
 /* A peer is timed whatever it draws. A program was judged before, and has no time
  * if it draws another picture now. */
 static enum hsr_status judge_drawn(void *data, struct turn_taker *taker,
-                                   struct hsr_error *err) {
+                                   int view, struct hsr_error *err) {
   struct place_run *run = data;
   int k = (int)(taker - run->taker);
   const struct entrant *e = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
   uint64_t compared;
   if (!is_peer(e) && !strcmp(e->kind, HSR_SEGMENTS->name))
-    return judge_lines(run, k, taker, err);
+    return judge_lines(run, k, view, taker, err);
   if (strcmp(e->kind, "ids") != 0 && !names_cells(e))
     return HSR_OK;
   enum hsr_status status = program_read_ids(taker->program, run->drawn, err);
   if (status)
     return status;
-  uint64_t differing = compare_picture(run, k, &compared);
+  uint64_t differing = compare_picture(run, k, view, &compared);
   if (!is_peer(e) && !differing)
     return HSR_OK;
   cell->compared = compared;
@@ -687,6 +688,8 @@ static const char *reason_of(const struct sweep_options *o,
                              const struct cell *cell, char text[80]) {
   if (cell->refusal[0])
     return cell->refusal;
+  if (cell->verdict == TIMEOUT && cell->why[0])
+    return cell->why;
   if (cell->verdict == TIMEOUT)
     snprintf(text, 80, "a picture took longer than %ld s", o->timeout);
   else if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
@@ -854,7 +857,7 @@ static enum hsr_status open_place(struct place_run *run,
   read_judged(run);
   if (!has_programs(run))
     return HSR_OK;
-  run->picture = shared_memory(picture_size(run));
+  run->picture = shared_memory((size_t)run->place.walk * picture_size(run));
   run->drawn = malloc(picture_size(run));
   return run->picture && run->drawn ? HSR_OK : hsr_fail_nomem(err);
 }
@@ -865,7 +868,7 @@ static void close_place(struct place_run *run) {
     json_decref(run->taker[k].counts);
   }
   if (run->picture)
-    munmap(run->picture, picture_size(run));
+    munmap(run->picture, (size_t)run->place.walk * picture_size(run));
   free(run->drawn);
   free_lines(run);
   if (run->triangles.algorithm)

@@ -152,6 +152,14 @@ static enum hsr_status add_standard(struct plan *plan,
   return add_algorithm(plan, listed->plain->name, &variant, err);
 }
 
+/* One algorithm, with its options, or a program. */
+static enum hsr_status add_named(void *plan, const char *name,
+                                 struct hsr_error *err) {
+  struct hsr_variant variant;
+  enum hsr_status status = program_variant_parse(name, &variant, err);
+  return status ? status : add_algorithm(plan, name, &variant, err);
+}
+
 /* Adds the algorithms whose names match, or one with options. Judges take part
  * only if they are named. */
 static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
@@ -165,9 +173,7 @@ static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
     }
   if (status || found)
     return status;
-  struct hsr_variant variant;
-  status = program_variant_parse(pattern, &variant, err);
-  return status ? status : add_algorithm(plan, pattern, &variant, err);
+  return program_each(pattern, add_named, plan, err);
 }
 
 static enum hsr_status add_peers(struct plan *plan, const char *pattern,
@@ -223,6 +229,7 @@ enum hsr_status plan_init(struct plan *plan,
                           const struct sweep_options *options,
                           struct hsr_error *err) {
   *plan = (struct plan){.options = options};
+  program_set_limit((double)options->timeout);
   enum hsr_status status = add_scenes(plan, err);
   if (!status)
     status = add_entrants(plan, err);

@@ -12,7 +12,7 @@ static void note_end(struct turn_taker *taker, enum hsr_status status,
                      const struct hsr_error *err) {
   bool late = program_was_late(taker->program);
   program_turn_kill(taker);
-  if (status == HSR_E_STOPPED)
+  if (status == HSR_E_STOPPED && !late)
     return;
   taker->verdict = late ? TIMEOUT : CRASH;
   taker->failure = late ? HSR_OK : status;
@@ -55,7 +55,6 @@ static enum hsr_status warm_up(const struct plan *plan,
   }
   double rounds = SERVE_SAMPLE_SECONDS / (least > 1e-9 ? least : 1e-9);
   taker->rounds = rounds >= (double)most ? most : (long)rounds + 1;
-  taker->has_runner = least < SERVE_SHORT_SECONDS;
   return status;
 }
 
@@ -91,22 +90,55 @@ bool program_turn_begin(const struct plan *plan, struct turn_taker *taker,
   return true;
 }
 
+/* Draws frames, the last of which is the picture of this view, and has it judged:
+ * what it is to write is unwritten before. */
+static enum hsr_status draw_judged(const struct plan *plan,
+                                   struct turn_taker *taker,
+                                   const struct turn_listener *listener,
+                                   long frames, int view, double *seconds,
+                                   struct hsr_error *err) {
+  enum hsr_status status = program_unset(taker->program, err);
+  if (!status)
+    status = program_draw(taker->program, 'f', frames,
+                          (double)plan->options->timeout, seconds, NULL, err);
+  return status ? status : listener->drawn(listener->data, taker, view, err);
+}
+
+/* A round without the clock, every picture of which is judged. It refills the
+ * caches, too. */
+static enum hsr_status judge_round(const struct plan *plan,
+                                   struct turn_taker *taker,
+                                   const struct turn_listener *listener,
+                                   struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int view = 0; view < plan->options->walk && !status; view++)
+    if (taker->verdict == RIGHT)
+      status = draw_judged(plan, taker, listener, 1, view, NULL, err);
+  return status;
+}
+
+/* The frames that are timed in a round. They are drawn one over the other, and the
+ * last one is judged. Batches of two lengths take turns, so that it is not always
+ * the same one of a program that has two buffers. */
+static long frames_in(const struct plan *plan, const struct turn_taker *taker,
+                      int round) {
+  bool shorter = taker->rounds > 1 && round % 2;
+  return (taker->rounds - shorter) * plan->options->walk;
+}
+
 void program_turn_draw(const struct plan *plan, struct turn_taker *taker,
                        const struct turn_listener *listener, int start,
                        int round) {
   struct hsr_error err;
-  struct start *into = &taker->starts[start];
   double seconds = 0;
+  long frames = frames_in(plan, taker, round);
+  int last = (int)plan->options->walk - 1;
   enum hsr_status status = HSR_OK;
-  if (taker->has_runner)
-    status = draw_rounds(plan, taker, 1, NULL, &err);
-  if (!status)
-    status = program_unset(taker->program, &err);
-  if (!status)
-    status = draw_rounds(plan, taker, taker->rounds, &seconds, &err);
-  if (!status)
-    status = listener->drawn(listener->data, taker, &err);
-  into->seconds[round] = seconds / (double)into->inner;
+  if (frames > 1)
+    status = judge_round(plan, taker, listener, &err);
+  if (!status && taker->verdict == RIGHT)
+    status = draw_judged(plan, taker, listener, frames, last, &seconds, &err);
+  taker->starts[start].seconds[round] = seconds / (double)frames;
   if (status)
     note_end(taker, status, &err);
   else if (taker->verdict != RIGHT)
@@ -124,11 +156,9 @@ static void add_counts(struct turn_taker *taker, const json_t *line) {
     taker->counts = json_object();
   json_object_foreach(counts, name, value) {
     json_t *sum = json_object_get(taker->counts, name);
-    json_int_t n =
-        json_is_number(value) ? (json_int_t)json_number_value(value) : -1;
-    if (n >= 0)
-      json_object_set_new(taker->counts, name,
-                          json_integer(n + json_integer_value(sum)));
+    json_object_set_new(taker->counts, name,
+                        json_integer((json_int_t)json_number_value(value) +
+                                     json_integer_value(sum)));
   }
 }
 

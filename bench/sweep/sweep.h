@@ -163,7 +163,6 @@ struct turn_taker {
   struct program *program;       /* while it runs */
   double adapt_seconds; /* what was done to the scene for it, before it began */
   long rounds;          /* of a program, in a sample */
-  bool has_runner;      /* an untimed round comes before each */
   bool has_counted;     /* it was asked for its counts */
   json_t *counts;       /* that it told, a new reference; or NULL */
   char why[480];        /* in words, what went wrong with it */
@@ -180,9 +179,10 @@ struct turn_taker {
 struct turn_listener {
   bool (*timed)(void *data, const struct turn_taker *taker, int start);
   void *data;
-  /* Judges the picture that a program has drawn last. A wrong one becomes its
-   * taker's verdict. Fails as program_read_ids. */
-  enum hsr_status (*drawn)(void *data, struct turn_taker *taker,
+  /* Judges the picture that a program has drawn last, of this view of the walk,
+   * from 0. A wrong one becomes its taker's verdict. Fails as program_read_ids.
+   */
+  enum hsr_status (*drawn)(void *data, struct turn_taker *taker, int view,
                            struct hsr_error *err);
   const char *name; /* of what is timed, for progress */
   double end;       /* no start is begun after this time, but for the first two;

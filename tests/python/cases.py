@@ -272,11 +272,25 @@ def test_judge_cameras():
     signed = np.where(p.ids == hsr.NO_FACE, -1, p.ids.astype(np.int64))
     ok(hsr.judge(house, signed.astype(np.int32), view=3).is_right, "-1 is no face")
     ok(hsr.judge(house, p.ids.tolist(), view=3).is_right, "lists of rows")
+    for kind in ["u1", "u2", ">u4", "u8", "i2", "i8", "f4", "f8"]:
+        ids = signed.astype(kind)
+        ok(hsr.judge(house, ids, view=3).is_right, f"ids as {kind}")
+        ids[0, 0] = ids[0, 0] == 7 or 7
+        v = hsr.judge(house, ids, view=3)
+        ok(v.differing == 1, f"one is wrong as {kind}")
+    ok(hsr.judge(house, p.ids.astype("f4"), view=3).is_right, "NO_FACE as a float")
+    grid = hsr.scene("grid:8")  # which has a face 255
+    ids = np.full((2, 2), 255, np.uint8)
+    v = hsr.judge(grid, ids)
+    ok(grid.n_faces > 256 and "face 255" in v.first, f"255 is a face: {v.first}")
 
 
 def test_bad_ids():
     raises(hsr.UsageError, "shape", hsr.judge, house, [1, 2])
-    raises(hsr.UsageError, "whole", hsr.judge, house, np.zeros((2, 2)))
+    raises(hsr.UsageError, "whole", hsr.judge, house, np.full((2, 2), 0.5))
+    raises(hsr.UsageError, "whole", hsr.judge, house, np.full((2, 2), np.nan))
+    raises(hsr.UsageError, "0 to", hsr.judge, house, np.full((2, 2), 1e300))
+    raises(hsr.UsageError, "whole", hsr.judge, house, [["a"]])
     raises(hsr.UsageError, "0 to", hsr.judge, house, [[-2, 0]])
     raises(hsr.UsageError, "ids", hsr.judge, house, [[1], [1, 2]])
     raises(hsr.UsageError, "room", hsr.judge, house, [[1]], room=-1)

@@ -315,12 +315,13 @@ class Scene:
     ) -> Verdict:
         """Compares ids that anybody has found with the right ones.
 
-        ids   an array of rows: the visible face of every sample; NO_FACE, or -1,
-              where there is none
+        ids   an array of rows: the visible face of every sample, as whole numbers
+              of any type, floats too. No face is -1, NO_FACE, or the largest
+              number of the array's type where no face has that number
         room  how many places are listed at most
 
         The rest is as in `render`."""
-        array = _ids_of(ids)
+        array = _ids_of(ids, self.n_faces)
         rows, columns = array.shape
         request = _request((columns, rows), camera, view, window, offset=offset)
         pointer = _arrays.pointer_to("uint32_t[]", array)
@@ -396,14 +397,23 @@ def _request(
     return struct("hsr_request", m=m, n=n, view=view, window=window, **members)
 
 
-def _ids_of(ids: Any) -> Any:
-    """Ids as an array of uint32. -1 is NO_FACE."""
+def _ids_of(ids: Any, n_faces: int) -> Any:
+    """Ids as an array of uint32, by the rules of hsr judge."""
     array = _arrays.any_array("ids", ids)
     if array.ndim != 2:
         raise UsageError(f"ids: the shape is {array.shape}, not (rows, columns)")
-    if array.dtype.kind == "i":
-        array = np.where(array == -1, np.int64(NO_FACE), array)
-    return _arrays.taken_ids("ids", array, NO_FACE)
+    if array.dtype.kind not in "iuf":
+        return _arrays.taken_ids("ids", array, NO_FACE)
+    none = array == -1
+    if array.dtype.kind == "u" and np.iinfo(array.dtype).max >= n_faces:
+        none |= array == np.iinfo(array.dtype).max
+    if array.dtype.kind == "f":
+        none |= array == 2.0**32  # NO_FACE in 32 bits
+        if not (none | (array == np.floor(array)) & np.isfinite(array)).all():
+            raise UsageError("ids: a number is not whole")
+        array = np.clip(array, -2, 2.0**40)
+    whole = np.where(none, NO_FACE, array.astype(np.int64))
+    return _arrays.taken_ids("ids", whole, NO_FACE)
 
 
 # --- Opening ------------------------------------------------------------------

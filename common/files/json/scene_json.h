@@ -5,6 +5,8 @@
 
 #include "common/files/mesh/exchange.h"
 
+#include <stdio.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -36,6 +38,11 @@ enum hsr_status hsr_cameras_json_read(struct hsr_scene *scene, const char *path,
  * HSR_E_INPUT if it cannot be written; HSR_E_NOMEM. */
 enum hsr_status hsr_cameras_json_write(const struct hsr_camera *views,
                                        uint32_t n, const char *path,
+                                       struct hsr_error *err);
+
+/* The same, to a stream that is open. */
+enum hsr_status hsr_cameras_json_print(const struct hsr_camera *views,
+                                       uint32_t n, FILE *out,
                                        struct hsr_error *err);
 
 /* Writes a scene file. Reading it back gives the same doubles. HSR_E_INPUT if

@@ -299,3 +299,11 @@ enum hsr_status hsr_cameras_json_write(const struct hsr_camera *views,
   return write_content(&(struct content){.views = views, .n_views = n}, path,
                        err);
 }
+
+enum hsr_status hsr_cameras_json_print(const struct hsr_camera *views,
+                                       uint32_t n, FILE *out,
+                                       struct hsr_error *err) {
+  struct writer writer = {.out = out, .path = "standard output", .err = err};
+  put_cameras(&writer, views, n);
+  return writer.status;
+}

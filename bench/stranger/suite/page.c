@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The judgement of a suite as a page of HTML, which needs no other file and no
  * script. */
-#include "bench/stranger/suite.h"
+#include "bench/stranger/suite/suite.h"
 #include "common/files/whole_file.h"
 
 #include <string.h>

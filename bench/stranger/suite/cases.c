@@ -2,7 +2,7 @@
 /* Reads a suite, and judges the results picture by picture. Those that are equal
  * to the right ones cost no more than reading. */
 #include "bench/stranger/picture.h"
-#include "bench/stranger/suite.h"
+#include "bench/stranger/suite/suite.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/npy.h"
 
@@ -185,7 +185,10 @@ static enum hsr_status explain(struct desk *desk, const uint32_t *ids,
   struct stranger_verdict verdict = {.kind = NULL};
   enum hsr_status status = open_scene_of(desk, r, err);
   if (!status)
-    status = stranger_judge(desk->scene, &request, ids, &verdict, err);
+    status = stranger_judge(&(struct stranger_question){.scene = desk->scene,
+                                                        .request = &request,
+                                                        .ids = ids},
+                            &verdict, err);
   if (!status && verdict.differing != r->differing)
     status = hsr_fail(err, HSR_E_INPUT,
                       "%.200s: right/%s.ids.npy is not the picture of this hsr",

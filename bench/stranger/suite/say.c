@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The judgement of a suite, for people and for programs. */
-#include "bench/stranger/suite.h"
+#include "bench/stranger/suite/suite.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/json/json.h"
 
