@@ -244,7 +244,7 @@ static enum hsr_status add_faces(struct export *e,
     const float *colour = hsr_face_rgb(place.object, place.face);
     instance[f] = place.instance;
     object[f] = e->scene->instances[place.instance].object;
-    opacity[f] = (double)place.object->opacity;
+    opacity[f] = (double)hsr_face_opacity(place.object, place.face);
     for (size_t k = 0; k < 3; k++)
       rgb[3 * f + k] = to_byte(colour[k]);
   }

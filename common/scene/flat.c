@@ -58,6 +58,8 @@ static void move_face(struct hsr_object *object, uint32_t from, uint32_t to) {
   if (object->rgb)
     memmove(object->rgb + 3 * (size_t)to, object->rgb + 3 * (size_t)from,
             3 * sizeof *object->rgb);
+  if (object->face_opacity)
+    object->face_opacity[to] = object->face_opacity[from];
 }
 
 enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,

@@ -166,12 +166,17 @@ bool hsr_scene_has_frame(const struct hsr_scene *a, const struct hsr_scene *b) {
   return true;
 }
 
+/* Arrays of n floats, or both NULL. */
+static bool are_same_floats(const float *a, const float *b, size_t n) {
+  return !a == !b && (!a || !memcmp(a, b, n * sizeof *a));
+}
+
 static bool has_colours(const struct hsr_object *a,
                         const struct hsr_object *b) {
-  return !a->rgb == !b->rgb && a->opacity == b->opacity &&
-         !memcmp(a->colour, b->colour, sizeof a->colour) &&
-         (!a->rgb ||
-          !memcmp(a->rgb, b->rgb, 3 * (size_t)a->n_faces * sizeof *a->rgb));
+  size_t n = a->n_faces;
+  return a->opacity == b->opacity && are_same_floats(a->colour, b->colour, 3) &&
+         are_same_floats(a->rgb, b->rgb, 3 * n) &&
+         are_same_floats(a->face_opacity, b->face_opacity, n);
 }
 
 /* Objects with as many faces and vertices. */

@@ -43,9 +43,12 @@ static enum hsr_status copy_face(struct cut *cut, const struct hsr_object *from,
       status = hsr_object_vertex(to, p[0], p[1], p[2], number);
     corner[k] = *number;
   }
+  if (!status)
+    status = hsr_object_face(to, corner, n,
+                             from->rgb ? from->rgb + 3 * (size_t)f : NULL);
   return status ? status
-                : hsr_object_face(to, corner, n,
-                                  from->rgb ? from->rgb + 3 * (size_t)f : NULL);
+                : hsr_object_set_opacity(to, to->n_faces - 1,
+                                         hsr_face_opacity(from, f));
 }
 
 static uint32_t most_corners(const struct hsr_object *object) {

@@ -39,6 +39,7 @@ static void object_free(struct hsr_object *object) {
   free(object->start);
   free(object->vertex);
   free(object->rgb);
+  free(object->face_opacity);
 }
 
 void hsr_scene_delete(struct hsr_scene *scene) {
@@ -138,7 +139,8 @@ enum hsr_status hsr_object_reserve(struct hsr_object *object,
                  3 * sizeof *object->xyz) ||
       !make_room(&object->start, &cap, n_faces + 1, sizeof *object->start))
     return HSR_E_NOMEM;
-  if (!object->rgb) /* which is as long as cap_faces says */
+  /* What belongs to single faces is as long as cap_faces says. */
+  if (!object->rgb && !object->face_opacity)
     object->cap_faces = cap - 1;
   return HSR_OK;
 }
@@ -172,6 +174,26 @@ static bool colour_faces(struct hsr_object *object) {
   return true;
 }
 
+/* Gives every face so far the object's opacity. */
+static bool open_faces(struct hsr_object *object) {
+  object->face_opacity =
+      malloc(((size_t)object->cap_faces + 1) * sizeof(float));
+  for (uint32_t f = 0; object->face_opacity && f < object->n_faces; f++)
+    object->face_opacity[f] = object->opacity;
+  return object->face_opacity;
+}
+
+/* Makes an array that has `width` numbers for each face as long as start[]. It
+ * may be NULL, and stays so. */
+static bool lengthen(float **array, uint32_t cap, size_t width) {
+  if (!*array)
+    return true;
+  float *longer = realloc(*array, width * cap * sizeof *longer);
+  if (longer)
+    *array = longer;
+  return longer;
+}
+
 /* Room for one more face, of n corners. */
 static bool reserve_face(struct hsr_object *object, uint32_t n) {
   uint32_t n_corners = object->start[object->n_faces];
@@ -179,12 +201,9 @@ static bool reserve_face(struct hsr_object *object, uint32_t n) {
   if (!reserve(&object->start, &cap, object->n_faces + 2,
                sizeof *object->start))
     return false;
-  if (object->rgb && cap - 1 > object->cap_faces) {
-    float *rgb = realloc(object->rgb, 3 * (size_t)cap * sizeof *rgb);
-    if (!rgb)
-      return false; /* start[] is longer than cap_faces says: no harm */
-    object->rgb = rgb;
-  }
+  if (cap - 1 > object->cap_faces && (!lengthen(&object->rgb, cap, 3) ||
+                                      !lengthen(&object->face_opacity, cap, 1)))
+    return false; /* an array is longer than cap_faces says: no harm */
   object->cap_faces = cap - 1;
   return reserve(&object->vertex, &object->cap_corners, n_corners + n,
                  sizeof *object->vertex);
@@ -234,8 +253,20 @@ enum hsr_status hsr_object_face(struct hsr_object *object,
   if (object->rgb)
     memcpy(object->rgb + 3 * (size_t)object->n_faces,
            rgb ? rgb : object->colour, 3 * sizeof(float));
+  if (object->face_opacity)
+    object->face_opacity[object->n_faces] = object->opacity;
   object->n_faces++;
   object->start[object->n_faces] = n_corners + (uint32_t)n;
+  return HSR_OK;
+}
+
+enum hsr_status hsr_object_set_opacity(struct hsr_object *object, uint32_t face,
+                                       float opacity) {
+  if (hsr_face_opacity(object, face) == opacity)
+    return HSR_OK;
+  if (!object->face_opacity && !open_faces(object))
+    return HSR_E_NOMEM;
+  object->face_opacity[face] = opacity;
   return HSR_OK;
 }
 
@@ -244,6 +275,7 @@ uint32_t *hsr_object_triangles(struct hsr_object *object, uint32_t n) {
            cap = object->cap_faces + 1; /* of start[], one longer */
   if (n > (UINT32_MAX - 2 - corner) / 3 ||
       n > UINT32_MAX - 3 - object->n_faces || object->rgb ||
+      object->face_opacity ||
       !reserve(&object->start, &cap, object->n_faces + n + 1,
                sizeof *object->start))
     return NULL;

@@ -46,6 +46,7 @@ struct hsr_object {
   uint32_t *vertex; /* start[n_faces] vertex numbers */
   float *rgb;       /* 3 * n_faces, linear, 0..1; NULL: all have `colour` */
   float colour[3];  /* of faces without a colour of their own, linear, 0..1 */
+  float *face_opacity; /* n_faces, 0..1; NULL: all have `opacity` */
   uint32_t n_vertices, n_faces;
   uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
   float opacity;  /* 0..1. The default, 1, hides everything behind the face.
@@ -145,11 +146,16 @@ enum hsr_status hsr_object_face(struct hsr_object *object,
                                 const uint32_t *vertices, size_t n,
                                 const float *rgb);
 
+/* Gives a face an opacity of its own, 0..1. A value that the face has already
+ * takes no memory. HSR_E_NOMEM: the object is as before. */
+enum hsr_status hsr_object_set_opacity(struct hsr_object *object, uint32_t face,
+                                       float opacity);
+
 /* Appends n triangles of the object's colour. Returns an array of 3 n vertex
  * numbers, which the caller must fill at once, with three different valid
  * numbers for each triangle. The object owns the array. The pointer is valid
  * until the next face is added. NULL: memory ran out, a face of the object has
- * a colour of its own, or the object would have more than 2^32 - 2 faces or
+ * a colour or an opacity of its own, or the object would have more than 2^32 - 2 faces or
  * corners. */
 uint32_t *hsr_object_triangles(struct hsr_object *object, uint32_t n);
 
@@ -158,6 +164,12 @@ uint32_t *hsr_object_triangles(struct hsr_object *object, uint32_t n);
 static inline const float *hsr_face_rgb(const struct hsr_object *object,
                                         uint32_t face) {
   return object->rgb ? object->rgb + 3 * (size_t)face : object->colour;
+}
+
+/* Returns the opacity of a face of an object. */
+static inline float hsr_face_opacity(const struct hsr_object *object,
+                                     uint32_t face) {
+  return object->face_opacity ? object->face_opacity[face] : object->opacity;
 }
 
 /* Appends an instance of object number `object`. m is as in hsr_instance; NULL
@@ -205,10 +217,11 @@ static inline bool hsr_scene_lacks_faces(const struct hsr_scene *scene) {
   return scene->grid && !scene->objects[0].n_faces;
 }
 
-/* Whether an object of the scene is not opaque. */
+/* Whether a face of the scene is not opaque, or may be so: faces of its object
+ * have opacities of their own. */
 static inline bool hsr_scene_is_transparent(const struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++)
-    if (scene->objects[o].opacity < 1)
+    if (scene->objects[o].opacity < 1 || scene->objects[o].face_opacity)
       return true;
   return false;
 }

@@ -30,7 +30,8 @@ struct tint {
 /* 65535 times the opacity, rounded to the nearest integer, a half upwards. The
  * opacity is a float, so all of this is exact in doubles. */
 uint64_t opacity_of(const hsr_world &world, uint32_t id) {
-  const double o = double(hsr_place_of(&world, id).object->opacity);
+  const hsr_place at = hsr_place_of(&world, id);
+  const double o = double(hsr_face_opacity(at.object, at.face));
   return uint64_t(std::floor(65535 * o + 0.5));
 }
 

@@ -39,7 +39,8 @@ struct hsr_tint hsr_tint_of(const struct hsr_world *world,
   struct hsr_tint tint = {.opacity = HSR_OPAQUE};
   hsr_filter_colour(world, view, id, tint.rgb);
   if (id != HSR_BACKGROUND) {
-    double opacity = (double)hsr_place_of(world, id).object->opacity;
+    struct hsr_place at = hsr_place_of(world, id);
+    double opacity = (double)hsr_face_opacity(at.object, at.face);
     tint.opacity = (uint16_t)floor(HSR_OPAQUE * opacity + 0.5);
   }
   return tint;

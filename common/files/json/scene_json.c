@@ -163,9 +163,10 @@ static bool has_room(const struct hsr_object *object, size_t n) {
          object->n_faces < UINT32_MAX - 2;
 }
 
-/* Appends the face in reader->corners, or leaves it out. */
+/* Appends the face in reader->corners, or leaves it out. rgba: NULL, if it has
+ * the object's colour and opacity. */
 static enum hsr_status add_face(const struct hsr_json_node *at, size_t n,
-                                const float *rgb) {
+                                const float *rgba) {
   struct reader *reader = reader_of(at);
   struct hsr_object *object = latest(at);
   bool strict = reader->import.strict, out_of_memory = false;
@@ -176,7 +177,9 @@ static enum hsr_status add_face(const struct hsr_json_node *at, size_t n,
   bool flat =
       !strict && hsr_ring_is_flat(object, reader->corners, n, &out_of_memory);
   enum hsr_status status =
-      flat ? HSR_OK : hsr_object_face(object, reader->corners, n, rgb);
+      flat ? HSR_OK : hsr_object_face(object, reader->corners, n, rgba);
+  if (!flat && !status && rgba)
+    status = hsr_object_set_opacity(object, object->n_faces - 1, rgba[3]);
   if (out_of_memory || status == HSR_E_NOMEM)
     return hsr_json_nomem(at);
   reader->import.n_dropped += flat;
@@ -188,9 +191,25 @@ static enum hsr_status add_face(const struct hsr_json_node *at, size_t n,
                                         "be divided there");
 }
 
+/* The colour of a face: three numbers, or four, of which the last is its
+ * opacity. */
+static enum hsr_status take_face_colour(const struct hsr_json_node *at,
+                                        float rgba[4]) {
+  double v[4];
+  enum hsr_status status = hsr_json_array(at, NULL);
+  bool has_opacity = !status && json_array_size(at->value) == 4;
+  if (!status)
+    status = hsr_json_numbers(at, has_opacity ? 4 : 3, hsr_json_share, v);
+  if (!has_opacity)
+    v[3] = (double)latest(at)->opacity;
+  for (int k = 0; k < 4 && !status; k++)
+    rgba[k] = (float)v[k];
+  return status;
+}
+
 /* The next element of "face_colours", if there are such. */
 static enum hsr_status read_face_colour(const struct hsr_json_node *at,
-                                        float *rgb) {
+                                        float rgba[4]) {
   struct reader *reader = reader_of(at);
   struct hsr_json_node list = hsr_json_member(at->up->up, "face_colours");
   struct hsr_json_node colour = {at->input, NULL, &list, NULL, at->index};
@@ -198,15 +217,15 @@ static enum hsr_status read_face_colour(const struct hsr_json_node *at,
       hsr_json_next_value(at->input, &reader->of_object[FACE_COLOURS],
                           levels + OF_LEAF, NULL, &reader->colour);
   colour.value = reader->colour;
-  return !status && colour.value ? take_colour(&colour, rgb) : status;
+  return !status && colour.value ? take_face_colour(&colour, rgba) : status;
 }
 
 /* Its colour comes first, as hsr_object_face wants it. */
 static enum hsr_status take_face(const struct hsr_json_node *at, void *to) {
   struct reader *reader = reader_of(at);
-  float rgb[3];
+  float rgba[4];
   (void)to;
-  enum hsr_status status = read_face_colour(at, rgb);
+  enum hsr_status status = read_face_colour(at, rgba);
   if (!status)
     status = hsr_json_array(at, NULL);
   size_t n = json_array_size(at->value);
@@ -217,7 +236,7 @@ static enum hsr_status take_face(const struct hsr_json_node *at, void *to) {
     status = read_index(&corner, "vertex", latest(at)->n_vertices,
                         &reader->corners[i]);
   }
-  return status ? status : add_face(at, n, reader->colour ? rgb : NULL);
+  return status ? status : add_face(at, n, reader->colour ? rgba : NULL);
 }
 
 static enum hsr_status take_faces(const struct hsr_json_node *at, void *to) {
@@ -261,8 +280,10 @@ static void forget_meshes(struct reader *reader) {
   while (reader->mesh) {
     struct mesh *mesh = reader->mesh;
     reader->mesh = mesh->before;
-    for (uint32_t k = 0; k < mesh->n && mesh->as_read; k++)
+    for (uint32_t k = 0; k < mesh->n; k++) {
       free(mesh->as_read[k].name);
+      free(mesh->as_read[k].face_opacity);
+    }
     free(mesh->as_read);
     free(mesh->instance);
     free(mesh->path);
@@ -270,22 +291,32 @@ static void forget_meshes(struct reader *reader) {
   }
 }
 
-/* Keeps what a scene file may change in the objects, and the places of the file.
- * `read` is a scene of the file alone. */
+/* Keeps what a scene file may change in an object. */
+static enum hsr_status keep_object(struct hsr_object *kept,
+                                   const struct hsr_object *object) {
+  const size_t size = object->n_faces * sizeof *object->face_opacity;
+  *kept = (struct hsr_object){.name = strdup(object->name),
+                              .one_sided = object->one_sided,
+                              .opacity = object->opacity};
+  memcpy(kept->colour, object->colour, sizeof kept->colour);
+  if (object->face_opacity && (kept->face_opacity = malloc(size)))
+    memcpy(kept->face_opacity, object->face_opacity, size);
+  return kept->name && !kept->face_opacity == !object->face_opacity
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+/* Keeps the objects' changeable parts, and the places of the file. `read` is a
+ * scene of the file alone. */
 static enum hsr_status keep_mesh(struct mesh *mesh,
                                  const struct hsr_scene *read) {
   mesh->as_read = calloc(read->n_objects + 1u, sizeof *mesh->as_read);
   mesh->instance = calloc(read->n_instances + 1u, sizeof *mesh->instance);
   if (!mesh->as_read || !mesh->instance)
     return HSR_E_NOMEM;
-  for (; mesh->n < read->n_objects; mesh->n++) {
-    const struct hsr_object *object = &read->objects[mesh->n];
-    struct hsr_object *kept = &mesh->as_read[mesh->n];
-    kept->name = strdup(object->name);
-    kept->one_sided = object->one_sided;
-    kept->opacity = object->opacity;
-    memcpy(kept->colour, object->colour, sizeof kept->colour);
-    if (!kept->name)
+  while (mesh->n < read->n_objects) {
+    const uint32_t k = mesh->n++;
+    if (keep_object(&mesh->as_read[k], &read->objects[k]))
       return HSR_E_NOMEM;
   }
   mesh->n_instances = read->n_instances;
@@ -351,10 +382,13 @@ static enum hsr_status copy_object(struct reader *reader, uint32_t number,
     const double *p = from->xyz + 3 * (size_t)v;
     status = hsr_object_vertex(to, p[0], p[1], p[2], NULL);
   }
-  for (uint32_t f = 0; f < from->n_faces && !status; f++)
+  for (uint32_t f = 0; f < from->n_faces && !status; f++) {
     status = hsr_object_face(to, from->vertex + from->start[f],
                              from->start[f + 1] - from->start[f],
                              from->rgb ? from->rgb + 3 * (size_t)f : NULL);
+    if (!status)
+      status = hsr_object_set_opacity(to, f, hsr_face_opacity(as_read, f));
+  }
   return status ? hsr_fail_nomem(reader->input.err) : HSR_OK;
 }
 
@@ -417,12 +451,17 @@ static enum hsr_status take_own_colour(const struct hsr_json_node *at,
   return status;
 }
 
+/* It replaces what a mesh file says. */
 static enum hsr_status take_opacity(const struct hsr_json_node *at, void *to) {
   double opacity = 1;
   (void)to;
   enum hsr_status status = hsr_json_share(at, &opacity);
-  for (uint32_t k = 0; k < latest_entry(at)->n; k++)
-    (latest(at) - k)->opacity = (float)opacity;
+  for (uint32_t k = 0; k < latest_entry(at)->n; k++) {
+    struct hsr_object *object = latest(at) - k;
+    object->opacity = (float)opacity;
+    free(object->face_opacity);
+    object->face_opacity = NULL;
+  }
   return status;
 }
 
@@ -477,11 +516,11 @@ static enum hsr_status take_object(const struct hsr_json_node *at, void *to) {
       {"file", take_mesh, NULL},
       {"name", take_own_name, NULL, .required = !is_mesh},
       {"colour", take_own_colour, NULL},
+      {"opacity", take_opacity, NULL},
       {"vertices", take_vertices, NULL, .required = !is_mesh,
        .beside = {"file"}},
       {"face_colours", take_face_colours, NULL, .beside = {"file"}},
       {"faces", take_faces, NULL, .required = !is_mesh, .beside = {"file"}},
-      {"opacity", take_opacity, NULL},
       {"moves", take_moves, NULL},
       {"one_sided", take_one_sided, NULL},
       {0}};

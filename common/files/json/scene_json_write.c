@@ -77,6 +77,14 @@ static void put_colour(struct writer *writer, const char *before,
   put_array(writer, before, v, 3, FLOAT_DIGITS);
 }
 
+/* The colour of a face, with its opacity if the object's faces differ. */
+static void put_face_colour(struct writer *writer,
+                            const struct hsr_object *object, uint32_t f) {
+  const float *rgb = hsr_face_rgb(object, f);
+  double v[4] = {rgb[0], rgb[1], rgb[2], hsr_face_opacity(object, f)};
+  put_array(writer, "", v, object->face_opacity ? 4 : 3, FLOAT_DIGITS);
+}
+
 static void put_face(struct writer *writer, const uint32_t *vertices,
                      size_t n) {
   json_t *array = json_array();
@@ -116,12 +124,12 @@ static void put_object(struct writer *writer, const struct hsr_object *object) {
     put_face(writer, object->vertex + object->start[f],
              object->start[f + 1] - object->start[f]);
   }
-  if (object->rgb)
+  bool differ = object->rgb || object->face_opacity;
+  if (differ)
     put_text(writer, "],\n   \"face_colours\": [");
-  for (uint32_t f = 0; object->rgb && f < object->n_faces && !writer->status;
-       f++) {
+  for (uint32_t f = 0; differ && f < object->n_faces && !writer->status; f++) {
     put_line(writer, f, "    ");
-    put_colour(writer, "", object->rgb + 3 * (size_t)f);
+    put_face_colour(writer, object, f);
   }
   put_text(writer, "]}");
 }

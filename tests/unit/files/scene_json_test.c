@@ -62,7 +62,10 @@ static bool same_object(const struct hsr_object *a,
          same(a->xyz, b->xyz, 3 * sizeof(double) * a->n_vertices) &&
          same(a->start, b->start, sizeof(uint32_t) * (a->n_faces + 1)) &&
          same(a->vertex, b->vertex, sizeof(uint32_t) * a->start[a->n_faces]) &&
-         (!a->rgb || same(a->rgb, b->rgb, 3 * sizeof(float) * a->n_faces));
+         (!a->rgb || same(a->rgb, b->rgb, 3 * sizeof(float) * a->n_faces)) &&
+         a->opacity == b->opacity && !a->face_opacity == !b->face_opacity &&
+         (!a->face_opacity ||
+          same(a->face_opacity, b->face_opacity, sizeof(float) * a->n_faces));
 }
 
 /* Compares bits, so that -0 is not 0. */
@@ -146,6 +149,8 @@ static void add_random(struct hsr_scene *scene, const char *name,
     for (int k = 0; k < 3; k++)
       rgb[k] = random_channel(&state);
     must(!hsr_object_face(object, (uint32_t[]){f, 499 - f / 8, f + 1}, 3, rgb));
+    if (one_sided && f >= 20)
+      must(!hsr_object_set_opacity(object, f, random_channel(&state)));
   }
 }
 
@@ -347,7 +352,7 @@ static void test_drop(struct tap *tap) {
              "\"vertices\": [[0,0,0],[1,0,0],[2,0,0],[0,1,0]],"
              "\"faces\": [[0,1],[0,1,3],[0,1,2],[1,1,3],[],[1,2,3]],"
              "\"face_colours\": [[0,0,0],[1,0,0],[0,0,0],[0,0,0],[0,0,0],"
-             "[0,1,0]]}]}");
+             "[0,1,0,0.5]]}]}");
   struct hsr_import import = {.n_dropped = 9};
   struct hsr_scene *scene;
   struct hsr_error err;
@@ -360,6 +365,11 @@ static void test_drop(struct tap *tap) {
      !status && scene->objects[1].n_faces == 2 &&
          scene->objects[1].rgb[0] == 1 && scene->objects[1].rgb[4] == 1,
      "the colours stay with their faces");
+  ok(tap,
+     !status && hsr_face_opacity(&scene->objects[1], 0) == 1 &&
+         hsr_face_opacity(&scene->objects[1], 1) == 0.5f &&
+         !scene->objects[0].face_opacity && hsr_scene_is_transparent(scene),
+     "a fourth number is the opacity of its face");
   hsr_scene_delete(scene);
 }
 
