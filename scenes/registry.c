@@ -232,15 +232,6 @@ static bool has_suffix(const char *name, const char *suffix) {
   return n > k && !strcasecmp(name + n - k, suffix);
 }
 
-static bool is_mesh_file(const char *name) {
-  static const char *const suffixes[] = {".off", ".obj", ".ply", ".stl",
-                                         ".vtp"};
-  for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
-    if (has_suffix(name, suffixes[i]))
-      return true;
-  return false;
-}
-
 static enum hsr_status open_mesh(struct hsr_scene *scene, const char *name,
                                  struct hsr_import *import,
                                  struct hsr_error *err) {
@@ -261,7 +252,7 @@ static const struct hsr_builtin *find_builtin(const char *name, size_t n) {
 
 /* What hsr export writes, but nothing reads. */
 static bool is_only_written(const char *name) {
-  return has_suffix(name, ".glb") || has_suffix(name, ".vtu");
+  return has_suffix(name, ".vtu");
 }
 
 static enum hsr_status unknown(const char *name, struct hsr_error *err) {
@@ -272,12 +263,12 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   if (is_only_written(name))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: hsr writes such files, but does not read them; "
-                    "export the model as .obj, .ply, .stl, .off or .vtp",
+                    "export the model as .obj, .ply, .glb, .stl, .off or .vtp",
                     name);
   if (strpbrk(name, "./"))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: not a scene: files end in .scene.json, .off, "
-                    ".obj, .ply, .stl or .vtp; volumes in .nii, .nii.gz, "
+                    ".obj, .ply, .stl, .vtp, .gltf or .glb; volumes in .nii, .nii.gz, "
                     ".mhd, .mha, .vtk, .vti or .vtr",
                     name);
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
@@ -406,7 +397,7 @@ static enum hsr_status fill(struct hsr_scene *scene, const char *name,
   size_t file = file_before_frame(name, &frame);
   if (file)
     return open_frame(scene, name, file, frame, import, err);
-  if (is_mesh_file(name))
+  if (hsr_is_mesh_name(name))
     return hsr_mesh_read(scene, name, import, err);
   if (hsr_is_volume_name(name))
     return hsr_volume_read(scene, name, err);

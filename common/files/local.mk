@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 libcore_a_SOURCES += \
+  %D%/base64.h \
   %D%/colour_tiles.h \
   %D%/image.h \
   %D%/npy.h \

@@ -21,5 +21,6 @@ libcore_a_SOURCES += \
   %D%/planes.c \
   %D%/planes.h \
   %D%/scene.c \
+  %D%/take.c \
   %D%/unused.c \
   %D%/world.c

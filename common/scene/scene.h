@@ -182,6 +182,11 @@ static inline float hsr_face_opacity(const struct hsr_object *object,
 enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
                                    const double m[12]);
 
+/* Moves all objects, instances and views of *from, which is no grid scene, to
+ * the end of those of a scene. *from is then empty. HSR_E_NOMEM: nothing has
+ * been moved. */
+enum hsr_status hsr_scene_take(struct hsr_scene *scene, struct hsr_scene *from);
+
 /* Appends a view. HSR_E_NOMEM; HSR_E_INPUT if hsr_camera_check refuses it. */
 enum hsr_status hsr_scene_view(struct hsr_scene *scene,
                                const struct hsr_camera *camera);
@@ -256,6 +261,19 @@ static inline void hsr_instance_vertex(const double m[12], const double in[3],
   double x = in[0], y = in[1], z = in[2];
   for (int row = 0; row < 3; row++, m += 4)
     out[row] = ((m[0] * x + m[1] * y) + m[2] * z) + m[3];
+}
+
+/* Computes the placement `out` = A B, which places what B places once more, by
+ * A. Each entry is rounded like a coordinate above. Where A or B is the
+ * identity, nothing is rounded. `out` is another array. */
+static inline void hsr_instance_compose(const double a[12], const double b[12],
+                                        double out[12]) {
+  for (int row = 0; row < 12; row += 4)
+    for (int c = 0; c < 4; c++) {
+      const double sum =
+          (a[row] * b[c] + a[row + 1] * b[4 + c]) + a[row + 2] * b[8 + c];
+      out[row + c] = c < 3 ? sum : sum + a[row + 3];
+    }
 }
 
 #ifdef __cplusplus

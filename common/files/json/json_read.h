@@ -9,6 +9,10 @@
 
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Parses the bytes that `read` returns until it returns 0, as
  * json_load_callback does with the same flags. The caller owns the value. NULL:
  * memory ran out and *out_of_memory is true, or else *error says what is
@@ -28,7 +32,7 @@ struct hsr_json_part {
   int line; /* the line of the whole text where it begins, from 1 */
 };
 
-enum { HSR_JSON_MOST_LISTS = 4 };
+enum { HSR_JSON_MOST_LISTS = 8 };
 
 /* The members that are read as lists. levels[0] has the keys of such members of
  * the outermost value, at most HSR_JSON_MOST_LISTS, ended by NULL. levels[1]
@@ -57,4 +61,7 @@ size_t hsr_json_count(struct hsr_json_part list);
  * list has none. */
 bool hsr_json_next(struct hsr_json_part *list, struct hsr_json_part *element);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -42,27 +42,44 @@ struct reader {
   uint32_t *corners;                            /* of the same */
   size_t cap_corners;
   struct mesh *mesh; /* the latest that was read */
-  json_t *numbers;   /* of objects, by their names */
+  struct entry *entry; /* of "objects", in order */
+  uint32_t n_entries, cap_entries;
+  json_t *numbers; /* of entries, by their names */
+  struct placed *placed; /* of "instances", in order */
+  size_t n_placed;
   long frame;        /* the scene is this frame of the file */
   bool frame_given;  /* by who reads it; else the file says it, or it is 0 */
 };
 
-/* A mesh file that has been read, so that it is read once however many objects
- * are made of it. Kept are what a scene file may change in the object. */
+/* A mesh file that has been read, so that it is read once however many entries
+ * are made of it. Kept are what a scene file may change in the objects. */
 struct mesh {
   struct mesh *before;
-  char *path, *name;
-  uint32_t object; /* of the scene */
+  char *path;
+  uint32_t first, n;             /* its objects in the scene */
+  struct hsr_object *as_read;    /* of them, the names, colours and so on */
+  struct hsr_instance *instance; /* of the file; `object` counts from 0 */
+  uint32_t n_instances;
   uint64_t n_dropped;
-  float colour[3];
-  bool one_sided;
+};
+
+/* An element of "objects": one object, or those of a mesh file. */
+struct entry {
+  char *name;
+  uint32_t first, n;       /* its objects in the scene */
+  const struct mesh *mesh; /* NULL: it has no file */
 };
 
 static struct reader *reader_of(const struct hsr_json_node *at) {
   return at->input->reader;
 }
 
-/* The current object. */
+static struct entry *latest_entry(const struct hsr_json_node *at) {
+  struct reader *reader = reader_of(at);
+  return &reader->entry[reader->n_entries - 1];
+}
+
+/* The last object. */
 static struct hsr_object *latest(const struct hsr_json_node *at) {
   struct hsr_scene *scene = reader_of(at)->scene;
   return &scene->objects[scene->n_objects - 1];
@@ -261,10 +278,59 @@ static void forget_meshes(struct reader *reader) {
   while (reader->mesh) {
     struct mesh *mesh = reader->mesh;
     reader->mesh = mesh->before;
+    for (uint32_t k = 0; k < mesh->n; k++) {
+      free(mesh->as_read[k].name);
+      free(mesh->as_read[k].face_opacity);
+    }
+    free(mesh->as_read);
+    free(mesh->instance);
     free(mesh->path);
-    free(mesh->name);
     free(mesh);
   }
+}
+
+/* Keeps what a scene file may change in an object. */
+static enum hsr_status keep_object(struct hsr_object *kept,
+                                   const struct hsr_object *object) {
+  const size_t size = object->n_faces * sizeof *object->face_opacity;
+  *kept = (struct hsr_object){.name = strdup(object->name),
+                              .one_sided = object->one_sided,
+                              .opacity = object->opacity};
+  memcpy(kept->colour, object->colour, sizeof kept->colour);
+  if (object->face_opacity && (kept->face_opacity = malloc(size)))
+    memcpy(kept->face_opacity, object->face_opacity, size);
+  return kept->name && !kept->face_opacity == !object->face_opacity
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+/* Keeps the objects' changeable parts, and the places of the file. `read` is a
+ * scene of the file alone. */
+static enum hsr_status keep_mesh(struct mesh *mesh,
+                                 const struct hsr_scene *read) {
+  mesh->as_read = calloc(read->n_objects + 1u, sizeof *mesh->as_read);
+  mesh->instance = calloc(read->n_instances + 1u, sizeof *mesh->instance);
+  if (!mesh->as_read || !mesh->instance)
+    return HSR_E_NOMEM;
+  while (mesh->n < read->n_objects) {
+    const uint32_t k = mesh->n++;
+    if (keep_object(&mesh->as_read[k], &read->objects[k]))
+      return HSR_E_NOMEM;
+  }
+  mesh->n_instances = read->n_instances;
+  for (uint32_t i = 0; i < read->n_instances; i++)
+    mesh->instance[i] = read->instances[i];
+  return HSR_OK;
+}
+
+/* A scene file has its own views. */
+static void note_views(struct hsr_import *import, const char *path,
+                       uint32_t n_views) {
+  const size_t used = strlen(import->notes);
+  if (n_views)
+    snprintf(import->notes + used, sizeof import->notes - used,
+             "%s: %u camera%s left out: a scene file has its own views\n", path,
+             n_views, n_views == 1 ? "" : "s");
 }
 
 /* Reads a mesh file, and keeps note of it. Takes `path`. */
@@ -274,33 +340,42 @@ static enum hsr_status read_new_mesh(struct reader *reader, char *path) {
     free(path);
     return hsr_fail_nomem(reader->input.err);
   }
-  *mesh = (struct mesh){.before = reader->mesh, .path = path};
+  *mesh = (struct mesh){.before = reader->mesh,
+                        .path = path,
+                        .first = reader->scene->n_objects};
   reader->mesh = mesh;
   struct hsr_import import = reader->import;
+  struct hsr_scene *read = hsr_scene_new("");
   enum hsr_status status =
-      hsr_mesh_read(reader->scene, path, &import, reader->input.err);
-  if (status)
-    return status;
-  mesh->object = reader->scene->n_objects - 1;
+      read ? hsr_mesh_read(read, path, &import, reader->input.err)
+           : hsr_fail_nomem(reader->input.err);
+  if (!status) {
+    note_views(&import, path, read->n_views);
+    read->n_views = 0;
+    status = keep_mesh(mesh, read);
+    read->n_instances = 0;
+    if (!status)
+      status = hsr_scene_take(reader->scene, read);
+    if (status)
+      hsr_fail_nomem(reader->input.err);
+  }
+  hsr_scene_delete(read);
   mesh->n_dropped = import.n_dropped;
   memcpy(reader->import.notes, import.notes, sizeof import.notes);
-  const struct hsr_object *object = &reader->scene->objects[mesh->object];
-  mesh->name = strdup(object->name);
-  mesh->one_sided = object->one_sided;
-  memcpy(mesh->colour, object->colour, sizeof mesh->colour);
-  return mesh->name ? HSR_OK : hsr_fail_nomem(reader->input.err);
+  return status;
 }
 
-/* Appends another object that is as the mesh was when it was read. */
-static enum hsr_status copy_mesh(struct reader *reader,
-                                 const struct mesh *mesh) {
-  struct hsr_object *to = hsr_scene_object(reader->scene, mesh->name);
+/* Appends another object that is as `from` was when it was read. */
+static enum hsr_status copy_object(struct reader *reader, uint32_t number,
+                                   const struct hsr_object *as_read) {
+  struct hsr_object *to = hsr_scene_object(reader->scene, as_read->name);
   if (!to)
     return hsr_fail_nomem(reader->input.err);
-  const struct hsr_object *from = &reader->scene->objects[mesh->object];
+  const struct hsr_object *from = &reader->scene->objects[number];
   enum hsr_status status = HSR_OK;
-  to->one_sided = mesh->one_sided;
-  memcpy(to->colour, mesh->colour, sizeof to->colour);
+  to->one_sided = as_read->one_sided;
+  to->opacity = as_read->opacity;
+  memcpy(to->colour, as_read->colour, sizeof to->colour);
   for (uint32_t v = 0; v < from->n_vertices && !status; v++) {
     const double *p = from->xyz + 3 * (size_t)v;
     status = hsr_object_vertex(to, p[0], p[1], p[2], NULL);
@@ -310,31 +385,45 @@ static enum hsr_status copy_mesh(struct reader *reader,
                              from->start[f + 1] - from->start[f],
                              from->rgb ? from->rgb + 3 * (size_t)f : NULL);
     if (!status)
-      status = hsr_object_set_opacity(to, f, hsr_face_opacity(from, f));
+      status = hsr_object_set_opacity(to, f, hsr_face_opacity(as_read, f));
   }
   return status ? hsr_fail_nomem(reader->input.err) : HSR_OK;
 }
 
+/* The file's name without its suffix. */
+static char *stem_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  const char *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+  return strndup(name, dot ? (size_t)(dot - name) : strlen(name));
+}
+
 static enum hsr_status take_mesh(const struct hsr_json_node *at, void *to) {
   struct reader *reader = reader_of(at);
+  struct entry *entry = latest_entry(at);
   const char *file = "";
   (void)to;
   enum hsr_status status = hsr_json_string(at, &file);
   if (status)
     return status;
   char *path = resolve(at->input->path, file);
-  if (!path)
+  entry->name = path ? stem_of(path) : NULL;
+  if (!entry->name) {
+    free(path);
     return hsr_json_nomem(at);
+  }
   const struct mesh *mesh = reader->mesh;
   while (mesh && strcmp(mesh->path, path))
     mesh = mesh->before;
   if (mesh) {
     free(path);
-    status = copy_mesh(reader, mesh);
+    for (uint32_t k = 0; k < mesh->n && !status; k++)
+      status = copy_object(reader, mesh->first + k, &mesh->as_read[k]);
   } else {
     status = read_new_mesh(reader, path);
     mesh = reader->mesh;
   }
+  entry->mesh = mesh;
+  entry->n = mesh->n;
   if (!status)
     reader->import.n_dropped += mesh->n_dropped;
   return status;
@@ -342,44 +431,79 @@ static enum hsr_status take_mesh(const struct hsr_json_node *at, void *to) {
 
 /* ---- Objects ---- */
 
+/* A name of one object becomes its own; several keep theirs. */
 static enum hsr_status take_own_name(const struct hsr_json_node *at, void *to) {
+  struct entry *entry = latest_entry(at);
   (void)to;
-  return take_name(at, &latest(at)->name);
+  enum hsr_status status = take_name(at, &entry->name);
+  return status || entry->n > 1 ? status : take_name(at, &latest(at)->name);
 }
 
 static enum hsr_status take_own_colour(const struct hsr_json_node *at,
                                        void *to) {
+  float colour[3];
   (void)to;
-  return take_colour(at, latest(at)->colour);
+  enum hsr_status status = take_colour(at, colour);
+  for (uint32_t k = 0; k < latest_entry(at)->n && !status; k++)
+    memcpy((latest(at) - k)->colour, colour, sizeof colour);
+  return status;
 }
 
 /* It replaces what a mesh file says. */
 static enum hsr_status take_opacity(const struct hsr_json_node *at, void *to) {
   double opacity = 1;
-  struct hsr_object *object = latest(at);
   (void)to;
   enum hsr_status status = hsr_json_share(at, &opacity);
-  object->opacity = (float)opacity;
-  free(object->face_opacity);
-  object->face_opacity = NULL;
+  for (uint32_t k = 0; k < latest_entry(at)->n; k++) {
+    struct hsr_object *object = latest(at) - k;
+    object->opacity = (float)opacity;
+    free(object->face_opacity);
+    object->face_opacity = NULL;
+  }
   return status;
 }
 
 static enum hsr_status take_one_sided(const struct hsr_json_node *at,
                                       void *to) {
+  bool one_sided = false;
   (void)to;
-  return hsr_json_bool(at, &latest(at)->one_sided);
+  enum hsr_status status = hsr_json_bool(at, &one_sided);
+  for (uint32_t k = 0; k < latest_entry(at)->n; k++)
+    (latest(at) - k)->one_sided = one_sided;
+  return status;
 }
 
 /* What moves is of triangles. */
 static enum hsr_status take_moves(const struct hsr_json_node *at, void *to) {
-  struct hsr_object *object = latest(at);
+  bool moves = false;
   (void)to;
-  enum hsr_status status = hsr_json_bool(at, &object->moves);
-  for (uint32_t f = 0; !status && object->moves && f < object->n_faces; f++)
-    if (object->start[f + 1] - object->start[f] != 3)
-      return hsr_json_refuse(at, "face %u is not a triangle", f);
+  enum hsr_status status = hsr_json_bool(at, &moves);
+  for (uint32_t k = 0; k < latest_entry(at)->n && !status; k++) {
+    struct hsr_object *object = latest(at) - k;
+    object->moves = moves;
+    for (uint32_t f = 0; moves && f < object->n_faces; f++)
+      if (object->start[f + 1] - object->start[f] != 3)
+        return hsr_json_refuse(at, "face %u is not a triangle", f);
+  }
   return status;
+}
+
+/* Begins an entry, and its object if it is of no file. */
+static enum hsr_status begin_entry(const struct hsr_json_node *at,
+                                   bool is_mesh) {
+  struct reader *reader = reader_of(at);
+  if (reader->n_entries == reader->cap_entries) {
+    const size_t n = 2 * (size_t)reader->cap_entries + 1;
+    struct entry *entry = realloc(reader->entry, n * sizeof *entry);
+    if (!entry)
+      return hsr_json_nomem(at);
+    reader->entry = entry;
+    reader->cap_entries = (uint32_t)n;
+  }
+  reader->entry[reader->n_entries++] =
+      (struct entry){.first = reader->scene->n_objects, .n = !is_mesh};
+  return is_mesh || hsr_scene_object(reader->scene, "") ? HSR_OK
+                                                        : hsr_json_nomem(at);
 }
 
 static enum hsr_status take_object(const struct hsr_json_node *at, void *to) {
@@ -398,9 +522,9 @@ static enum hsr_status take_object(const struct hsr_json_node *at, void *to) {
       {"moves", take_moves, NULL},
       {"one_sided", take_one_sided, NULL},
       {0}};
-  if (!is_mesh && !hsr_scene_object(reader->scene, ""))
-    return hsr_json_nomem(at);
-  enum hsr_status status = hsr_json_object(at, rules);
+  enum hsr_status status = begin_entry(at, is_mesh);
+  if (!status)
+    status = hsr_json_object(at, rules);
   if (status || is_mesh || has_sides)
     return status;
   struct hsr_object *object = latest(at);
@@ -464,11 +588,12 @@ static enum hsr_status take_time(const struct hsr_json_node *at, void *to) {
 }
 
 /* Refuses what is said of the motion of an instance that does not move. */
-static enum hsr_status check_moves(const struct hsr_json_node *at, uint32_t o) {
-  const struct hsr_object *object = &reader_of(at)->scene->objects[o];
-  return object->moves ? HSR_OK
-                       : hsr_json_refuse(at, "object '%.60s' does not move",
-                                         object->name);
+static enum hsr_status check_moves(const struct hsr_json_node *at, uint32_t e) {
+  const struct reader *reader = reader_of(at);
+  const struct entry *entry = &reader->entry[e];
+  return reader->scene->objects[entry->first].moves
+             ? HSR_OK
+             : hsr_json_refuse(at, "object '%.60s' does not move", entry->name);
 }
 
 static enum hsr_status check_some(const struct hsr_json_node *at) {
@@ -518,10 +643,11 @@ static enum hsr_status take_places(const struct hsr_json_node *at, void *to) {
 
 /* ---- What is promised of an instance ---- */
 
-/* An instance, its place in the file, so that sorting is stable, and what is
- * known of its motion. */
+/* An instance of an entry, or of an object; its place in the file, so that
+ * sorting is stable; and what is known of its motion. */
 struct placed {
-  struct hsr_instance instance;
+  struct hsr_instance instance; /* `object` is the number of the entry, until the
+                                   instances are appended */
   size_t order;
   bool has_motion;
   struct hsr_motion motion;
@@ -599,27 +725,31 @@ static enum hsr_status take_motion(const struct hsr_json_node *at, void *to) {
 
 /* ---- Instances ---- */
 
-json_t *hsr_json_number_objects(const struct hsr_scene *scene) {
+bool hsr_json_add_number(json_t *numbers, const char *name, uint32_t number) {
+  const bool is_taken = json_object_get(numbers, name);
+  return !json_object_set_new_nocheck(
+      numbers, name,
+      json_integer(is_taken ? HSR_JSON_AMBIGUOUS : (json_int_t)number));
+}
+
+/* The numbers of entries, by their names. NULL: out of memory. */
+static json_t *number_entries(const struct reader *reader) {
   json_t *numbers = json_object();
-  for (uint32_t o = 0; numbers && o < scene->n_objects; o++) {
-    const char *name = scene->objects[o].name;
-    bool is_taken = json_object_get(numbers, name);
-    json_int_t number = is_taken ? HSR_JSON_AMBIGUOUS : (json_int_t)o;
-    if (json_object_set_new_nocheck(numbers, name, json_integer(number))) {
+  for (uint32_t e = 0; numbers && e < reader->n_entries; e++)
+    if (!hsr_json_add_number(numbers, reader->entry[e].name, e)) {
       json_decref(numbers);
       return NULL;
     }
-  }
   return numbers;
 }
 
-/* An object by its name or by its number. */
+/* An element of "objects" by its name or by its number. */
 static enum hsr_status take_reference(const struct hsr_json_node *at,
                                       void *to) {
   const struct reader *reader = reader_of(at);
   uint32_t *object = to;
   if (json_is_number(at->value))
-    return read_index(at, "object", reader->scene->n_objects, object);
+    return read_index(at, "object", reader->n_entries, object);
   if (!json_is_string(at->value))
     return hsr_json_wrong_kind(at, "a name or a number");
   const char *name = json_string_value(at->value);
@@ -658,38 +788,84 @@ static int compare_placed(const void *a, const void *b) {
   return (p->order > q->order) - (p->order < q->order);
 }
 
-/* Objects from the last instance's up to object `end` that have no instance get
- * one: hsr_scene_finish leaves them out where motion is known. */
-static enum hsr_status place_before(struct hsr_scene *scene, uint32_t end) {
-  uint32_t n = scene->n_instances;
-  uint32_t o = n ? scene->instances[n - 1].object + 1 : 0;
+/* Elements of "objects" that nothing places are placed as they are. Appends
+ * them to `list`, which has room, and returns its new length. */
+static size_t place_rest(const struct reader *reader, struct placed *list,
+                         size_t n) {
+  static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const size_t n_listed = n;
+  uint32_t e = 0;
+  for (size_t i = 0; i <= n_listed; i++) {
+    const uint32_t end =
+        i < n_listed ? list[i].instance.object : reader->n_entries;
+    for (; e < end; e++, n++) {
+      list[n] = (struct placed){.instance.object = e, .order = n};
+      memcpy(list[n].instance.m, identity, sizeof identity);
+    }
+    e += e == end;
+  }
+  return n;
+}
+
+/* Appends one instance of an object. */
+static enum hsr_status append_one(struct hsr_scene *scene,
+                                  const struct placed *p, uint32_t object,
+                                  const double m[12]) {
+  enum hsr_status status = hsr_scene_instance(scene, object, m);
+  return status || !p->has_motion
+             ? status
+             : hsr_scene_set_motion(scene, &p->motion, p->key,
+                                    (uint32_t)p->n_keys);
+}
+
+/* Appends the instances of one entry, object by object: n placements of it, and
+ * in each the instances that its file has. */
+static enum hsr_status append_entry(const struct reader *reader,
+                                    const struct placed *list, size_t n) {
+  const struct entry *entry = &reader->entry[list[0].instance.object];
+  const struct mesh *mesh = entry->mesh;
   enum hsr_status status = HSR_OK;
-  for (; o < end && !status; o++)
-    status = hsr_scene_instance(scene, o, NULL);
+  double m[12];
+  for (uint32_t o = 0, from = 0, to = 0; o < entry->n && !status; o++) {
+    for (from = to; mesh && to < mesh->n_instances; to++)
+      if (mesh->instance[to].object != o)
+        break;
+    for (size_t i = 0; i < n && !status; i++) {
+      const struct placed *p = &list[i];
+      if (from == to)
+        status =
+            append_one(reader->scene, p, entry->first + o, p->instance.m);
+      for (uint32_t k = from; k < to && !status; k++) {
+        hsr_instance_compose(p->instance.m, mesh->instance[k].m, m);
+        status = append_one(reader->scene, p, entry->first + o, m);
+      }
+    }
+  }
   return status;
 }
 
-static enum hsr_status append_instances(const struct reader *reader,
-                                        struct placed *list, size_t n) {
-  struct hsr_scene *scene = reader->scene;
+/* Appends all instances to the scene. */
+static enum hsr_status append_instances(const struct hsr_json_node *root) {
+  const struct reader *reader = reader_of(root);
+  size_t n = reader->n_placed;
+  struct placed *list = calloc(n + reader->n_entries + 1, sizeof *list);
+  if (!list)
+    return hsr_json_nomem(root);
   enum hsr_status status = HSR_OK;
-  bool any = false; /* is known of motion */
+  if (n)
+    memcpy(list, reader->placed, n * sizeof *list);
   qsort(list, n, sizeof *list, compare_placed);
-  for (size_t i = 0; i < n; i++)
-    any |= list[i].has_motion;
-  for (size_t i = 0; i < n && !status; i++) {
-    const struct placed *p = &list[i];
-    if (any)
-      status = place_before(scene, p->instance.object);
-    if (!status)
-      status = hsr_scene_instance(scene, p->instance.object, p->instance.m);
-    if (!status && p->has_motion)
-      status =
-          hsr_scene_set_motion(scene, &p->motion, p->key, (uint32_t)p->n_keys);
+  n = place_rest(reader, list, n);
+  qsort(list, n, sizeof *list, compare_placed);
+  for (size_t from = 0, to = 0; from < n && !status; from = to) {
+    while (to < n && list[to].instance.object == list[from].instance.object)
+      to++;
+    status = append_entry(reader, list + from, to - from);
   }
-  if (!status && any)
-    status = place_before(scene, scene->n_objects);
-  return status ? hsr_fail_nomem(reader->input.err) : HSR_OK;
+  free(list);
+  if (status == HSR_E_INPUT)
+    return hsr_json_refuse(root, "the place of an object is not finite");
+  return status ? hsr_json_nomem(root) : HSR_OK;
 }
 
 static enum hsr_status take_instances(const struct hsr_json_node *at,
@@ -698,19 +874,15 @@ static enum hsr_status take_instances(const struct hsr_json_node *at,
   size_t n = hsr_json_count(reader->lists[INSTANCES]);
   if (!n)
     return hsr_json_array(at, NULL);
-  struct placed *list = calloc(n, sizeof *list);
-  reader->numbers = hsr_json_number_objects(reader->scene);
+  reader->placed = calloc(n, sizeof *reader->placed);
+  reader->n_placed = reader->placed ? n : 0;
+  reader->numbers = number_entries(reader);
   enum hsr_status status =
-      list && reader->numbers
+      reader->placed && reader->numbers
           ? hsr_json_list(at, reader->lists[INSTANCES], levels + OF_LEAF, NULL,
-                          take_instance, list)
+                          take_instance, reader->placed)
           : hsr_json_nomem(at);
-  if (!status)
-    status = append_instances(reader, list, n);
-  for (size_t i = 0; i < n && list; i++)
-    free(list[i].key);
   json_decref(reader->numbers);
-  free(list);
   return status;
 }
 
@@ -802,6 +974,8 @@ static enum hsr_status read_scene(const struct hsr_json_node *root) {
     status = hsr_json_object(root, rules);
   if (!status)
     status = check_faces(root);
+  if (!status)
+    status = append_instances(root);
   return status ? status : check_motion(root);
 }
 
@@ -835,6 +1009,16 @@ read_file(struct reader *reader,
   return status;
 }
 
+static void forget(struct reader *reader) {
+  forget_meshes(reader);
+  for (size_t i = 0; i < reader->n_placed; i++)
+    free(reader->placed[i].key);
+  for (uint32_t e = 0; e < reader->n_entries; e++)
+    free(reader->entry[e].name);
+  free(reader->placed);
+  free(reader->entry);
+}
+
 /* Reads a scene; `reader` says how, and has nothing of it yet. */
 static enum hsr_status read_with(struct reader *reader,
                                  struct hsr_import *import) {
@@ -844,7 +1028,7 @@ static enum hsr_status read_with(struct reader *reader,
                                          .threads = import->threads};
   enum hsr_status status = read_file(reader, read_scene);
   free(reader->corners);
-  forget_meshes(reader);
+  forget(reader);
   if (import)
     *import = reader->import;
   return status;

@@ -10,10 +10,9 @@
 #define HSR_SCENE_SCHEMA "hsr-scene/1"
 #define HSR_CAMERA_SCHEMA "hsr-camera/1"
 
-/* Returns a JSON object that maps the names of objects to their numbers. A name
- * that several objects share is mapped to HSR_JSON_AMBIGUOUS. The caller
- * releases it. NULL: out of memory. */
+/* Adds a name and its number to a JSON object. A name that is added more than
+ * once gets the number HSR_JSON_AMBIGUOUS. False: out of memory. */
 enum { HSR_JSON_AMBIGUOUS = -1 };
-json_t *hsr_json_number_objects(const struct hsr_scene *scene);
+bool hsr_json_add_number(json_t *numbers, const char *name, uint32_t number);
 
 #endif

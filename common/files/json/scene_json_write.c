@@ -201,9 +201,20 @@ static void put_instance(struct writer *writer, const struct hsr_scene *scene,
   put_text(writer, "}");
 }
 
+/* The numbers of objects, by their names. NULL: out of memory. */
+static json_t *number_objects(const struct hsr_scene *scene) {
+  json_t *numbers = json_object();
+  for (uint32_t o = 0; numbers && o < scene->n_objects; o++)
+    if (!hsr_json_add_number(numbers, scene->objects[o].name, o)) {
+      json_decref(numbers);
+      return NULL;
+    }
+  return numbers;
+}
+
 static void put_instances(struct writer *writer,
                           const struct hsr_scene *scene) {
-  json_t *numbers = hsr_json_number_objects(scene);
+  json_t *numbers = number_objects(scene);
   if (!numbers && !writer->status)
     writer->status = hsr_fail_nomem(writer->err);
   put_text(writer, ",\n \"instances\": [");

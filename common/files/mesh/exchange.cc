@@ -2,35 +2,24 @@
 // Mesh files, by their suffixes. Each format has its reader, mesh_*.cc;
 // common/files/vtk has that of .vtp.
 //
-// Memory      the file and the object at once; what else a reader takes, it
+// Memory      the file and its objects at once; what else a reader takes, it
 //             says
 #include "common/files/mesh/exchange.h"
-#include "common/files/mesh/mesh_file.h"
+#include "common/files/mesh/mesh_scene.h"
 
-#include <cctype>
 #include <cstring>
 #include <exception>
 #include <new>
-#include <utility>
+#include <strings.h>
 
 namespace {
 
 using hsr::Mesh_builder;
 using hsr::Mesh_file;
+using hsr::Mesh_scene;
 using hsr::Refused;
 
 /* ---- By suffix ---- */
-
-struct Suffix {
-  const char *text;
-  void (*reader)(Mesh_file &, Mesh_builder &);
-};
-
-constexpr Suffix SUFFIXES[] = {{".off", hsr::off_read},
-                               {".obj", hsr::obj_read},
-                               {".ply", hsr::ply_read},
-                               {".stl", hsr::stl_read},
-                               {".vtp", hsr::vtp_read}};
 
 const char *file_name(const char *path) {
   const char *slash = std::strrchr(path, '/');
@@ -43,84 +32,52 @@ const char *suffix_of(const char *name) {
   return dot ? dot : name + std::strlen(name);
 }
 
-const Suffix &find_suffix(const Mesh_file &file) {
-  std::string text = suffix_of(file_name(file.path));
-  for (char &c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const Suffix &suffix : SUFFIXES)
-    if (text == suffix.text)
-      return suffix;
-  file.refuse(0,
-              "'%s' is not the suffix of a mesh file (.off .obj .ply .stl "
-              ".vtp)",
-              hsr::shown_word(text).c_str());
+/* A reader of a format whose files hold one object, named after the file. The
+ * file's bytes are not needed once the object is filled. */
+template <void read(Mesh_file &, Mesh_builder &)>
+void one_object(Mesh_file &file, Mesh_scene &scene) {
+  const char *name = file_name(file.path);
+  scene.object(std::string(name, suffix_of(name)), [&](Mesh_builder &builder) {
+    read(file, builder);
+    file.memory.reset();
+  });
 }
 
-/* ---- The new object ---- */
-
-/* A scene of one object, which is made here and then moved, so that a failure
- * leaves the caller's scene as it was. */
-class Workshop {
-public:
-  explicit Workshop(const std::string &name) : scene_(hsr_scene_new("")) {
-    object = scene_ ? hsr_scene_object(scene_, name.c_str()) : nullptr;
-    if (!object) {
-      hsr_scene_delete(scene_);
-      throw std::bad_alloc();
-    }
-  }
-  ~Workshop() { hsr_scene_delete(scene_); }
-  Workshop(const Workshop &) = delete;
-  Workshop &operator=(const Workshop &) = delete;
-
-  void deliver(struct hsr_scene *scene) {
-    struct hsr_object *place = hsr_scene_object(scene, "");
-    if (!place)
-      throw std::bad_alloc();
-    std::swap(*place, *object);
-  }
-
-  struct hsr_object *object;
-
-private:
-  struct hsr_scene *scene_;
+struct Suffix {
+  const char *text;
+  void (*reader)(Mesh_file &, Mesh_scene &);
 };
 
-void add_note(struct hsr_import *import, const std::string &line) {
-  const size_t used = std::strlen(import->notes);
-  if (used + line.size() < sizeof import->notes)
-    std::memcpy(import->notes + used, line.c_str(), line.size() + 1);
+constexpr Suffix SUFFIXES[] = {{".off", one_object<hsr::off_read>},
+                               {".obj", one_object<hsr::obj_read>},
+                               {".ply", one_object<hsr::ply_read>},
+                               {".stl", one_object<hsr::stl_read>},
+                               {".vtp", one_object<hsr::vtp_read>},
+                               {".gltf", hsr::gltf_read},
+                               {".glb", hsr::gltf_read}};
+
+/* NULL: it is none of a mesh file. */
+const Suffix *find_suffix(const char *path) {
+  for (const Suffix &suffix : SUFFIXES)
+    if (!strcasecmp(suffix_of(file_name(path)), suffix.text))
+      return &suffix;
+  return nullptr;
 }
 
 void mesh_read(struct hsr_scene *scene, const char *path,
                struct hsr_import *import) {
-  const bool strict = import && import->strict;
-  const Suffix &suffix = find_suffix({path, nullptr, nullptr, nullptr});
+  const Suffix *suffix = find_suffix(path);
+  if (!suffix) {
+    const Mesh_file file{path, nullptr, nullptr, nullptr};
+    file.refuse(0,
+                "'%s' is not the suffix of a mesh file (.off .obj .ply .stl "
+                ".vtp .gltf .glb)",
+                hsr::shown_word(suffix_of(file_name(path))).c_str());
+  }
   Mesh_file file = hsr::load_mesh_file(path);
-  const char *name = file_name(path);
-  Workshop workshop(std::string(name, suffix_of(name)));
-  Mesh_builder builder(workshop.object, path, strict,
-                       import ? import->threads : 1);
-  suffix.reader(file, builder);
-  file.memory.reset();
-  if (!builder.n_given())
-    file.refuse(0, "holds no face");
-  builder.settle_unused();
-  builder.leave_out_flat();
-  if (!workshop.object->n_faces)
-    file.refuse(0, "none of its %llu faces has an area",
-                static_cast<unsigned long long>(builder.n_given()));
-  bool solid = builder.one_sided();
-  if (!builder.says_sides() &&
-      hsr_object_is_solid(workshop.object, builder.threads(), &solid))
-    throw std::bad_alloc();
-  workshop.object->one_sided = solid && !(import && import->two_sided);
-  workshop.deliver(scene);
-  if (!import)
-    return;
-  import->n_dropped = builder.n_dropped();
-  for (const std::string &note : builder.notes())
-    add_note(import, std::string(hsr::shown_path(path)) + ": " + note + "\n");
+  Mesh_scene read(path, import);
+  suffix->reader(file, read);
+  read.deliver(scene, import);
 }
 
 /* Runs `body`; what it throws becomes a status. */
@@ -146,6 +103,10 @@ enum hsr_status guarded(const char *path, struct hsr_error *err,
 }
 
 } // namespace
+
+bool hsr_is_mesh_name(const char *path) {
+  return find_suffix(path);
+}
 
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reading mesh files: .off .obj .ply .stl .vtp. Writing line drawings and
- * polygons (.vtp) and voxels (.vti), through VTK.
+/* Reading mesh files: .off .obj .ply .stl .vtp .gltf .glb. Writing line drawings
+ * and polygons (.vtp) and voxels (.vti), through VTK.
  *
  * Faces       polygons are kept as polygons.
  * Sides       a mesh that is closed and consistently oriented outward becomes a
@@ -35,13 +35,17 @@ struct hsr_import {
                          does not fit is left out. "" before the first call */
 };
 
-/* Appends the mesh in `path` to the scene, as one object named after the file,
- * without an instance. The format is that of the suffix, in upper or lower
- * case. Memory is at most a small multiple of the file's size, whatever counts
+/* Whether a file of this name is read as a mesh, by its suffix. */
+bool hsr_is_mesh_name(const char *path);
+
+/* Appends what is in `path` to the scene. A .gltf or .glb file has objects with
+ * their instances, and may have views. Any other file is one object, named
+ * after the file, without an instance. The format is that of the suffix, in
+ * upper or lower case. Memory is at most a small multiple of the file's size, whatever counts
  * the file claims; for a compressed .vtp file, of the size of its inflated
  * data. `import` may be NULL: all is standard. A vertex of a face that is the
- * same as the one before it is left out. After a failure the scene has no new
- * object, and *err names the file, the line or element, and the fault.
+ * same as the one before it is left out. After a failure the scene is as it was,
+ * and *err names the file, the line or element, and the fault.
  * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an unknown
  * suffix; a coordinate is not finite; an index is out of range; no face has an
  * area. If it is strict, also if a face has fewer

@@ -16,6 +16,8 @@ libcore_a_SOURCES += \
   %D%/mesh_ply_header.cc \
   %D%/mesh_ply_header.h \
   %D%/mesh_ply_plain.cc \
+  %D%/mesh_scene.cc \
+  %D%/mesh_scene.h \
   %D%/mesh_solid.cc \
   %D%/mesh_stl.cc \
   %D%/mesh_text.cc \

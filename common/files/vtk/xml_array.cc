@@ -2,6 +2,7 @@
 // Source      "VTK XML Formats", docs.vtk.org; what it leaves open, from
 //             vtkXMLDataParser of VTK 9.1
 #include "common/files/vtk/xml_array.h"
+#include "common/files/base64.h"
 
 #include <zlib.h>
 
@@ -34,23 +35,6 @@ const Array_type *find_array_type(Word name) {
   return nullptr;
 }
 
-namespace {
-
-constexpr unsigned char NO_DIGIT = 64;
-
-constexpr std::array<unsigned char, 256> base64_values() {
-  const char digits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<unsigned char, 256> values{};
-  for (unsigned char &value : values)
-    value = NO_DIGIT;
-  for (unsigned char k = 0; k < NO_DIGIT; k++)
-    values[static_cast<unsigned char>(digits[k])] = k;
-  return values;
-}
-
-} // namespace
-
 /* Bytes as they are, or in base64: groups of four digits that stand for three
  * bytes, or, where '=' takes the place of the last digits, for two or one. */
 class Array_checker::Bytes {
@@ -79,24 +63,14 @@ private:
 };
 
 bool Array_checker::Bytes::decode() {
-  static constexpr std::array<unsigned char, 256> VALUES = base64_values();
   if (is_short_ || end_ - at_ < 4)
     return false;
-  const size_t n_digits = at_[3] != '=' ? 4 : at_[2] != '=' ? 3 : 2;
-  uint32_t bits = 0;
-  for (size_t k = 0; k < n_digits; k++) {
-    const unsigned char value = VALUES[static_cast<unsigned char>(at_[k])];
-    if (value == NO_DIGIT)
-      return false;
-    bits |= uint32_t{value} << (18 - 6 * k);
-  }
-  for (size_t k = 0; k < 3; k++)
-    group_[k] = static_cast<unsigned char>(bits >> (16 - 8 * k));
-  n_left_ = n_digits - 1;
+  const size_t n = base64_decode(at_, group_);
+  n_left_ = n;
   next_ = 0;
-  is_short_ = n_digits < 4;
+  is_short_ = n < 3;
   at_ += 4;
-  return true;
+  return n;
 }
 
 bool Array_checker::Bytes::read(void *to, size_t n) {
