@@ -257,7 +257,8 @@ bench-check:
 	@$(top_srcdir)/%D%/instructions/run "$(abs_builddir)/instructions"
 
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
-  %D%/example/hsr-example %D%/suite/read_back %D%/trace/hsr-fixtures
+  %D%/example/hsr-example %D%/export/round_trip %D%/suite/read_back \
+  %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
@@ -318,6 +319,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_export_read_cells_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_export_read_cells_LDADD = $(VTK_CELLS_LIBS)
 %C%_export_read_cells_SOURCES = %D%/export/read_cells.cc
+%C%_export_round_trip_SOURCES = %D%/export/round_trip.c
 %C%_properties_hierarchical_boxes_test_SOURCES = \
   %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_hierarchical_shaders_test_SOURCES = \

@@ -150,6 +150,7 @@ struct export {
   struct hsr_setup setup;
   struct hsr_view view;
   struct hsr_arena arena; /* of values of cells */
+  double change;          /* of a coordinate, in a format of single precision */
 };
 
 /* Counts the steps about faces. */
@@ -346,7 +347,7 @@ static enum hsr_status write_all(struct export *e,
                                  struct hsr_error *err) {
   const struct options *o = e->options;
   if (hsr_ends_in(o->output, ".glb"))
-    return hsr_scene_write_glb(e->scene, o->frame, o->output, err);
+    return hsr_scene_write_glb(e->scene, o->frame, o->output, &e->change, err);
   enum hsr_status status = open_world(e, variant, err);
   if (status)
     return status;

@@ -143,7 +143,7 @@ static enum hsr_status write_scene(struct made *made, const char *suffix,
     return hsr_world_write_obj(&made->world, path, err);
   default:
     return hsr_scene_write_glb(made->flat, (struct hsr_glb_frame){.metres = 1},
-                               path, err);
+                               path, NULL, err);
   }
 }
 

@@ -170,7 +170,8 @@ static bool are_triangles(const struct glb *glb, const json_t *node,
   json_array_foreach(primitives, number, p) {
     const json_t *attributes = json_object_get(p, "attributes");
     const unsigned char *face = accessor(glb, attributes, "_FACE", &count);
-    const unsigned char *corner = accessor(glb, attributes, "POSITION", &count);
+    const unsigned char *place = accessor(glb, attributes, "POSITION", &count);
+    const unsigned char *corner = accessor(glb, p, "indices", &count);
     const bool two_sided = json_is_true(
         json_object_get(json_array_get(json_object_get(glb->json, "materials"),
                                        integer(p, "material")),
@@ -179,8 +180,9 @@ static bool are_triangles(const struct glb *glb, const json_t *node,
       if (*k + c / 3 >= hsr_npy_count(table))
         return false;
       const uint32_t f = ((const uint32_t *)table->data)[*k + c / 3];
-      if (f != first + (size_t)float_at(face + 4 * c) ||
-          !has_corner(world, f, corner + 12 * c) ||
+      const size_t v = number_at(corner + 4 * c);
+      if (f != first + (size_t)float_at(face + 4 * v) ||
+          !has_corner(world, f, place + 12 * v) ||
           two_sided == world->mesh.one_sided[f])
         return false;
     }

@@ -42,44 +42,51 @@ enum hsr_status hsr_cells_write(const struct hsr_cells *cells, const char *path,
 
 static int compare(const void *a, const void *b) {
   const float *x = a, *y = b;
-  for (int k = 0; k < 3; k++)
+  for (int k = 0; k < 4; k++)
     if (x[k] < y[k] || x[k] > y[k])
       return x[k] < y[k] ? -1 : 1;
   return 0;
 }
 
+static void get_colour(const struct hsr_object *object, uint32_t face,
+                       float rgba[4]) {
+  memcpy(rgba, hsr_face_rgb(object, face), 3 * sizeof *rgba);
+  rgba[3] = hsr_face_opacity(object, face);
+}
+
 enum hsr_status hsr_colours_of(struct hsr_colours *c,
                                const struct hsr_object *objects,
                                uint32_t n_objects, struct hsr_error *err) {
-  const size_t size = 3 * sizeof(float);
+  const size_t size = 4 * sizeof(float);
   size_t n = 0;
-  *c = (struct hsr_colours){.rgb = NULL};
+  *c = (struct hsr_colours){.rgba = NULL};
   for (uint32_t o = 0; o < n_objects; o++)
     n += objects[o].n_faces;
-  c->rgb = malloc((n + 1) * size);
+  c->rgba = malloc((n + 1) * size);
   c->of = malloc((n + 1) * sizeof *c->of);
-  if (!c->rgb || !c->of)
+  if (!c->rgba || !c->of)
     return hsr_fail_nomem(err);
   size_t all = 0;
   for (uint32_t o = 0; o < n_objects; o++)
     for (uint32_t f = 0; f < objects[o].n_faces; f++)
-      memcpy(c->rgb + 3 * all++, hsr_face_rgb(&objects[o], f), size);
-  qsort(c->rgb, n, size, compare);
+      get_colour(&objects[o], f, c->rgba + 4 * all++);
+  qsort(c->rgba, n, size, compare);
   for (size_t k = 0; k < n; k++)
-    if (!k || compare(c->rgb + 3 * (c->n - 1), c->rgb + 3 * k))
-      memmove(c->rgb + 3 * (size_t)c->n++, c->rgb + 3 * k, size);
+    if (!k || compare(c->rgba + 4 * (c->n - 1), c->rgba + 4 * k))
+      memmove(c->rgba + 4 * (size_t)c->n++, c->rgba + 4 * k, size);
   all = 0;
   for (uint32_t o = 0; o < n_objects; o++)
     for (uint32_t f = 0; f < objects[o].n_faces; f++) {
-      const float *found =
-          bsearch(hsr_face_rgb(&objects[o], f), c->rgb, c->n, size, compare);
-      c->of[all++] = (uint32_t)((found - c->rgb) / 3);
+      float rgba[4];
+      get_colour(&objects[o], f, rgba);
+      const float *found = bsearch(rgba, c->rgba, c->n, size, compare);
+      c->of[all++] = (uint32_t)((found - c->rgba) / 4);
     }
   return HSR_OK;
 }
 
 void hsr_colours_free(struct hsr_colours *colours) {
-  free(colours->rgb);
+  free(colours->rgba);
   free(colours->of);
 }
 

@@ -65,9 +65,9 @@ enum hsr_status hsr_cells_write(const struct hsr_cells *cells, const char *path,
 
 /* --- Scenes --------------------------------------------------------------- */
 
-/* The distinct colours of the faces of some objects. */
+/* The distinct colours of the faces of some objects, with their opacities. */
 struct hsr_colours {
-  float *rgb; /* 3 * n, linear, 0..1, ascending */
+  float *rgba; /* 4 * n, linear, 0..1, ascending */
   uint32_t n;
   uint32_t *of; /* by face, object by object: the index of its colour */
 };
@@ -101,16 +101,24 @@ struct hsr_glb_frame {
 };
 
 /* Writes a finished scene as binary glTF 2.0, with a mesh for each object, a
- * node for each instance, a material for each colour and a camera for each
- * view. Faces are divided into triangles, which share no vertex. The attribute
- * _FACE of a vertex is the number of its face in the object. The `extras` of a
- * node have the instance and the id of its first face. Coordinates are in
- * single precision. The matrices of nodes bring them into the frame.
- * HSR_E_INPUT if the file cannot be written or would be larger than 4 GB;
- * HSR_E_REFUSED if a face cannot be divided into triangles; HSR_E_NOMEM. */
+ * node for each instance, a material for each colour and opacity, and a camera
+ * for each view. Faces are divided into triangles. Coordinates are floats: those
+ * of an object far from its origin are written from a point nearby, and the
+ * matrices of its nodes have that offset. So they are exact to a float of the
+ * object's size. *change becomes the most by which a coordinate in the world
+ * may differ; it may be NULL. The matrices of nodes also bring all into the
+ * frame.
+ *
+ * The attribute _FACE of a vertex is the number of its face in the object, whose
+ * corners follow one another. `extras` of nodes have the instance with its
+ * matrix and the id of its first face, or the view; those of meshes have the
+ * offset, and those of the asset have the frame. By these, hsr reads the same
+ * scene again. HSR_E_INPUT if the file cannot be written or would be larger than
+ * 4 GB; HSR_E_REFUSED if a face cannot be divided into triangles; HSR_E_NOMEM. */
 enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
                                     struct hsr_glb_frame frame,
-                                    const char *path, struct hsr_error *err);
+                                    const char *path, double *change,
+                                    struct hsr_error *err);
 
 /* Divides the faces of a world that are not triangles, by the adapter of
  * HSR_TR. If there are none, *changed is false and *out is empty. *out is freed

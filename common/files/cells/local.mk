@@ -5,7 +5,6 @@ libcore_a_SOURCES += \
 libcore_a_SOURCES += \
   %D%/cells.c \
   %D%/cells_library.h \
-  %D%/glb.c \
   %D%/obj.c \
   %D%/ply.c
 if WITH_VTK

@@ -32,12 +32,28 @@ static void print_colour(float linear, FILE *out) {
   fprintf(out, " %s", text);
 }
 
+/* An opacity, in the fewest digits that read back as the same. */
+static void print_share(float share, FILE *out) {
+  char text[40];
+  int digits = 1;
+  do
+    snprintf(text, sizeof text, "%.*g", digits++, (double)share);
+  while (digits <= 9 && (float)strtod(text, NULL) != share);
+  fprintf(out, " %s", text);
+}
+
 static void print_materials(const struct hsr_colours *colours, FILE *out) {
   for (uint32_t k = 0; k < colours->n; k++) {
+    const float *rgba = colours->rgba + 4 * (size_t)k;
     fprintf(out, "newmtl colour%u\nKd", k);
     for (int c = 0; c < 3; c++)
-      print_colour(colours->rgb[3 * (size_t)k + (size_t)c], out);
+      print_colour(rgba[c], out);
     fputs("\n", out);
+    if (rgba[3] < 1) {
+      fputs("d", out);
+      print_share(rgba[3], out);
+      fputs("\n", out);
+    }
   }
 }
 

@@ -10,11 +10,12 @@
 namespace hsr {
 namespace {
 
-constexpr const char *LISTS[] = {"scenes",    "nodes",       "meshes",
-                                 "materials", "accessors",   "bufferViews",
-                                 "buffers",   "cameras",     nullptr};
+constexpr const char *LISTS[] = {
+    "scenes",      "nodes",    "meshes",   "materials", "accessors",
+    "bufferViews", "buffers",  "cameras",  "skins",     "animations",
+    "images",      "textures", "samplers", nullptr};
 static_assert(sizeof LISTS / sizeof *LISTS == GLTF_N_LISTS + 1 &&
-              GLTF_N_LISTS <= HSR_JSON_MOST_LISTS);
+              int{GLTF_N_LISTS} <= int{HSR_JSON_MOST_LISTS});
 
 constexpr size_t FLAGS = JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL;
 
@@ -43,11 +44,20 @@ bool is_about_looks(const std::string &extension) {
   static const char *const families[] = {"KHR_materials_", "KHR_texture_",
                                          "EXT_texture_", "KHR_lights_",
                                          "EXT_lights_"};
-  return std::any_of(std::begin(families), std::end(families),
-                     [&](const char *family) {
-                       return !extension.compare(0, std::strlen(family),
-                                                 family);
-                     });
+  return std::any_of(
+      std::begin(families), std::end(families), [&](const char *family) {
+        return !extension.compare(0, std::strlen(family), family);
+      });
+}
+
+/* The name as messages show it: all of it, if it is like one. */
+std::string shown_extension(const std::string &name) {
+  const bool is_plain =
+      name.size() < 60 &&
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"
+                             "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                             "0123456789") == std::string::npos;
+  return is_plain ? name : shown_word(name);
 }
 
 bool is_known(const std::string &extension) {
@@ -132,7 +142,9 @@ void Gltf_file::parse_top() {
 
 void Gltf_file::check_version() const {
   const Gltf_value asset = root()["asset"];
-  const std::string version = asset["version"].text("1");
+  /* glTF 1.0 need not have it, and some files have it as a number. */
+  const std::string version =
+      asset["version"].is_number() ? "1" : asset["version"].text("1");
   if (version.compare(0, 2, "2.") != 0) {
     if (version.compare(0, 1, "1") == 0)
       file_.refuse(0, "is glTF 1.0, which is not read; 2.0 is");
@@ -150,8 +162,8 @@ void Gltf_file::check_extensions() {
   for (size_t k = 0; k < required.size(); k++) {
     const std::string name = required[k].text("");
     if (!is_known(name))
-      required[k].refuse("needs the extension %.60s, which is not read",
-                         shown_word(name).c_str());
+      required[k].refuse("needs the extension %s, which is not read",
+                         shown_extension(name).c_str());
   }
   const Gltf_value used = root()["extensionsUsed"];
   std::string passed_over;
@@ -160,7 +172,7 @@ void Gltf_file::check_extensions() {
     const std::string name = used[k].text("");
     if (is_known(name))
       continue;
-    passed_over = n++ ? passed_over : shown_word(name);
+    passed_over = n++ ? passed_over : shown_extension(name);
   }
   if (n)
     notes_.push_back("extension " + passed_over +
@@ -191,10 +203,19 @@ Gltf_element Gltf_file::element(Gltf_list list, size_t index) const {
 
 Gltf_element Gltf_file::element(Gltf_list list,
                                 const Gltf_value &reference) const {
-  static const char *const names[] = {"scene",    "node",        "mesh",
-                                      "material", "accessor",    "bufferView",
+  static const char *const names[] = {"scene",    "node",     "mesh",
+                                      "material", "accessor", "bufferView",
                                       "buffer",   "camera"};
   return element(list, reference.index(count(list), names[list]));
+}
+
+void Gltf_file::spend(size_t n_elements, const Gltf_value &reader) {
+  const size_t most = MOST_SHARED * n_bytes_;
+  if (n_elements > most || n_spent_ > most - n_elements)
+    reader.refuse("reads the same data so often that they would be %zu times "
+                  "as many as the file has bytes",
+                  MOST_SHARED);
+  n_spent_ += n_elements;
 }
 
 /* ---- Buffers ---- */
@@ -272,7 +293,7 @@ std::string unescaped(const Gltf_value &uri, std::string_view text) {
       name += text[k];
       continue;
     }
-    const int high = k + 2 < text.size() + 0 ? hexadecimal(text[k + 1]) : -1;
+    const int high = k + 2 < text.size() ? hexadecimal(text[k + 1]) : -1;
     const int low = high < 0 ? -1 : hexadecimal(text[k + 2]);
     if (low < 0)
       uri.refuse("'%s' has a '%%' without two digits",

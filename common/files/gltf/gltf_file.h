@@ -39,6 +39,7 @@ public:
       : file_(&file), value_(value), place_(std::move(place)) {}
 
   bool is_there() const { return value_; }
+  bool is_number() const { return json_is_number(value_); }
   /* A member of an object, an element of an array. What is not there has
    * none. */
   Gltf_value operator[](const char *key) const;
@@ -87,6 +88,11 @@ enum Gltf_list {
   GLTF_VIEWS,
   GLTF_BUFFERS,
   GLTF_CAMERAS,
+  GLTF_SKINS,
+  GLTF_ANIMATIONS,
+  GLTF_IMAGES,
+  GLTF_TEXTURES,
+  GLTF_SAMPLERS,
   GLTF_N_LISTS
 };
 
@@ -107,9 +113,13 @@ public:
 
   /* The bytes of a buffer, which is loaded when it is first used. */
   std::string_view buffer(const Gltf_value &reference);
-  /* The bytes of the file and of all buffers that were used. What a primitive
-   * claims to hold is bounded by it. */
+  /* The bytes of the file and of all buffers that were used. */
   size_t n_bytes() const { return n_bytes_; }
+  /* Counts elements of accessors that `reader` is about to read. Refuses more
+   * than MOST_SHARED times as many as there are bytes: accessors may be shared,
+   * but a small file must not fill the memory. */
+  void spend(size_t n_elements, const Gltf_value &reader);
+  static constexpr size_t MOST_SHARED = 16;
 
   const std::vector<std::string> &notes() const { return notes_; }
 
@@ -131,7 +141,7 @@ private:
   std::map<size_t, std::string_view> buffers_; /* that were loaded */
   std::map<std::string, Mesh_file> beside_;    /* files, by path */
   std::vector<std::vector<char>> decoded_;
-  size_t n_bytes_;
+  size_t n_bytes_, n_spent_ = 0;
   std::vector<std::string> notes_;
 };
 

@@ -32,7 +32,7 @@ struct hsr_json_part {
   int line; /* the line of the whole text where it begins, from 1 */
 };
 
-enum { HSR_JSON_MOST_LISTS = 8 };
+enum { HSR_JSON_MOST_LISTS = 16 };
 
 /* The members that are read as lists. levels[0] has the keys of such members of
  * the outermost value, at most HSR_JSON_MOST_LISTS, ended by NULL. levels[1]

@@ -215,13 +215,26 @@ void Mesh_builder::give(uint64_t number, const uint32_t *vertices, size_t n,
 
 void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
   const uint64_t number = n_given_++;
+  const uint32_t n_before = object_->n_faces;
   if (strict_ || (n && vertices[0] != vertices[n - 1] &&
                   std::adjacent_find(vertices, vertices + n) == vertices + n)) {
     give(number, vertices, n, rgb);
-    return;
+  } else {
+    ring_.assign(vertices, vertices + n);
+    give(number, ring_.data(), hsr_ring_tidy(ring_.data(), n), rgb);
   }
-  ring_.assign(vertices, vertices + n);
-  give(number, ring_.data(), hsr_ring_tidy(ring_.data(), n), rgb);
+  is_last_there_ = object_->n_faces > n_before;
+}
+
+void Mesh_builder::opacity(float opacity) {
+  if (is_last_there_ &&
+      hsr_object_set_opacity(object_, object_->n_faces - 1, opacity))
+    throw std::bad_alloc();
+}
+
+void Mesh_builder::set_look(const float rgb[3], float opacity) {
+  std::copy_n(rgb, 3, object_->colour);
+  object_->opacity = opacity;
 }
 
 void Mesh_builder::settle_unused() {

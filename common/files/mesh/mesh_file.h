@@ -78,6 +78,11 @@ public:
   void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
   /* Appends a face of n vertices. rgb is its colour, or NULL. */
   void face(const uint32_t *vertices, size_t n, const float *rgb);
+  /* Gives the face that was given last an opacity of its own, 0..1, unless it
+   * was left out. */
+  void opacity(float opacity);
+  /* The colour and opacity of all faces that have none of their own. */
+  void set_look(const float rgb[3], float opacity);
   /* Appends n triangles without colours, and returns the room for their 3 n
    * corners. The caller fills it with numbers of vertices. If a triangle does
    * not have three different vertices that are there, it then calls
@@ -118,6 +123,7 @@ private:
   bool strict_, says_sides_ = false, one_sided_ = false;
   int threads_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
+  bool is_last_there_ = false; /* the face that was given last */
   std::vector<uint32_t> ring_; /* of a face, without repeats */
   std::vector<std::string> notes_;
 };

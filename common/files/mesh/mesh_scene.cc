@@ -15,9 +15,8 @@ Mesh_scene::Mesh_scene(const char *path, const struct hsr_import *import)
     throw std::bad_alloc();
 }
 
-uint32_t
-Mesh_scene::object(const std::string &name,
-                   const std::function<void(Mesh_builder &)> &fill) {
+uint32_t Mesh_scene::object(const std::string &name,
+                            const std::function<void(Mesh_builder &)> &fill) {
   const std::unique_ptr<struct hsr_scene, void (*)(struct hsr_scene *)> one(
       hsr_scene_new(""), hsr_scene_delete);
   struct hsr_object *object =
@@ -76,7 +75,8 @@ void add_note(struct hsr_import *import, const std::string &line) {
 void Mesh_scene::deliver(struct hsr_scene *scene, struct hsr_import *import) {
   const Mesh_file file{path_, nullptr, nullptr, nullptr};
   if (!n_given_)
-    file.refuse(0, "holds no face");
+    file.refuse(0, "holds no face%s%.150s", notes_.empty() ? "" : ": ",
+                notes_.empty() ? "" : notes_[0].c_str());
   if (!scene_->n_objects)
     file.refuse(0, "none of its %llu faces has an area",
                 static_cast<unsigned long long>(n_given_));
