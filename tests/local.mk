@@ -121,6 +121,7 @@ tap_programs = \
   %D%/unit/files/binary_mesh_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
+  %D%/unit/files/found_mesh_test \
   %D%/unit/files/image_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
@@ -351,6 +352,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
+%C%_unit_files_found_mesh_test_SOURCES = %D%/unit/files/found_mesh_test.cc
 %C%_unit_files_image_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc
