@@ -328,7 +328,7 @@ static enum hsr_status judge_suite(const struct options *o,
     status = suite_say_json(&judgement, err);
   else if (!status)
     suite_say_text(&judgement);
-  const bool right = judgement.state[SUITE_RIGHT] == judgement.n;
+  const bool right = suite_is_right(&judgement);
   suite_free(&judgement);
   return status || right ? status : HSR_E_DIFFERENCE;
 }
