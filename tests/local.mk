@@ -92,6 +92,7 @@ tap_programs = \
   %D%/unit/algorithms/variant_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
+  %D%/unit/bench/judge_schema_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/bench/oracle_test \
   %D%/unit/bench/sorts_test \
@@ -346,6 +347,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
 %C%_unit_bench_sorts_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_splat_oracle_test_SOURCES = %D%/unit/bench/splat_oracle_test.cc
+%C%_unit_bench_judge_schema_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_stranger_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
