@@ -174,6 +174,8 @@ libbench_a_SOURCES = \
   %D%/tables/text.c \
   %D%/terminal/interrupt.c \
   %D%/terminal/interrupt.h \
+  %D%/terminal/streams.c \
+  %D%/terminal/streams.h \
   %D%/terminal/terminal.c \
   %D%/terminal/terminal.h \
   %D%/times/command.c \

@@ -150,6 +150,7 @@ tap_scripts = \
   %D%/command/programs_bench.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
+  %D%/command/streams.test \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \

@@ -193,8 +193,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->n_outputs == MOST_OUTPUTS)
       return option_fail(&o->base, "render: at most %d output files",
                          (int)MOST_OUTPUTS);
-    o->output[o->n_outputs++] = arg;
-    return 0;
+    return parse_output(arg, ".png", "render", &o->base,
+                        &o->output[o->n_outputs++]);
   case 'J':
     return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case 'S':
