@@ -92,6 +92,7 @@ tap_programs = \
   %D%/unit/algorithms/variant_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
+  %D%/unit/bench/judge_schema_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/bench/oracle_test \
   %D%/unit/bench/sorts_test \
@@ -121,6 +122,7 @@ tap_programs = \
   %D%/unit/files/binary_mesh_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
+  %D%/unit/files/found_mesh_test \
   %D%/unit/files/image_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
@@ -347,12 +349,14 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
 %C%_unit_bench_sorts_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_splat_oracle_test_SOURCES = %D%/unit/bench/splat_oracle_test.cc
+%C%_unit_bench_judge_schema_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_stranger_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
+%C%_unit_files_found_mesh_test_SOURCES = %D%/unit/files/found_mesh_test.cc
 %C%_unit_files_image_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc

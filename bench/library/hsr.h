@@ -452,6 +452,14 @@ HSR_API enum hsr_status hsr_get_answer(const struct hsr_answer *answer,
                                        struct hsr_answer_info *info,
                                        struct hsr_error *err);
 
+/* Fills the caller's text of `size` bytes with a line about what is in the answer,
+ * without a newline, as hsr render prints it: "82 edges, 150 intervals, 78.7 % of
+ * their length visible". 200 bytes are enough. HSR_E_USAGE if it does not fit.
+ */
+HSR_API enum hsr_status hsr_get_summary(const struct hsr_answer *answer,
+                                        char *text, size_t size,
+                                        struct hsr_error *err);
+
 /* The functions below give HSR_E_USAGE if the answer is of a kind that has not
  * what they give. An array that they point to belongs to the answer. */
 

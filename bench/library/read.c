@@ -10,6 +10,8 @@
 #include "common/answers/kinds/voxels.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum hsr_status hsr_get_answer(const struct lib_answer *answer,
                                struct hsr_answer_info *info,
@@ -33,18 +35,59 @@ enum hsr_status hsr_get_answer(const struct lib_answer *answer,
   return lib_give("info", info, sizeof found, &found, err);
 }
 
+/* Checks the arguments that all functions have. */
+static enum hsr_status check(const struct lib_answer *answer, const void *to,
+                             const char *what, struct hsr_error *err) {
+  return answer && to ? HSR_OK : lib_null(answer ? what : "answer", err);
+}
+
+/* --- A line about it ------------------------------------------------------ */
+
+/* The line, with its newline; the caller frees it. NULL: memory ran out. */
+static char *print_line(const struct lib_answer *answer) {
+  char *line = NULL;
+  size_t length;
+  FILE *stream = open_memstream(&line, &length);
+  const struct hsr_showing showing = lib_showing(answer, HSR_COLOUR_LAMBERT);
+  if (!stream)
+    return NULL;
+  answer->answer.form.type->print(&answer->answer, &showing, stream);
+  bool good = !ferror(stream);
+  if (!fclose(stream) && good)
+    return line;
+  free(line);
+  return NULL;
+}
+
+enum hsr_status hsr_get_summary(const struct lib_answer *answer, char *text,
+                                size_t size, struct hsr_error *err) {
+  enum hsr_status status = check(answer, text, "text", err);
+  if (status)
+    return status;
+  lib_scene_read(answer->scene);
+  char *line = print_line(answer);
+  lib_scene_leave(answer->scene);
+  if (!line)
+    return hsr_fail_nomem(err);
+  const size_t length = strcspn(line, "\n");
+  if (length < size) {
+    memcpy(text, line, length);
+    text[length] = '\0';
+  } else {
+    status =
+        hsr_fail(err, HSR_E_USAGE, "the line has %zu bytes, not less than %zu",
+                 length, size);
+  }
+  free(line);
+  return status;
+}
+
 /* --- Arrays of the answer's own ------------------------------------------- */
 
 static enum hsr_status has_not(const struct lib_answer *answer,
                                const char *what, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_USAGE, "an answer of the kind %s has no %s",
                   answer->answer.form.type->name, what);
-}
-
-/* Checks the arguments that all functions have. */
-static enum hsr_status check(const struct lib_answer *answer, const void *to,
-                             const char *what, struct hsr_error *err) {
-  return answer && to ? HSR_OK : lib_null(answer ? what : "answer", err);
 }
 
 enum hsr_status hsr_get_ids(const struct lib_answer *answer,

@@ -31,6 +31,10 @@ static bool is_page(const char *path) {
   return hsr_ends_in(path, ".html");
 }
 
+static bool is_drawing(const char *path) {
+  return hsr_ends_in(path, ".json") || hsr_ends_in(path, ".svg");
+}
+
 /* With --suite the one argument, which was taken for a scene, is a folder. */
 static error_t check_suite(struct options *o) {
   const struct picture_format *p = &o->picture;
@@ -71,7 +75,7 @@ static error_t check_picture(struct options *o) {
     return option_fail(&o->base,
                        "judge: which picture? (see hsr judge --help)");
   const struct picture_format *p = &o->picture;
-  if (p->path && hsr_ends_in(p->path, ".json") &&
+  if (p->path && is_drawing(p->path) &&
       (o->output || p->colours || p->triangles || p->channel || p->has_none))
     return option_fail(&o->base,
                        "judge: of a drawing of lines, there is no --output, "
@@ -168,7 +172,8 @@ static const struct argp argp = {
     "kind the faults are, the most likely one first.\v"
     "PICTURE is an array of ids (.npy), an .exr with a channel of ids, 32-bit "
     "numbers and nothing else (.raw, with --size), a picture in colours with "
-    "--colours, or a drawing of lines (.json, as hsr render writes it). Exit "
+    "--colours, or a drawing of lines (.json, as hsr render writes it, or .svg "
+    "with --hidden=all). Exit "
     "status: 0 all samples are right, 1 some are "
     "wrong.\n\n"
     "  hsr judge house mine.npy\n"
@@ -323,7 +328,7 @@ static enum hsr_status judge_suite(const struct options *o,
     status = suite_say_json(&judgement, err);
   else if (!status)
     suite_say_text(&judgement);
-  const bool right = judgement.state[SUITE_RIGHT] == judgement.n;
+  const bool right = suite_is_right(&judgement);
   suite_free(&judgement);
   return status || right ? status : HSR_E_DIFFERENCE;
 }
@@ -343,9 +348,8 @@ enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = client_open(&o.scene, &o.view, &scene, err);
   if (!status)
-    status = hsr_ends_in(o.picture.path, ".json")
-                 ? judge_drawing(&o, scene, err)
-                 : judge_file(&o, name, scene, err);
+    status = is_drawing(o.picture.path) ? judge_drawing(&o, scene, err)
+                                        : judge_file(&o, name, scene, err);
   hsr_close(scene);
   return status;
 }

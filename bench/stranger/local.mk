@@ -17,6 +17,7 @@ libbench_a_SOURCES += \
   %D%/stranger.h \
   %D%/studio.c \
   %D%/suite/cases.c \
+  %D%/suite/extras.c \
   %D%/suite/page.c \
   %D%/suite/say.c \
   %D%/suite/suite.h \

@@ -52,6 +52,8 @@ struct hsr_plot {
   struct hsr_fill *fill;               /* by region of the polygons */
   float paper[3];                      /* its colour, linear, 0..1 */
   const struct hsr_scene *scene;       /* for the names of objects; borrowed */
+  const struct hsr_drawing *drawing;   /* an .svg file holds it as it is, too;
+                                          borrowed; NULL: none */
   const char *title, *description; /* NULL; the caller may set them; borrowed */
 };
 

@@ -2,6 +2,7 @@
 /* Scalable Vector Graphics 1.1, to be looked at and to be edited: a <g> a pen,
  * in it a <path> an object, with the object's name. A drawing library would
  * write neither names nor strokes that keep their width when zoomed. */
+#include "common/files/json/drawing_json.h"
 #include "common/files/plot.h"
 #include "common/files/srgb.h"
 #include "common/files/whole_file.h"
@@ -166,6 +167,11 @@ static void put_plot(FILE *out, const struct hsr_plot *plot) {
   put_size(out, plot);
   put_element(out, "title", plot->title);
   put_element(out, "desc", plot->description);
+  if (plot->drawing) {
+    fputs("\n" HSR_DRAWING_IN_SVG, out);
+    hsr_drawing_json_print(out, plot->drawing, plot->m, plot->n);
+    fputs(HSR_DRAWING_IN_SVG_END, out);
+  }
   fputs("\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"", out);
   put_colour(out, plot->paper);
   fputs("\"/>\n", out);

@@ -221,6 +221,7 @@ static void test_null(struct tap *tap, const struct hsr_scene *scene) {
   struct hsr_voxel_array voxels = {.size = sizeof voxels};
   struct hsr_verdict verdict = {.size = sizeof verdict};
   const void *to = NULL;
+  char text[200];
   size_t n;
   int c;
   float x[3];
@@ -237,6 +238,8 @@ static void test_null(struct tap *tap, const struct hsr_scene *scene) {
       hsr_get_rgba(NULL, (const uint16_t **)&to, &c, NULL),
       hsr_get_voxels(NULL, &voxels, NULL),
       hsr_get_counts(NULL, (const uint64_t **)&to, &n, NULL),
+      hsr_get_summary(NULL, text, sizeof text, NULL),
+      hsr_get_summary(a, NULL, sizeof text, NULL),
       hsr_judge(NULL, &verdict, NULL),
       hsr_write(NULL, "x.png", NULL, NULL),
       hsr_get_answer(a, NULL, NULL),

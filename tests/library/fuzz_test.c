@@ -399,6 +399,7 @@ static void read_answer(struct fuzz *f) {
   const struct hsr_segment *segment;
   const uint32_t *ids;
   const unsigned char *lit;
+  char line[200];
   const double *bounds;
   const uint16_t *rgba;
   const uint64_t *count;
@@ -408,6 +409,7 @@ static void read_answer(struct fuzz *f) {
   CALL(hsr_get_answer, a, no ? NULL : &info.its);
   CALL(hsr_get_ids, a, no ? NULL : &ids);
   CALL(hsr_get_lit, a, no ? NULL : &lit);
+  CALL(hsr_get_summary, a, no ? NULL : line, below(f, sizeof line + 1));
   CALL(hsr_get_depths, a, no ? NULL : values, n);
   CALL(hsr_get_colours, a, (enum hsr_shading_choice)below(f, 6),
        no ? NULL : values, 3 * n);

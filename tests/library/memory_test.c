@@ -198,8 +198,9 @@ static enum hsr_status read_all(const struct hsr_scene *scene,
   const uint32_t *ids;
   const unsigned char *lit;
   const double *bounds;
+  char text[200];
   size_t n;
-  enum hsr_status status = hsr_draw(scene, &request, &answer, NULL), each[9];
+  enum hsr_status status = hsr_draw(scene, &request, &answer, NULL), each[10];
   if (status)
     return status;
   each[0] = hsr_get_depths(answer, depth, M * N, NULL);
@@ -211,7 +212,8 @@ static enum hsr_status read_all(const struct hsr_scene *scene,
   each[6] = hsr_get_lit(answer, &lit, NULL);
   each[7] = hsr_get_areas(answer, &bounds, NULL);
   each[8] = hsr_get_colours(answer, HSR_COLOUR_GOURAUD, rgb, 3 * M * N, NULL);
-  for (int k = 0; k < 9; k++)
+  each[9] = hsr_get_summary(answer, text, sizeof text, NULL);
+  for (int k = 0; k < 10; k++)
     if (each[k] != HSR_OK && each[k] != HSR_E_USAGE)
       status = each[k];
   hsr_free(answer);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* write SCENE ALGORITHM MxN FILE: draws a scene's first view and writes it. */
+/* write SCENE ALGORITHM MxN FILE: draws a scene's first view, writes it, and prints
+ * its summary. */
 #include "tests/library/public.h"
 
 int main(int argc, char **argv) {
   int m, n;
+  char text[200];
   struct hsr_error err = {.text = "usage: write SCENE ALGORITHM MxN FILE"};
   struct hsr_scene *scene = NULL;
   struct hsr_answer *answer = NULL;
@@ -15,6 +17,10 @@ int main(int argc, char **argv) {
       status = hsr_draw(scene, &request, &answer, &err);
     if (!status)
       status = hsr_write(answer, argv[4], NULL, &err);
+    if (!status)
+      status = hsr_get_summary(answer, text, sizeof text, &err);
+    if (!status)
+      puts(text);
   }
   if (status)
     fprintf(stderr, "write: %s\n", err.text);

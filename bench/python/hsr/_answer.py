@@ -197,6 +197,13 @@ class Answer:
         return self._array(pointer, self._shape(), np.uint32)
 
     @property
+    def summary(self) -> str:
+        """A line about what is in it, as hsr render prints it."""
+        text = ffi.new("char[]", 400)
+        call(lib.hsr_get_summary, self._handle, text, len(text))
+        return ffi.string(text).decode()
+
+    @property
     def lit(self) -> NDArray[np.bool_]:
         """(n, m) whether light reaches the face that is seen."""
         pointer = self._pointer(lib.hsr_get_lit, "unsigned char")

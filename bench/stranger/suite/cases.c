@@ -177,6 +177,19 @@ static void count_kinds(struct suite_result *r) {
       r->kind[r->kinds[k] - 1]++;
 }
 
+/* Takes the counts of a picture that was not compared before. */
+static void take_verdict(const struct stranger_verdict *v,
+                         struct suite_result *r) {
+  r->state = v->differing ? SUITE_WRONG : SUITE_RIGHT;
+  r->compared = v->compared;
+  r->differing = v->differing;
+  if (v->n_whole) {
+    r->place = v->whole[0].place;
+    r->got = v->whole[0].got;
+    r->wanted = v->whole[0].wanted;
+  }
+}
+
 /* Finds the kinds of what is wrong. */
 static enum hsr_status explain(struct desk *desk, const uint32_t *ids,
                                struct suite_result *r, struct hsr_error *err) {
@@ -189,11 +202,14 @@ static enum hsr_status explain(struct desk *desk, const uint32_t *ids,
                                                         .request = &request,
                                                         .ids = ids},
                             &verdict, err);
-  if (!status && verdict.differing != r->differing)
+  const bool is_compared = r->compared > 0;
+  if (!status && is_compared && verdict.differing != r->differing)
     status = hsr_fail(err, HSR_E_INPUT,
                       "%.200s: right/%s.ids.npy is not the picture of this hsr",
                       desk->judgement->suite, r->name);
   if (!status) {
+    if (!is_compared)
+      take_verdict(&verdict, r);
     r->kinds = verdict.kind;
     verdict.kind = NULL;
     if (!verdict.n_whole)
@@ -216,6 +232,50 @@ static void compare(const uint32_t *ids, const uint32_t *right,
   r->state = r->differing ? SUITE_WRONG : SUITE_RIGHT;
 }
 
+/* A picture whose sides are exchanged may have its rows and columns exchanged: it
+ * has its own size then. */
+static enum hsr_status judge_exchanged(struct desk *desk,
+                                       const struct id_picture *picture,
+                                       struct suite_result *r,
+                                       struct hsr_error *err) {
+  const struct suite_result as_asked = *r;
+  r->m = picture->m;
+  r->n = picture->n;
+  enum hsr_status status = explain(desk, picture->ids, r, err);
+  if (!status && r->kind[STRANGER_TRANSPOSED])
+    return HSR_OK;
+  free(r->kinds);
+  *r = as_asked;
+  return status ? status
+                : hsr_fail(err, HSR_E_INPUT,
+                           "%.200s/%s.npy: has %d x %d samples (columns x "
+                           "rows), not %d x %d",
+                           desk->judgement->results, r->name, picture->m,
+                           picture->n, r->m, r->n);
+}
+
+/* Judges somebody's file. */
+static enum hsr_status judge_ids(struct desk *desk, const uint32_t *right,
+                                 struct suite_result *r,
+                                 struct hsr_error *err) {
+  char path[MOST_PATH];
+  struct id_picture picture = {.ids = NULL};
+  const struct picture_format format = {
+      .path = path_in(path, desk->judgement->results, "", r->name, ".npy"),
+      .m = r->m,
+      .n = r->n};
+  enum hsr_status status = picture_read(&format, UINT32_MAX, &picture, err);
+  if (!status && picture.is_exchanged)
+    status = judge_exchanged(desk, &picture, r, err);
+  else if (!status) {
+    compare(picture.ids, right, r);
+    if (r->differing)
+      status = explain(desk, picture.ids, r, err);
+  }
+  free(picture.ids);
+  return status;
+}
+
 /* What is wrong with somebody's file is said of it; what is wrong with the suite
  * ends the judgement. */
 static enum hsr_status judge_picture(struct desk *desk, struct suite_result *r,
@@ -223,25 +283,13 @@ static enum hsr_status judge_picture(struct desk *desk, struct suite_result *r,
   char path[MOST_PATH];
   struct hsr_error why;
   struct hsr_npy right = {.data = NULL};
-  struct id_picture picture = {.ids = NULL};
-  const struct picture_format format = {
-      .path = path_in(path, desk->judgement->results, "", r->name, ".npy"),
-      .m = r->m,
-      .n = r->n};
   r->state = SUITE_MISSING;
-  if (access(path, F_OK))
-    return HSR_OK;
-  enum hsr_status status = read_right(desk, r, ".ids.npy", &right, err);
-  if (status) {
-    hsr_npy_free(&right);
+  enum hsr_status status = suite_judge_extras(desk->judgement, r, err);
+  path_in(path, desk->judgement->results, "", r->name, ".npy");
+  if (status || access(path, F_OK))
     return status;
-  }
-  enum hsr_status read = picture_read(&format, UINT32_MAX, &picture, &why);
-  if (!read) {
-    compare(picture.ids, right.data, r);
-    if (r->differing)
-      read = explain(desk, picture.ids, r, &why);
-  }
+  status = read_right(desk, r, ".ids.npy", &right, err);
+  enum hsr_status read = status ? HSR_OK : judge_ids(desk, right.data, r, &why);
   if (read == HSR_E_NOMEM || read == HSR_E_INTERNAL)
     status = hsr_fail(err, read, "%s", why.text);
   else if (read) {
@@ -249,17 +297,33 @@ static enum hsr_status judge_picture(struct desk *desk, struct suite_result *r,
     r->compared = r->differing = 0;
     memcpy(r->why, why.text, sizeof r->why);
   }
-  free(picture.ids);
   hsr_npy_free(&right);
   return status;
 }
 
 /* --- All ------------------------------------------------------------------ */
 
+static void add_extras(struct suite_judgement *j,
+                       const struct suite_result *r) {
+  for (int k = 0; k < SUITE_EXTRAS; k++) {
+    const struct suite_extra *its = &r->extra[k];
+    struct suite_extra *sum = &j->extra[k];
+    sum->pictures += its->pictures;
+    sum->compared += its->compared;
+    sum->differing += its->differing;
+    sum->largest = its->largest > sum->largest ? its->largest : sum->largest;
+    if (!sum->first)
+      sum->first = its->first;
+    if (!*sum->why)
+      memcpy(sum->why, its->why, sizeof sum->why);
+  }
+}
+
 static void add_up(struct suite_judgement *j) {
   for (size_t k = 0; k < j->n; k++) {
     const struct suite_result *r = &j->result[k];
     j->state[r->state]++;
+    add_extras(j, r);
     if (r->state == SUITE_MISSING || r->state == SUITE_UNUSABLE)
       continue;
     j->compared += r->compared;
@@ -297,7 +361,9 @@ enum hsr_status suite_judge(struct suite_judgement *judgement,
   if (status)
     return status;
   add_up(judgement);
-  if (judgement->state[SUITE_MISSING] == judgement->n)
+  const struct suite_extra *extra = judgement->extra;
+  if (judgement->state[SUITE_MISSING] == judgement->n &&
+      !extra[SUITE_DEPTHS].pictures && !extra[SUITE_SEGMENTS].pictures)
     status = hsr_fail(err, HSR_E_INPUT,
                       "%.300s: has no picture of the suite, such as %s.npy",
                       results, judgement->result[0].name);
@@ -317,4 +383,11 @@ enum stranger_kind suite_worst(const uint64_t kind[STRANGER_KINDS]) {
     if (kind[k] > kind[worst])
       worst = k;
   return (enum stranger_kind)worst;
+}
+
+bool suite_is_right(const struct suite_judgement *j) {
+  bool right = j->state[SUITE_RIGHT] == j->n;
+  for (int k = 0; k < SUITE_EXTRAS; k++)
+    right = right && !j->extra[k].differing && !*j->extra[k].why;
+  return right;
 }

@@ -20,12 +20,15 @@ static void put_text(const char *text, FILE *out) {
 
 static void put_head(const struct suite_judgement *j, FILE *out) {
   fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n"
         "<title>hsr judge --suite</title>\n<style>\n"
         "body { font: 15px/1.45 sans-serif; max-width: 70em; margin: 2em auto; "
         "padding: 0 1em; color: #222; background: #fff }\n"
         "table { border-collapse: collapse; margin: 1em 0 }\n"
-        "th, td { padding: .15em .8em .15em 0; text-align: left }\n"
+        "th, td { padding: .15em .8em .15em 0; text-align: left; "
+        "vertical-align: top }\n"
         "th { border-bottom: 1px solid #999 }\n"
+        "td:first-child { white-space: nowrap }\n"
         ".n { text-align: right }\n"
         ".key { display: inline-block; width: .9em; height: .9em; "
         "border: 1px solid #555 }\n"
@@ -36,8 +39,8 @@ static void put_head(const struct suite_judgement *j, FILE *out) {
         out);
   put_text(j->results, out);
   fprintf(out,
-          "</h1>\n<p>%zu pictures: %zu are right, %zu are wrong, %zu are "
-          "missing, %zu are unusable. %llu of %llu samples are wrong.</p>\n",
+          "</h1>\n<p>%zu pictures: %zu right, %zu wrong, %zu missing, %zu "
+          "unusable. %llu of %llu samples are wrong.</p>\n",
           j->n, j->state[SUITE_RIGHT], j->state[SUITE_WRONG],
           j->state[SUITE_MISSING], j->state[SUITE_UNUSABLE],
           (unsigned long long)j->differing, (unsigned long long)j->compared);
@@ -54,7 +57,7 @@ static void put_kinds(const struct suite_judgement *j, FILE *out) {
   if (!j->differing)
     return;
   fputs("<h2>By kind of fault</h2>\n<table>\n<tr><th>kind<th class=\"n\">"
-        "samples<th class=\"n\">pictures\n",
+        "samples<th class=\"n\">pictures<th>what it is\n",
         out);
   for (;;) {
     const int kind = (int)suite_worst(left);
@@ -62,12 +65,36 @@ static void put_kinds(const struct suite_judgement *j, FILE *out) {
       break;
     fputs("<tr><td>", out);
     put_key(kind, out);
+    fprintf(out, "%s<td class=\"n\">%llu<td class=\"n\">%zu<td>",
+            stranger_kinds[kind].key, (unsigned long long)left[kind],
+            j->pictures[kind]);
     put_text(stranger_kinds[kind].words, out);
-    fprintf(out, "<td class=\"n\">%llu<td class=\"n\">%zu\n",
-            (unsigned long long)left[kind], j->pictures[kind]);
+    fputc('\n', out);
     left[kind] = 0;
   }
   fputs("</table>\n", out);
+}
+
+/* Depths and segments, if there are any. */
+static void put_extras(const struct suite_judgement *j, FILE *out) {
+  for (int k = 0; k < SUITE_EXTRAS; k++) {
+    const struct suite_extra *e = &j->extra[k];
+    if (!e->pictures)
+      continue;
+    fprintf(out, "<p>Files of %s: %zu; %llu of %llu %s are wrong",
+            suite_extra_name(k), e->pictures, (unsigned long long)e->differing,
+            (unsigned long long)e->compared, suite_extra_places(k));
+    if (k == SUITE_DEPTHS)
+      fprintf(out, "; the largest relative error is %.2g", e->largest);
+    fputs(e->first ? "; first in " : "", out);
+    put_text(e->first ? e->first : "", out);
+    fputs(".</p>\n", out);
+    if (*e->why) {
+      fputs("<p>", out);
+      put_text(e->why, out);
+      fputs("</p>\n", out);
+    }
+  }
 }
 
 /* What the scene is made to break. */
@@ -104,7 +131,9 @@ static void put_picture(const struct suite_result *r, FILE *out) {
 
 static void put_id(uint32_t id, FILE *out) {
   if (id == HSR_NO_FACE)
-    fputs("no face", out);
+    fputs("background", out);
+  else if (id == STRANGER_BELOW_0)
+    fputs("face -1", out);
   else
     fprintf(out, "face %u", id);
 }
@@ -164,6 +193,7 @@ enum hsr_status suite_write_page(const struct suite_judgement *j,
   if (status)
     return status;
   put_head(j, file.stream);
+  put_extras(j, file.stream);
   put_kinds(j, file.stream);
   put_results(j, file.stream);
   fputs("</html>\n", file.stream);

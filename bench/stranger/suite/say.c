@@ -32,27 +32,23 @@ static const struct suite_result *most_of(const struct suite_judgement *j,
   return most;
 }
 
-/* What is said of a kind, up to the colon that explains it. */
-static int short_words(int kind) {
-  const size_t n = strcspn(stranger_kinds[kind].words, ":");
-  return (int)(n < 44 ? n : 44);
-}
-
+/* Each kind has a line of figures and one that explains its name. */
 static void say_kinds(const struct suite_judgement *j) {
   uint64_t left[STRANGER_KINDS];
   memcpy(left, j->kind, sizeof left);
   if (!j->differing)
     return;
-  printf("\n%-44s %8s %8s  %s\n", "kind of fault", "samples", "pictures",
+  printf("\n%-28s %8s %8s  %s\n", "kind of fault", "samples", "pictures",
          "most of them in");
   for (;;) {
     const int kind = (int)suite_worst(left);
     if (!left[kind])
       return;
     const struct suite_result *most = most_of(j, kind);
-    printf("%-44.*s %8llu %8zu  %s (%llu)\n", short_words(kind),
-           stranger_kinds[kind].words, (unsigned long long)left[kind],
-           j->pictures[kind], most->name, (unsigned long long)most->kind[kind]);
+    printf("%-28s %8llu %8zu  %s (%llu)\n", stranger_kinds[kind].key,
+           (unsigned long long)left[kind], j->pictures[kind], most->name,
+           (unsigned long long)most->kind[kind]);
+    terminal_wrap(stdout, printf("    "), 4, stranger_kinds[kind].words);
     left[kind] = 0;
   }
 }
@@ -127,6 +123,24 @@ static void say_scenes(const struct suite_judgement *j) {
          terminal_number(right, "scenes", number), right == 1 ? "is" : "are");
 }
 
+static void say_extras(const struct suite_judgement *j) {
+  for (int k = 0; k < SUITE_EXTRAS; k++) {
+    const struct suite_extra *e = &j->extra[k];
+    char number[TERMINAL_NUMBER];
+    if (!e->pictures)
+      continue;
+    printf("%s of %s: %llu of %llu %s are wrong", suite_extra_name(k),
+           terminal_number(e->pictures, "pictures", number),
+           (unsigned long long)e->differing, (unsigned long long)e->compared,
+           suite_extra_places(k));
+    if (k == SUITE_DEPTHS)
+      printf("; the largest relative error is %.2g", e->largest);
+    printf("%s%s\n", e->first ? "; first in " : "", e->first ? e->first : "");
+    if (*e->why)
+      printf("%s\n", e->why);
+  }
+}
+
 static void say_files(const struct suite_judgement *j) {
   enum { MOST_SAID = 5 };
   size_t said = 0;
@@ -144,6 +158,7 @@ static void say_files(const struct suite_judgement *j) {
 
 void suite_say_text(const struct suite_judgement *j) {
   say_sum(j);
+  say_extras(j);
   say_kinds(j);
   say_scenes(j);
   say_files(j);
@@ -166,6 +181,27 @@ static json_t *id_json(uint32_t id) {
   return id == HSR_NO_FACE ? json_null() : json_integer(id);
 }
 
+/* What there is beside the ids; {} if that is nothing. */
+static json_t *extras_json(const struct suite_extra extra[SUITE_EXTRAS]) {
+  json_t *made = json_object();
+  for (int k = 0; k < SUITE_EXTRAS && made; k++) {
+    const struct suite_extra *e = &extra[k];
+    if (!e->pictures)
+      continue;
+    json_t *one =
+        *e->why ? json_pack("{ss}", "why", e->why)
+                : json_pack("{sI sI}", "compared", (json_int_t)e->compared,
+                            "differing", (json_int_t)e->differing);
+    if (k == SUITE_DEPTHS && one && !*e->why)
+      json_object_set_new(one, "largest_error", json_real(e->largest));
+    if (json_object_set_new(made, suite_extra_name(k), one)) {
+      json_decref(made);
+      made = NULL;
+    }
+  }
+  return made;
+}
+
 static json_t *result_json(const struct suite_result *r) {
   static const char *const state[] = {"right", "wrong", "missing", "unusable"};
   const uint32_t m = (uint32_t)r->m;
@@ -179,10 +215,13 @@ static json_t *result_json(const struct suite_result *r) {
                                  "wanted", id_json(r->wanted))
                  : r->state == SUITE_UNUSABLE ? json_pack("{ss}", "why", r->why)
                                               : json_object();
-  if (!made || !more || json_object_update(made, more)) {
+  json_t *extras = extras_json(r->extra);
+  if (!made || !more || !extras || json_object_update(made, more) ||
+      json_object_update(made, extras)) {
     json_decref(made);
     made = NULL;
   }
+  json_decref(extras);
   json_decref(more);
   return made;
 }

@@ -9,6 +9,22 @@
 
 enum suite_state { SUITE_RIGHT, SUITE_WRONG, SUITE_MISSING, SUITE_UNUSABLE };
 
+/* What may be judged beside the ids, if there is a file of it. */
+enum suite_extra_kind { SUITE_DEPTHS, SUITE_SEGMENTS, SUITE_EXTRAS };
+
+/* Of one picture, or of all of them. */
+struct suite_extra {
+  size_t pictures;              /* that have a file of it */
+  uint64_t compared, differing; /* samples; edges */
+  double largest;    /* relative error of a depth, where both are finite */
+  const char *first; /* a picture in which something differs; NULL */
+  char why[480];     /* a file is unusable; "" */
+};
+
+/* "depths": the word of its files, NAME.depths.npy; and "depths", "edges". */
+const char *suite_extra_name(enum suite_extra_kind kind);
+const char *suite_extra_places(enum suite_extra_kind kind);
+
 /* What became of one picture. The texts are the suite's. */
 struct suite_result {
   const char *name, *scene, *group;
@@ -22,6 +38,7 @@ struct suite_result {
   unsigned char *kinds;          /* m n: 1 + the kind of each; 0: right. NULL
                                     unless it is wrong */
   char why[480];                 /* it is unusable */
+  struct suite_extra extra[SUITE_EXTRAS];
 };
 
 struct suite_judgement {
@@ -33,7 +50,18 @@ struct suite_judgement {
   size_t state[SUITE_UNUSABLE + 1];
   uint64_t compared, differing, kind[STRANGER_KINDS];
   size_t pictures[STRANGER_KINDS]; /* that have each */
+  struct suite_extra extra[SUITE_EXTRAS];
 };
+
+/* Whether all pictures are right, and all depths and segments that are there. */
+bool suite_is_right(const struct suite_judgement *judgement);
+
+/* Judges the depths and the segments of a picture, if there are files of them
+ * (suite/extras.c). What is wrong with somebody's file is said in `why`.
+ * HSR_E_INPUT if a file of the suite is wrong; HSR_E_NOMEM. */
+enum hsr_status suite_judge_extras(const struct suite_judgement *judgement,
+                                   struct suite_result *result,
+                                   struct hsr_error *err);
 
 /* Judges the files NAME.npy in a folder. Those that are missing or unusable are
  * counted as such. To be freed also after a failure. HSR_E_INPUT if the suite is

@@ -98,7 +98,8 @@ static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
 
 /* A .vtp file holds all intervals, in world space, and a .json file holds them
  * along their edges. The other files are drawings
- * on paper. */
+ * on paper. An .svg file from which nothing is left out holds the intervals, too.
+ */
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
@@ -112,6 +113,8 @@ static enum hsr_status write(const struct hsr_answer *answer,
   struct hsr_plot plot;
   enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
                                          showing->view, showing->hidden, err);
+  if (showing->hidden != HSR_HIDDEN_NONE && showing->crease < 0)
+    plot.drawing = answer->body; /* nothing is left out */
   plot.page = showing->page;
   plot.title = showing->title;
   plot.description = showing->description;

@@ -2,6 +2,7 @@
 #include "common/files/json/drawing_json.h"
 
 #include "common/files/json/json_members.h"
+#include "common/files/suffix.h"
 #include "common/files/whole_file.h"
 
 #include <math.h>
@@ -21,6 +22,17 @@ static void put_segment(FILE *out, const struct hsr_segment *s) {
           s->invisibility);
 }
 
+void hsr_drawing_json_print(FILE *out, const struct hsr_drawing *drawing, int m,
+                            int n) {
+  fprintf(out, "{\"schema\": \"%s\", \"size\": [%d, %d], \"segments\": [",
+          SCHEMA, m, n);
+  for (size_t k = 0; k < drawing->n; k++) {
+    fputs(k ? ",\n" : "\n", out);
+    put_segment(out, &drawing->segment[k]);
+  }
+  fputs("]}\n", out);
+}
+
 enum hsr_status hsr_drawing_json_write(const char *path,
                                        const struct hsr_drawing *drawing, int m,
                                        int n, struct hsr_error *err) {
@@ -28,14 +40,7 @@ enum hsr_status hsr_drawing_json_write(const char *path,
   enum hsr_status status = hsr_whole_file_open(&file, path, err);
   if (status)
     return status;
-  fprintf(file.stream,
-          "{\"schema\": \"%s\", \"size\": [%d, %d], \"segments\": [", SCHEMA, m,
-          n);
-  for (size_t k = 0; k < drawing->n; k++) {
-    fputs(k ? ",\n" : "\n", file.stream);
-    put_segment(file.stream, &drawing->segment[k]);
-  }
-  fputs("]}\n", file.stream);
+  hsr_drawing_json_print(file.stream, drawing, m, n);
   return hsr_whole_file_close(&file, HSR_OK, err);
 }
 
@@ -169,7 +174,12 @@ enum hsr_status hsr_drawing_json_read(const char *path,
                                       struct hsr_error *err) {
   static const char *const lists[] = {"segments", NULL};
   static const hsr_json_levels levels[] = {lists, NULL};
-  const struct hsr_json_input input = {.path = path, .err = err};
+  const bool svg = hsr_ends_in(path, ".svg");
+  const struct hsr_json_input input = {.path = path,
+                                       .err = err,
+                                       .begin = svg ? HSR_DRAWING_IN_SVG : NULL,
+                                       .end =
+                                           svg ? HSR_DRAWING_IN_SVG_END : NULL};
   struct hsr_json_part list[HSR_JSON_MOST_LISTS] = {{.text = NULL}};
   char *text = NULL;
   json_t *value = NULL;

@@ -14,6 +14,8 @@
 #include "common/base/status.h"
 #include "common/lines/drawing.h"
 
+#include <stdio.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -24,7 +26,15 @@ enum hsr_status hsr_drawing_json_write(const char *path,
                                        const struct hsr_drawing *drawing, int m,
                                        int n, struct hsr_error *err);
 
-/* Reads a drawing, and sorts it. Intervals may be in any order, and an edge may
+/* The same text, to a stream: it is fit to stand in XML. */
+void hsr_drawing_json_print(FILE *out, const struct hsr_drawing *drawing, int m,
+                            int n);
+
+/* What it stands between in an .svg file. */
+#define HSR_DRAWING_IN_SVG "<metadata id=\"hsr-drawing\">"
+#define HSR_DRAWING_IN_SVG_END "</metadata>"
+
+/* Reads a drawing, also from an .svg file that has it so, and sorts it. Intervals may be in any order, and an edge may
  * run from its greater vertex; intervals that continue one another become one.
  * `from` and `to` of the segments are 0. size[] becomes 0, 0 if the file has
  * none. *drawing is freed by hsr_drawing_free, also after a failure.

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* memmem */
 #include "common/files/json/json_members.h"
 
 #include "common/base/names.h"
@@ -229,6 +230,24 @@ static enum hsr_status parse(const struct hsr_json_input *input,
                            hsr_path_shown(input->path), error.line, error.text);
 }
 
+/* Cuts the file to what stands between two marks. */
+static enum hsr_status cut(const struct hsr_json_input *input,
+                           struct hsr_json_part *file) {
+  const size_t size = strlen(input->begin);
+  const char *end = file->text + file->length;
+  const char *begin = memmem(file->text, file->length, input->begin, size);
+  const char *stop = begin ? memmem(begin + size, (size_t)(end - begin) - size,
+                                    input->end, strlen(input->end))
+                           : NULL;
+  if (!stop)
+    return hsr_fail(input->err, HSR_E_INPUT, "%s: has no %s...%s",
+                    hsr_path_shown(input->path), input->begin, input->end);
+  file->line += hsr_json_lines(file->text, begin);
+  file->text = begin + size;
+  file->length = (size_t)(stop - file->text);
+  return HSR_OK;
+}
+
 enum hsr_status hsr_json_open(const struct hsr_json_input *input,
                               const hsr_json_levels *levels,
                               struct hsr_json_part *list, char **text,
@@ -237,6 +256,8 @@ enum hsr_status hsr_json_open(const struct hsr_json_input *input,
   enum hsr_status status =
       hsr_json_load(input->path, text, &file.length, input->err);
   file.text = *text;
+  if (!status && input->begin)
+    status = cut(input, &file);
   return status ? status : parse(input, file, 0, levels, list, root);
 }
 

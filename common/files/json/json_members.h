@@ -16,8 +16,10 @@
 /* A file that is read. All pointers are borrowed. */
 struct hsr_json_input {
   const char *path;
-  void *reader;          /* the caller's data, for its own hsr_json_takes */
-  struct hsr_error *err; /* where errors go; may be NULL */
+  void *reader;            /* the caller's data, for its own hsr_json_takes */
+  struct hsr_error *err;   /* where errors go; may be NULL */
+  const char *begin, *end; /* the text stands between these two, where they come
+                              first; NULL: it is the whole file */
 };
 
 /* A value and its place in the file: it is member `key` or element `index` of

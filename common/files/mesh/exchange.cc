@@ -7,6 +7,7 @@
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -26,18 +27,27 @@ const char *file_name(const char *path) {
   return slash ? slash + 1 : path;
 }
 
-/* Where the suffix of a file name starts: its last dot, or its end. */
-const char *suffix_of(const char *name) {
-  const char *dot = std::strrchr(name, '.');
-  return dot ? dot : name + std::strlen(name);
+/* A file name without the suffix .gz, by which a compressed file is known. */
+std::string plain_name(const char *path) {
+  constexpr size_t GZ = 3;
+  const std::string name = file_name(path);
+  const size_t n = name.size();
+  return n > GZ && !strcasecmp(name.c_str() + n - GZ, ".gz")
+             ? name.substr(0, n - GZ)
+             : name;
+}
+
+/* Where the suffix of such a name starts: its last dot, or its end. */
+size_t suffix_of(const std::string &name) {
+  return std::min(name.rfind('.'), name.size());
 }
 
 /* A reader of a format whose files hold one object, named after the file. The
  * file's bytes are not needed once the object is filled. */
 template <void read(Mesh_file &, Mesh_builder &)>
 void one_object(Mesh_file &file, Mesh_scene &scene) {
-  const char *name = file_name(file.path);
-  scene.object(std::string(name, suffix_of(name)), [&](Mesh_builder &builder) {
+  const std::string name = plain_name(file.path);
+  scene.object(name.substr(0, suffix_of(name)), [&](Mesh_builder &builder) {
     read(file, builder);
     file.memory.reset();
   });
@@ -57,22 +67,23 @@ constexpr Suffix SUFFIXES[] = {{".off", one_object<hsr::off_read>},
                                {".glb", hsr::gltf_read}};
 
 /* NULL: it is none of a mesh file. */
-const Suffix *find_suffix(const char *path) {
+const Suffix *find_suffix(const std::string &name) {
   for (const Suffix &suffix : SUFFIXES)
-    if (!strcasecmp(suffix_of(file_name(path)), suffix.text))
+    if (!strcasecmp(name.c_str() + suffix_of(name), suffix.text))
       return &suffix;
   return nullptr;
 }
 
 void mesh_read(struct hsr_scene *scene, const char *path,
                struct hsr_import *import) {
-  const Suffix *suffix = find_suffix(path);
+  const std::string name = plain_name(path);
+  const Suffix *suffix = find_suffix(name);
   if (!suffix) {
     const Mesh_file file{path, nullptr, nullptr, nullptr};
     file.refuse(0,
                 "'%s' is not the suffix of a mesh file (.off .obj .ply .stl "
                 ".vtp .gltf .glb)",
-                hsr::shown_word(suffix_of(file_name(path))).c_str());
+                hsr::shown_word(name.substr(suffix_of(name))).c_str());
   }
   Mesh_file file = hsr::load_mesh_file(path);
   Mesh_scene read(path, import);
@@ -105,7 +116,7 @@ enum hsr_status guarded(const char *path, struct hsr_error *err,
 } // namespace
 
 bool hsr_is_mesh_name(const char *path) {
-  return find_suffix(path);
+  return find_suffix(plain_name(path));
 }
 
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,

@@ -4,6 +4,8 @@ libcore_a_SOURCES += \
 libcore_a_SOURCES += \
   %D%/exchange.cc \
   %D%/mesh_blocks.h \
+  %D%/mesh_colours.cc \
+  %D%/mesh_colours.h \
   %D%/mesh_corners.cc \
   %D%/mesh_corners.h \
   %D%/mesh_file.cc \

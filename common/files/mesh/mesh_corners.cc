@@ -310,16 +310,19 @@ template <class Real> bool Numbering<Real>::give() {
 
 template <class Real>
 void give_loose_triangles(const Loose_triangles &triangles,
+                          const std::vector<Rgba> *looks,
                           Mesh_builder &builder) {
   if (!triangles.n)
     return;
-  if (!Numbering<Real>(triangles, builder).give())
-    builder.give_faces_again();
+  if (!Numbering<Real>(triangles, builder).give() || looks)
+    builder.give_faces_again(looks);
 }
 
 template void give_loose_triangles<float>(const Loose_triangles &,
+                                          const std::vector<Rgba> *,
                                           Mesh_builder &);
 template void give_loose_triangles<double>(const Loose_triangles &,
+                                           const std::vector<Rgba> *,
                                            Mesh_builder &);
 
 } // namespace hsr

@@ -15,6 +15,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 namespace hsr {
 
@@ -73,7 +74,96 @@ private:
               std::generic_category().message(reason).c_str());
 }
 
+/* ---- Compressed files ---- */
+
+bool is_compressed(const Mesh_file &file) {
+  return file.size() > 2 && file.begin[0] == '\x1f' && file.begin[1] == '\x8b';
+}
+
+/* Room that grows, for bytes that are not counted yet. */
+struct Room {
+  std::unique_ptr<char[]> bytes;
+  size_t used = 0, size = 0;
+
+  void grow(size_t least) {
+    const size_t larger = std::max(2 * size, least);
+    std::unique_ptr<char[]> moved(new char[larger]);
+    std::copy_n(bytes.get(), used, moved.get());
+    bytes = std::move(moved);
+    size = larger;
+  }
+};
+
+/* Inflates one member of a file after the other, from file.begin on. */
+class Inflater {
+public:
+  explicit Inflater(Mesh_file &file) : file_(file) {
+    constexpr int GZIP = 16 + 15; /* its header, and the largest window */
+    if (inflateInit2(&stream_, GZIP) != Z_OK)
+      throw std::bad_alloc();
+    stream_.next_in = reinterpret_cast<unsigned char *>(file.begin);
+  }
+  ~Inflater() { inflateEnd(&stream_); }
+  Inflater(const Inflater &) = delete;
+  Inflater &operator=(const Inflater &) = delete;
+  void member();
+  void deliver();
+
+private:
+  size_t left() const {
+    return static_cast<size_t>(file_.end -
+                               reinterpret_cast<const char *>(stream_.next_in));
+  }
+
+  Mesh_file &file_;
+  z_stream stream_{};
+  Room room_;
+};
+
+void Inflater::member() {
+  constexpr size_t MOST = size_t{1} << 30; /* at a time */
+  int result = inflateReset(&stream_);
+  while (result != Z_STREAM_END) {
+    if (room_.used == room_.size)
+      room_.grow(4 * left() + 1);
+    const size_t in = std::min(left(), MOST),
+                 out = std::min(room_.size - room_.used, MOST);
+    stream_.next_out =
+        reinterpret_cast<unsigned char *>(room_.bytes.get() + room_.used);
+    stream_.avail_in = static_cast<unsigned>(in);
+    stream_.avail_out = static_cast<unsigned>(out);
+    result = inflate(&stream_, Z_NO_FLUSH);
+    room_.used += out - stream_.avail_out;
+    if (result == Z_MEM_ERROR)
+      throw std::bad_alloc();
+    if (result == Z_BUF_ERROR ||
+        (result == Z_OK && !left() && stream_.avail_out))
+      file_.refuse(0, "the compressed file ends too early");
+    if (result != Z_OK && result != Z_STREAM_END)
+      file_.refuse(0, "is not a good gzip file: %s",
+                   stream_.msg ? stream_.msg : "its data are damaged");
+  }
+}
+
+void Inflater::deliver() {
+  do
+    member();
+  while (left());
+  file_.memory = std::move(room_.bytes);
+  file_.begin = file_.memory.get();
+  file_.end = file_.begin + room_.used;
+}
+
 } // namespace
+
+/* Makes a compressed file what was compressed. */
+static void inflate_file(Mesh_file &file) {
+  if (!is_compressed(file))
+    return;
+  Inflater(file).deliver();
+  if (file.begin == file.end)
+    file.refuse(0, "is empty");
+}
 
 Mesh_file load_mesh_file(const char *path) {
   Mesh_file file{path, nullptr, nullptr, nullptr};
@@ -103,6 +193,7 @@ Mesh_file load_mesh_file(const char *path) {
   }
   if (file.begin == file.end)
     file.refuse(0, "is empty");
+  inflate_file(file);
   return file;
 }
 
@@ -124,19 +215,6 @@ const char *face_fault(const uint32_t *vertices, size_t n) {
   const bool twice = vertices[0] == vertices[n - 1] ||
                      std::adjacent_find(vertices, vertices + n) != vertices + n;
   return twice ? "has the same vertex twice" : nullptr;
-}
-
-const float *mean_colour(const std::vector<float> &vertex_rgb,
-                         const uint32_t *corners, size_t n, float rgb[3]) {
-  if (vertex_rgb.empty() || !n)
-    return nullptr;
-  for (size_t k = 0; k < 3; k++) {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-      sum += vertex_rgb[3 * size_t{corners[i]} + k];
-    rgb[k] = static_cast<float>(sum / static_cast<double>(n));
-  }
-  return rgb;
 }
 
 void Mesh_builder::reserve(size_t n_vertices, size_t n_faces) {
@@ -161,7 +239,7 @@ uint32_t *Mesh_builder::triangles(size_t n) {
   return corners;
 }
 
-void Mesh_builder::give_faces_again() {
+void Mesh_builder::give_faces_again(const std::vector<Rgba> *looks) {
   const uint32_t n = object_->n_faces, *const start = object_->start;
   const std::vector<uint32_t> starts(start, start + n + 1);
   const std::vector<uint32_t> corners(object_->vertex,
@@ -169,7 +247,8 @@ void Mesh_builder::give_faces_again() {
   object_->n_faces = 0;
   n_given_ = 0;
   for (uint32_t f = 0; f < n; f++)
-    face(corners.data() + starts[f], starts[f + 1] - starts[f], nullptr);
+    face(corners.data() + starts[f], starts[f + 1] - starts[f],
+         looks && (*looks)[f][3] != NO_OPACITY ? &(*looks)[f] : nullptr);
 }
 
 void Mesh_builder::forget() {

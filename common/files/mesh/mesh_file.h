@@ -10,6 +10,7 @@
 
 #include "common/scene/scene.h"
 
+#include <array>
 #include <cstdarg>
 #include <cstddef>
 #include <memory>
@@ -37,8 +38,8 @@ struct Mesh_file {
       __attribute__((format(printf, 3, 4)));
 };
 
-/* Reads a file. Throws Refused if it cannot be read, is not a regular file, or
- * is empty; std::bad_alloc. */
+/* Reads a file, and inflates it if it is compressed by gzip. Throws Refused if it
+ * cannot be read, is not a regular file, is empty or damaged; std::bad_alloc. */
 Mesh_file load_mesh_file(const char *path);
 
 /* Returns the path as messages show it: all of it, or its last part if it is
@@ -52,10 +53,12 @@ std::string shown_word(std::string_view word);
  * reader: they are fewer than 3, or one follows itself. NULL: nothing. */
 const char *face_fault(const uint32_t *vertices, size_t n);
 
-/* Sets rgb to the mean colour of n corners and returns it. vertex_rgb has three
- * numbers a vertex. NULL if it is empty. */
-const float *mean_colour(const std::vector<float> &vertex_rgb,
-                         const uint32_t *corners, size_t n, float rgb[3]);
+/* A colour, linear, and an opacity, all 0..1. */
+using Rgba = std::array<float, 4>;
+
+/* The opacity of a colour that is none, or, while it is encoded as in its file,
+ * that has no opacity there. */
+constexpr float NO_OPACITY = -1;
 
 /* Builds one object and checks what it is given. The vertices of a face must be
  * given before the face. Functions throw Refused and std::bad_alloc. */
@@ -78,6 +81,15 @@ public:
   void took_vertices(size_t n) { object_->n_vertices = uint32_t(n); }
   /* Appends a face of n vertices. rgb is its colour, or NULL. */
   void face(const uint32_t *vertices, size_t n, const float *rgb);
+  /* The same, with a colour and an opacity, or with NULL. */
+  void face(const uint32_t *vertices, size_t n, const Rgba *look) {
+    face(vertices, n, look ? look->data() : nullptr);
+    if (look)
+      opacity((*look)[3]);
+  }
+  void face(const uint32_t *vertices, size_t n) {
+    face(vertices, n, static_cast<const float *>(nullptr));
+  }
   /* Gives the face that was given last an opacity of its own, 0..1, unless it
    * was left out. */
   void opacity(float opacity);
@@ -88,9 +100,9 @@ public:
    * not have three different vertices that are there, it then calls
    * give_faces_again(). */
   uint32_t *triangles(size_t n);
-  /* Removes all faces, which have no colours, and gives each of them to
-   * face(). */
-  void give_faces_again();
+  /* Removes all faces, which have no colours, and gives each of them to face(),
+   * with its own of `looks`; or with none, if that is NULL or has NO_OPACITY. */
+  void give_faces_again(const std::vector<Rgba> *looks = nullptr);
   bool strict() const { return strict_; }
   /* What the file says of its faces: all are seen from their front alone, or
    * from both sides. Otherwise the mesh is looked at. */

@@ -4,14 +4,17 @@
 // Source      Wavefront Advanced Visualizer manual, appendix B1
 // Departures  of geometry only vertices and faces are read; free-form surfaces,
 //             lines, points and groups are passed over. Of materials only the
-//             colours are read. Vertices may have a colour, "v x y z r g b", as
-//             many programs write it: 0..1, or 0..255 if any is above 1.
+//             colours and opacities are read. Vertices may have a colour, "v x y
+//             z r g b", as many programs write it, and behind it an opacity: 0
+//             to 1, or to 255 if any is above 1. A weight, "v x y z w", is
+//             passed over.
 // Method      first, the vertices of each block of the text are counted, so
 //             each knows the number of its first. Then all blocks are read at
 //             once. At last, faces are given in order, and materials found for
 //             them.
 // Memory      4 bytes a corner and a face, beside the file and the object
 #include "common/files/mesh/mesh_blocks.h"
+#include "common/files/mesh/mesh_colours.h"
 #include "common/files/mesh/mesh_materials.h"
 #include "common/files/mesh/mesh_text.h"
 
@@ -84,7 +87,8 @@ struct Block {
   const char *begin, *end;
   size_t n_vertices = 0, first_vertex = 0;
   std::vector<uint32_t> corners, sizes; /* of its faces */
-  std::vector<double> rgb;              /* of its vertices, as they stand */
+  std::vector<Rgba> look;               /* of its vertices, as they stand */
+  size_t n_opacities = 0;               /* of these */
   std::vector<Material_line> materials;
   Passed_over passed_over;
 };
@@ -122,12 +126,15 @@ void Block_reader::vertex() {
     if (n < 7)
       value[n] = number;
   }
-  /* With a weight, with a colour, or with both. */
+  /* With a weight, with a colour, or with a colour and an opacity. */
   if (n != 3 && n != 4 && n != 6 && n != 7)
     text_.refuse("vertex %zu has %zu numbers, not 3", n_ + 1, n);
   std::copy_n(value, 3, xyz_ + 3 * n_++);
-  if (n >= 6)
-    block_.rgb.insert(block_.rgb.end(), value + n - 3, value + n);
+  if (n < 6)
+    return;
+  block_.look.push_back({float(value[3]), float(value[4]), float(value[5]),
+                         n == 7 ? float(value[6]) : NO_OPACITY});
+  block_.n_opacities += n == 7;
 }
 
 /* Whether a text is the texture and normal of a corner: "/t", "//n" or
@@ -218,9 +225,9 @@ private:
   Mesh_builder &builder_;
   size_t n_vertices_ = 0;
   double *xyz_ = nullptr;
-  std::vector<float> vertex_rgb_; /* or empty */
+  std::vector<Rgba> of_vertices_; /* or empty */
   Materials materials_;
-  const Rgb *material_ = nullptr; /* of the faces that follow */
+  const Material *material_ = nullptr; /* of the faces that follow */
 };
 
 /* Not a line in which the one before it may go on. */
@@ -248,26 +255,28 @@ bool Obj_reader::count(std::vector<Block> &blocks) {
   return true;
 }
 
-/* Colours as they stand behind vertices, 0..1 or 0..255, made linear; if all
- * vertices have one. */
+/* The colours of vertices, if all have one. */
 void Obj_reader::find_colours(const std::vector<Block> &blocks) {
-  size_t n = 0;
-  double most = 1;
+  size_t n = 0, n_opacities = 0;
   for (const Block &block : blocks) {
-    n += block.rgb.size();
-    for (const double value : block.rgb)
-      most = value > 1 ? 255 : most;
+    n += block.look.size();
+    n_opacities += block.n_opacities;
   }
-  if (n != 3 * n_vertices_)
+  if (n_opacities)
+    builder_.note(std::to_string(n_opacities) +
+                  (n_opacities > 1 ? " vertices of seven numbers are"
+                                   : " vertex of seven numbers is") +
+                  " read as x y z, red green blue, opacity");
+  if (n && n < n_vertices_)
+    builder_.note("colours of vertices are passed over: " + std::to_string(n) +
+                  " of " + std::to_string(n_vertices_) + " have one");
+  if (n != n_vertices_)
     return;
-  vertex_rgb_.reserve(n);
+  of_vertices_.reserve(n);
   for (const Block &block : blocks)
-    for (size_t k = 0; k < block.rgb.size(); k += 3) {
-      const double *rgb = &block.rgb[k];
-      const double encoded[3] = {rgb[0] / most, rgb[1] / most, rgb[2] / most};
-      const Rgb colour = rgb_of_file(encoded);
-      vertex_rgb_.insert(vertex_rgb_.end(), colour.begin(), colour.end());
-    }
+    of_vertices_.insert(of_vertices_.end(), block.look.begin(),
+                        block.look.end());
+  decode_all(of_vertices_);
 }
 
 void Obj_reader::material(const Material_line &line) {
@@ -277,11 +286,18 @@ void Obj_reader::material(const Material_line &line) {
     material_ = materials_.find(line.names);
 }
 
+/* What the material does not say, the vertices may. */
 void Obj_reader::face(const uint32_t *corners, size_t n) {
-  float rgb[3];
-  builder_.face(corners, n,
-                material_ ? material_->data()
-                          : mean_colour(vertex_rgb_, corners, n, rgb));
+  Rgba mean;
+  const Rgba *look = mean_colour(of_vertices_, corners, n, &mean);
+  if (material_ && material_->has_colour) {
+    look = &material_->look;
+    builder_.face(corners, n, look);
+    return;
+  }
+  builder_.face(corners, n, look);
+  if (material_)
+    builder_.opacity(material_->look[3]);
 }
 
 void Obj_reader::give(const Block &block) {

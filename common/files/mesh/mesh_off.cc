@@ -2,16 +2,20 @@
 // Reads .off files.
 //
 // Source      Geomview manual, "OFF: Object File Format"
-// Departures  one vertex or face a line, a header word, and neither the binary
-//             form nor other dimensions than 3.
+// Colours     of vertices, 0..1, or 0..255 if any is above 1; of faces, 0..255 if
+//             all their numbers are integers, else 0..1. A fourth number is an
+//             opacity. One number is an index into a map that is not part of the
+//             file: it is passed over, with a note.
+// Departures  one vertex or face a line of a text; a header word; no other
+//             dimensions than 3.
 // Method      where several threads read, the lines of each block of the text
 //             are counted, so each knows which of them are vertices, and which.
 //             Then all are read at once, and their faces are given in order.
-// Memory      4 bytes a corner and a face, and 12 a face that has a colour,
-//             beside the file and the object
+// Memory      4 bytes a corner and a face, and 16 a face or vertex that has a
+//             colour, beside the file and the object
 #include "common/files/mesh/mesh_blocks.h"
+#include "common/files/mesh/mesh_colours.h"
 #include "common/files/mesh/mesh_text.h"
-#include "common/files/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -26,12 +30,16 @@ constexpr Text_style STYLE = {'#', false};
 struct Header {
   size_t n_vertices = 0, n_faces = 0;
   bool has_texture = false, has_colour = false, has_normal = false;
-  bool homogeneous = false;
+  bool homogeneous = false, binary = false;
+
+  /* Numbers of a vertex: coordinates; then normal; colour; texture. */
+  size_t dimension() const { return homogeneous ? 4 : 3; }
+  size_t before_colour() const { return dimension() * (has_normal ? 2 : 1); }
+  size_t after_colour() const { return has_texture ? homogeneous ? 3 : 2 : 0; }
 };
 
-/* [ST][C][N][4]OFF */
-void read_keyword(Text &text, Header &header) {
-  const Word word = text.word();
+/* [ST][C][N][4][n]OFF, and perhaps the first number close behind. */
+void read_keyword(Text &text, Word word, Header &header, Word &behind) {
   Word rest = word;
   const auto take = [&rest](Word prefix) {
     const bool there = rest.substr(0, prefix.size()) == prefix;
@@ -43,9 +51,12 @@ void read_keyword(Text &text, Header &header) {
   header.has_colour = take("C");
   header.has_normal = take("N");
   header.homogeneous = take("4");
-  if (rest == "nOFF")
+  if (rest.substr(0, 4) == "nOFF")
     text.refuse("nOFF, of any number of dimensions, is not read");
-  if (rest != "OFF")
+  const bool is_off = take("OFF");
+  behind = rest;
+  long long unused;
+  if (!is_off || (!behind.empty() && !read_integer(behind, unused)))
     text.refuse("the file starts with '%s', not with OFF",
                 shown_word(word).c_str());
 }
@@ -59,17 +70,24 @@ size_t read_count(const Text &text, Word word, const char *what) {
   return static_cast<size_t>(n);
 }
 
-/* Leaves `text` at the start of the line after the header. */
+/* Leaves `text` at the start of the line after the header; of a binary file, at
+ * its counts. */
 Header read_header(const Mesh_file &file, Text &text) {
   Header header;
+  Word first;
   if (!text.next_line())
     file.refuse(0, "holds nothing but white space and comments");
-  read_keyword(text, header);
-  if (!text.more_in_text())
-    text.refuse("the file ends before the number of vertices");
-  const Word first = text.word();
-  if (first == "BINARY")
-    text.refuse("binary OFF is not read");
+  read_keyword(text, text.word(), header, first);
+  if (first.empty()) {
+    if (!text.more_in_text())
+      text.refuse("the file ends before the number of vertices");
+    first = text.word();
+  }
+  header.binary = first == "BINARY";
+  if (header.binary) {
+    text.pass_line();
+    return header;
+  }
   header.n_vertices = read_count(text, first, "vertices");
   header.n_faces = read_count(text, text.word(), "faces");
   if (text.more())
@@ -86,13 +104,33 @@ Header read_header(const Mesh_file &file, Text &text) {
   return header;
 }
 
+/* ---- Colours ---- */
+
+/* Of a face: three or four numbers. */
+Rgba face_colour(const double *value, size_t n, bool integers) {
+  Rgba encoded{0, 0, 0, NO_OPACITY};
+  for (size_t k = 0; k < n; k++)
+    encoded[k] = static_cast<float>(value[k] / (integers ? 255 : 1));
+  return rgba_of_file(encoded);
+}
+
+constexpr Rgba NO_COLOUR = {0, 0, 0, NO_OPACITY};
+
+void note_map(Mesh_builder &builder, size_t n) {
+  if (n)
+    builder.note(std::to_string(n) + (n > 1 ? " faces have" : " face has") +
+                 " the number of a colour in a map, which is passed over");
+}
+
 /* ---- The lines of a block ---- */
 
 struct Block {
   const char *begin, *end;
   size_t n_lines = 0, first_line = 0;
   std::vector<uint32_t> corners, sizes; /* of its faces */
-  std::vector<float> rgb;               /* of its first faces that have one */
+  std::vector<Rgba> looks;       /* of its faces up to the last that has one */
+  std::vector<Rgba> of_vertices; /* as they stand */
+  size_t n_in_map = 0;           /* faces with the number of a colour */
 };
 
 class Block_reader {
@@ -119,23 +157,26 @@ private:
 };
 
 void Block_reader::vertex(size_t v) {
-  const size_t h = header_.homogeneous, dimension = 3 + h;
-  std::array<double, 4> coordinate{0, 0, 0, 1};
+  constexpr size_t MOST = 4 + 4 + 4 + 3;
+  const size_t before = header_.before_colour();
+  const size_t without = before + header_.after_colour();
+  std::array<double, MOST> value{};
   size_t n = 0;
   for (; text_.more(); n++) {
-    const double value = text_.any_real("vertex", v);
-    if (n < dimension)
-      coordinate[n] = value;
+    const double number = text_.any_real("vertex", v);
+    if (n < MOST)
+      value[n] = number;
   }
-  const size_t least = dimension + (header_.has_normal ? 3 + h : 0) +
-                       (header_.has_texture ? 2 + h : 0);
-  if (n != least && !(header_.has_colour && n > least && n <= least + 4))
-    text_.refuse("vertex %zu has %zu numbers, not %zu", v, n, least);
-  for (size_t k = 0; k < 3; k++) {
-    if (h)
-      coordinate[k] /= coordinate[3];
-    xyz_[3 * v + k] = coordinate[k];
-  }
+  if (n != without && !(header_.has_colour && n > without && n <= without + 4))
+    text_.refuse("vertex %zu has %zu numbers, not %zu", v, n, without);
+  for (size_t k = 0; k < 3; k++)
+    xyz_[3 * v + k] = value[k] / (header_.homogeneous ? value[3] : 1);
+  if (n < without + 3)
+    return;
+  const double *colour = value.data() + before;
+  block_.of_vertices.push_back(
+      {float(colour[0]), float(colour[1]), float(colour[2]),
+       n == without + 4 ? float(colour[3]) : NO_OPACITY});
 }
 
 uint32_t Block_reader::corner(size_t f) {
@@ -169,9 +210,7 @@ void Block_reader::face(size_t f) {
   block_.sizes.push_back(static_cast<uint32_t>(n));
 }
 
-/* Three or four numbers, 0..255 if all are integers, else 0..1; one number is
- * an index into a map that is not part of the file. Colours are kept if all
- * faces have one. */
+/* The numbers behind the corners. */
 void Block_reader::colour(size_t f) {
   std::array<double, 4> value{};
   size_t n = 0;
@@ -191,13 +230,11 @@ void Block_reader::colour(size_t f) {
     text_.refuse("face %zu has %zu numbers after its vertices, which are no "
                  "colour",
                  f, n);
-  if (n < 3 || block_.rgb.size() != 3 * block_.sizes.size())
+  block_.n_in_map += n == 1;
+  if (n < 3)
     return;
-  for (size_t k = 0; k < 3; k++) {
-    const double encoded = value[k] / (integers ? 255 : 1);
-    block_.rgb.push_back(hsr_srgb_decode(
-        static_cast<float>(std::min(std::max(encoded, 0.0), 1.0))));
-  }
+  block_.looks.resize(block_.sizes.size(), NO_COLOUR);
+  block_.looks.push_back(face_colour(value.data(), n, integers));
 }
 
 size_t Block_reader::read() {
@@ -245,26 +282,41 @@ bool count_lines(const Mesh_file &file, const Header &header, int threads,
   return n_lines == header.n_vertices + header.n_faces;
 }
 
-void give(const std::vector<Block> &blocks, Mesh_builder &builder) {
-  bool coloured = true;
+/* The colours of vertices, if all have one. */
+std::vector<Rgba> colours_of(std::vector<Block> &blocks, size_t n_vertices) {
+  std::vector<Rgba> all;
   for (const Block &block : blocks)
-    coloured = coloured && block.rgb.size() == 3 * block.sizes.size();
+    all.insert(all.end(), block.of_vertices.begin(), block.of_vertices.end());
+  if (all.size() != n_vertices)
+    return {};
+  decode_all(all);
+  return all;
+}
+
+/* A face has its own colour, or that of its vertices. */
+void give(std::vector<Block> &blocks, size_t n_vertices,
+          Mesh_builder &builder) {
+  const std::vector<Rgba> of_vertices = colours_of(blocks, n_vertices);
+  size_t n_in_map = 0;
   for (const Block &block : blocks) {
     const uint32_t *corners = block.corners.data();
+    n_in_map += block.n_in_map;
     for (size_t f = 0; f < block.sizes.size(); f++) {
-      builder.face(corners, block.sizes[f],
-                   coloured ? &block.rgb[3 * f] : nullptr);
+      Rgba mean;
+      const bool has_own =
+          f < block.looks.size() && block.looks[f][3] != NO_OPACITY;
+      builder.face(
+          corners, block.sizes[f],
+          has_own ? &block.looks[f]
+                  : mean_colour(of_vertices, corners, block.sizes[f], &mean));
       corners += block.sizes[f];
     }
   }
+  note_map(builder, n_in_map);
 }
 
-} // namespace
-
-void off_read(Mesh_file &file, Mesh_builder &builder) {
-  make_plain_text(file);
-  Text text(file, STYLE);
-  const Header header = read_header(file, text);
+void read_text(const Mesh_file &file, const Text &text, const Header &header,
+               Mesh_builder &builder) {
   builder.reserve(header.n_vertices, header.n_faces);
   double *const xyz = builder.vertices(header.n_vertices);
   const auto read = [&](Block &block) {
@@ -273,7 +325,7 @@ void off_read(Mesh_file &file, Mesh_builder &builder) {
     if (block.end == file.end)
       reader.refuse_end(line);
   };
-  const std::vector<Block> blocks = read_blocks<Block>(
+  std::vector<Block> blocks = read_blocks<Block>(
       builder.threads(), text.at(), file.end,
       [](const char *, const char *) { return true; },
       [&](std::vector<Block> &all) {
@@ -281,7 +333,135 @@ void off_read(Mesh_file &file, Mesh_builder &builder) {
       },
       read);
   builder.took_vertices(header.n_vertices);
-  give(blocks, builder);
+  give(blocks, header.n_vertices, builder);
+}
+
+/* ---- Binary ---- */
+
+/* Integers and floats of 32 bits, the highest byte first. */
+class Binary_reader {
+public:
+  Binary_reader(const Mesh_file &file, const char *at, const Header &header,
+                Mesh_builder &builder)
+      : file_(file), at_(at), header_(header), builder_(builder) {}
+  void read();
+
+private:
+  double number(bool is_real);
+  size_t count(const char *what);
+  void vertex();
+  void face(size_t f);
+
+  const Mesh_file &file_;
+  const char *at_;
+  Header header_;
+  Mesh_builder &builder_;
+  std::vector<uint32_t> corners_;
+  std::vector<Rgba> of_vertices_;
+  size_t n_in_map_ = 0;
+};
+
+double Binary_reader::number(bool is_real) {
+  const Number_type type = {4, is_real, INT32_MIN, INT32_MAX};
+  if (file_.end - at_ < 4)
+    file_.refuse(0, "the file ends before its last face");
+  at_ += 4;
+  return type.of_bytes(at_ - 4, true);
+}
+
+size_t Binary_reader::count(const char *what) {
+  const double n = number(false);
+  if (n < 0 || n > double(file_.end - at_) / 4)
+    file_.refuse(0,
+                 "%.0f %s are claimed, more than the %zu bytes that follow "
+                 "can hold",
+                 n, what, static_cast<size_t>(file_.end - at_));
+  return static_cast<size_t>(n);
+}
+
+void Binary_reader::vertex() {
+  double place[4] = {0, 0, 0, 1};
+  Rgba look;
+  for (size_t k = 0; k < header_.dimension(); k++)
+    place[k] = number(true);
+  for (size_t k = header_.dimension(); k < header_.before_colour(); k++)
+    number(true);
+  for (size_t k = 0; k < 4 && header_.has_colour; k++)
+    look[k] = static_cast<float>(number(true));
+  for (size_t k = 0; k < header_.after_colour(); k++)
+    number(true);
+  builder_.vertex(place[0] / place[3], place[1] / place[3],
+                  place[2] / place[3]);
+  if (header_.has_colour)
+    of_vertices_.push_back(look);
+}
+
+void Binary_reader::face(size_t f) {
+  const size_t n = count("corners of a face");
+  corners_.clear();
+  for (size_t k = 0; k < n; k++) {
+    const double v = number(false);
+    if (v < 0 || v >= double(header_.n_vertices))
+      file_.refuse(0, "face %zu names vertex %.0f of %zu", f, v,
+                   header_.n_vertices);
+    corners_.push_back(static_cast<uint32_t>(v));
+  }
+  const size_t n_numbers = count("numbers of a colour");
+  if (n_numbers == 2 || n_numbers > 4)
+    file_.refuse(0,
+                 "face %zu has %zu numbers after its vertices, which are no "
+                 "colour",
+                 f, n_numbers);
+  double value[4];
+  for (size_t k = 0; k < n_numbers; k++)
+    value[k] = number(n_numbers > 1);
+  n_in_map_ += n_numbers == 1;
+  Rgba look;
+  if (n_numbers >= 3) {
+    look = face_colour(value, n_numbers, false);
+    builder_.face(corners_.data(), n, &look);
+  } else {
+    builder_.face(corners_.data(), n,
+                  mean_colour(of_vertices_, corners_.data(), n, &look));
+  }
+}
+
+void Binary_reader::read() {
+  header_.n_vertices = count("vertices");
+  header_.n_faces = count("faces");
+  number(false); /* of edges */
+  for (size_t v = 0; v < header_.n_vertices; v++)
+    vertex();
+  decode_all(of_vertices_);
+  for (size_t f = 0; f < header_.n_faces; f++)
+    face(f);
+  note_map(builder_, n_in_map_);
+  if (at_ != file_.end)
+    builder_.note(std::to_string(file_.end - at_) +
+                  " bytes after the last face passed over");
+}
+
+/* Whether the first line of a file says so. */
+bool is_binary(const Mesh_file &file) {
+  constexpr Word BINARY = "OFF BINARY";
+  const size_t n = std::min(file.size(), size_t{80});
+  const Word line(file.begin, static_cast<size_t>(
+                                  std::find(file.begin, file.begin + n, '\n') -
+                                  file.begin));
+  return line.find(BINARY) != Word::npos;
+}
+
+} // namespace
+
+void off_read(Mesh_file &file, Mesh_builder &builder) {
+  if (!is_binary(file))
+    make_plain_text(file);
+  Text text(file, STYLE);
+  const Header header = read_header(file, text);
+  if (header.binary)
+    Binary_reader(file, text.at(), header, builder).read();
+  else
+    read_text(file, text, header, builder);
 }
 
 } // namespace hsr

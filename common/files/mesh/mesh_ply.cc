@@ -2,11 +2,15 @@
 // Reads the .ply files, text and binary, that mesh_ply_plain.cc does not read.
 //
 // Source      see mesh_ply_header.h
-// Departures  a text has one element a line. Colours are bytes, red, green and
-//             blue, or r, g and b; others are passed over.
+// Colours     red, green, blue and alpha, or r, g, b and a. Bytes and 16 bits
+//             mean 0 to 1; other integers are 0..255, and real numbers 0..1.
+// Strips      each vertex after the second makes a triangle with the two before
+//             it, the second and every other one turned. A negative number ends
+//             the strip. A triangle with a vertex twice only joins two strips.
+// Departures  a text has one element a line
 // Cost        each value is read once
+#include "common/files/mesh/mesh_colours.h"
 #include "common/files/mesh/mesh_ply_header.h"
-#include "common/files/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -130,123 +134,127 @@ double Binary_source::value(const Type &type) {
 
 /* ---- Elements ---- */
 
-constexpr size_t NONE = SIZE_MAX;
+constexpr size_t NONE = ply::Header::NONE;
 
-/* Which properties of an element have three names; NONE if they are not all
- * there. */
-struct Three {
-  std::array<size_t, 3> at{NONE, NONE, NONE};
+/* Where an element has a property that is one number; NONE: nowhere. */
+size_t find_number(const Element &element, Word name) {
+  const Property *found = find_property(element, name);
+  return found && !found->count_type
+             ? static_cast<size_t>(found - &element.properties[0])
+             : NONE;
+}
+
+/* The properties of an element that are a colour, and perhaps an opacity. */
+class Colours {
+public:
+  explicit Colours(const Element &element) {
+    for (const auto &names :
+         {std::array<Word, 4>{"red", "green", "blue", "alpha"},
+          std::array<Word, 4>{"r", "g", "b", "a"}}) {
+      for (size_t k = 0; k < 4; k++)
+        at_[k] = find_number(element, names[k]);
+      there = at_[0] != NONE && at_[1] != NONE && at_[2] != NONE;
+      if (there)
+        break;
+    }
+    for (size_t k = 0; k < 4 && there; k++)
+      if (at_[k] != NONE)
+        most_[k] = most_of(*element.properties[at_[k]].type);
+  }
+
+  /* As the file encodes it, 0..1. */
+  Rgba encoded(const std::vector<double> &values) const {
+    Rgba rgba{0, 0, 0, NO_OPACITY};
+    for (size_t k = 0; k < 4; k++)
+      if (at_[k] != NONE)
+        rgba[k] = static_cast<float>(std::max(values[at_[k]], 0.0) / most_[k]);
+    return rgba;
+  }
+
   bool there = false;
 
-  Three(const Element &element, std::array<Word, 3> names, bool bytes) {
-    for (size_t p = 0; p < element.properties.size(); p++)
-      for (size_t k = 0; k < 3; k++) {
-        const Property &property = element.properties[p];
-        const Type &type = *property.type;
-        if (property.name == names[k] && !property.count_type &&
-            (!bytes || (type.size == 1 && type.most == 255)))
-          at[k] = p;
-      }
-    there = at[0] != NONE && at[1] != NONE && at[2] != NONE;
+private:
+  static double most_of(const Type &type) {
+    return type.is_real ? 1 : type.size == 2 ? type.most : 255;
   }
-};
 
-Three colours_of(const Element &element) {
-  const Three whole(element, {"red", "green", "blue"}, true);
-  return whole.there ? whole : Three(element, {"r", "g", "b"}, true);
-}
+  std::array<size_t, 4> at_{};
+  std::array<double, 4> most_{1, 1, 1, 1};
+};
 
 template <class Source> class Reader {
 public:
   Reader(const ply::Header &header, Source source, Mesh_builder &builder)
-      : header_(header), source_(source), builder_(builder) {
-    for (size_t byte = 0; byte < linear_.size(); byte++)
-      linear_[byte] = hsr_srgb_decode(static_cast<float>(byte) / 255.0f);
-  }
+      : header_(header), source_(source), builder_(builder) {}
   void read();
 
 private:
-  void values(const Element &element, size_t number, bool is_face);
-  void list(const Property &property, size_t number, bool is_face);
-  void indices(const Type &type, size_t n, size_t face);
+  void values(const Element &element, size_t number, const Property *list);
+  void indices(const Property &property, size_t number);
+  void add_face(size_t number);
+  void add_strip(size_t number);
+  void end_face(const Rgba *look);
   void vertices(const Element &element);
   void faces(const Element &element);
+  void strips(const Element &element);
   void others(const Element &element);
-  void colour(const Three &colours, float rgb[3]) const;
   void give();
 
   const ply::Header &header_;
   Source source_;
   Mesh_builder &builder_;
   std::vector<double> value_;     /* of the current element, by property */
+  std::vector<double> list_;      /* its list of vertex numbers */
   std::vector<uint32_t> corners_; /* of faces that are not given yet */
   std::vector<size_t> ends_;      /* where each of these ends in corners_ */
-  std::vector<float> face_rgb_;   /* of each of these; or empty */
-  std::vector<float> vertex_rgb_; /* of all vertices; or empty */
+  std::vector<Rgba> of_faces_;    /* of each of these; or empty */
+  std::vector<Rgba> of_vertices_; /* of all vertices; or empty */
   bool has_vertices_ = false;     /* they are given */
   bool has_one_sided_ = false, has_two_sided_ = false; /* faces */
-  std::array<float, 256> linear_; /* of a byte of a colour */
 };
 
 template <class Source>
-void Reader<Source>::indices(const Type &type, size_t n, size_t face) {
-  const size_t n_vertices = header_.elements[header_.vertices].n;
-  const size_t first = corners_.size();
-  for (size_t k = 0; k < n; k++) {
-    const double v = source_.value(type);
-    if (v < 0 || v >= static_cast<double>(n_vertices))
-      source_.refuse("face %zu names vertex %.0f of %zu", face, v, n_vertices);
-    corners_.push_back(static_cast<uint32_t>(v));
-  }
-  const char *fault =
-      builder_.strict() ? face_fault(corners_.data() + first, n) : nullptr;
-  if (fault)
-    source_.refuse("face %zu %s", face, fault);
-}
-
-template <class Source>
-void Reader<Source>::list(const Property &property, size_t number,
-                          bool is_face) {
+void Reader<Source>::indices(const Property &property, size_t number) {
   const double n = source_.value(*property.count_type);
   if (n < 0)
     source_.refuse("element %zu has a list of length %.0f", number, n);
-  if (is_face && property.name == header_.index_list)
-    indices(*property.type, static_cast<size_t>(n), number);
-  else
-    source_.skip(*property.type, static_cast<size_t>(n));
+  list_.clear();
+  for (double k = 0; k < n; k++)
+    list_.push_back(source_.value(*property.type));
 }
 
+/* The values of an element, and one of its lists; the others are passed over. */
 template <class Source>
 void Reader<Source>::values(const Element &element, size_t number,
-                            bool is_face) {
+                            const Property *list) {
   source_.start(element, number);
   for (size_t p = 0; p < element.properties.size(); p++) {
     const Property &property = element.properties[p];
-    if (property.count_type)
-      list(property, number, is_face);
-    else
+    if (!property.count_type) {
       value_[p] = source_.value(*property.type);
+    } else if (&property == list) {
+      indices(property, number);
+    } else {
+      const double n = source_.value(*property.count_type);
+      if (n < 0)
+        source_.refuse("element %zu has a list of length %.0f", number, n);
+      source_.skip(*property.type, static_cast<size_t>(n));
+    }
   }
   source_.finish();
 }
 
-template <class Source>
-void Reader<Source>::colour(const Three &colours, float rgb[3]) const {
-  for (size_t k = 0; k < 3; k++)
-    rgb[k] = linear_[static_cast<size_t>(value_[colours.at[k]])];
-}
-
 template <class Source> void Reader<Source>::vertices(const Element &element) {
-  const Three place(element, {"x", "y", "z"}, false);
-  const Three colours = colours_of(element);
+  const size_t at[3] = {find_number(element, "x"), find_number(element, "y"),
+                        find_number(element, "z")};
+  const Colours colours(element);
   if (colours.there)
-    vertex_rgb_.resize(3 * element.n);
+    of_vertices_.reserve(element.n);
   for (size_t v = 0; v < element.n; v++) {
-    values(element, v, false);
-    builder_.vertex(value_[place.at[0]], value_[place.at[1]],
-                    value_[place.at[2]]);
+    values(element, v, nullptr);
+    builder_.vertex(value_[at[0]], value_[at[1]], value_[at[2]]);
     if (colours.there)
-      colour(colours, &vertex_rgb_[3 * v]);
+      of_vertices_.push_back(rgba_of_file(colours.encoded(value_)));
   }
   has_vertices_ = true;
   give();
@@ -257,34 +265,54 @@ template <class Source> void Reader<Source>::give() {
   for (size_t f = 0, first = 0; f < ends_.size(); first = ends_[f++]) {
     const uint32_t *corners = corners_.data() + first; /* of none, too */
     const size_t n = ends_[f] - first;
-    float rgb[3];
+    Rgba mean;
     builder_.face(corners, n,
-                  face_rgb_.empty() ? mean_colour(vertex_rgb_, corners, n, rgb)
-                                    : &face_rgb_[3 * f]);
+                  of_faces_.empty()
+                      ? mean_colour(of_vertices_, corners, n, &mean)
+                      : &of_faces_[f]);
   }
   corners_.clear();
   ends_.clear();
-  face_rgb_.clear();
+  of_faces_.clear();
 }
 
 /* Faces that come before the vertices wait for them. */
+template <class Source> void Reader<Source>::end_face(const Rgba *look) {
+  ends_.push_back(corners_.size());
+  if (look)
+    of_faces_.push_back(*look);
+  if (has_vertices_)
+    give();
+}
+
+/* The face in list_. */
+template <class Source> void Reader<Source>::add_face(size_t number) {
+  const size_t n_vertices = header_.elements[header_.vertices].n;
+  const size_t first = corners_.size();
+  for (const double v : list_) {
+    if (v < 0 || v >= static_cast<double>(n_vertices))
+      source_.refuse("face %zu names vertex %.0f of %zu", number, v,
+                     n_vertices);
+    corners_.push_back(static_cast<uint32_t>(v));
+  }
+  const char *fault = builder_.strict()
+                          ? face_fault(corners_.data() + first, list_.size())
+                          : nullptr;
+  if (fault)
+    source_.refuse("face %zu %s", number, fault);
+}
+
 template <class Source> void Reader<Source>::faces(const Element &element) {
-  const Three colours = colours_of(element);
-  const Property *sides = find_property(element, "one_sided");
-  const size_t side = sides && !sides->count_type
-                          ? static_cast<size_t>(sides - &element.properties[0])
-                          : NONE;
+  const Colours colours(element);
+  const size_t side = find_number(element, "one_sided");
   for (size_t f = 0; f < element.n; f++) {
-    values(element, f, true);
+    values(element, f, header_.of_face);
     if (side != NONE)
       (value_[side] != 0 ? has_one_sided_ : has_two_sided_) = true;
-    ends_.push_back(corners_.size());
-    if (colours.there) {
-      face_rgb_.resize(3 * ends_.size());
-      colour(colours, &face_rgb_[3 * ends_.size() - 3]);
-    }
-    if (has_vertices_)
-      give();
+    add_face(f);
+    const Rgba look =
+        colours.there ? rgba_of_file(colours.encoded(value_)) : Rgba{};
+    end_face(colours.there ? &look : nullptr);
   }
   if (has_one_sided_ && has_two_sided_)
     builder_.note("'one_sided' is passed over: it differs between faces, and "
@@ -293,20 +321,58 @@ template <class Source> void Reader<Source>::faces(const Element &element) {
     builder_.set_one_sided(has_one_sided_);
 }
 
+/* The strip in list_, or several. */
+template <class Source> void Reader<Source>::add_strip(size_t number) {
+  const size_t n_vertices = header_.elements[header_.vertices].n;
+  size_t n = 0; /* vertices of the strip so far */
+  for (size_t k = 0; k < list_.size(); k++) {
+    n = list_[k] < 0 ? 0 : n + 1;
+    if (list_[k] >= static_cast<double>(n_vertices))
+      source_.refuse("strip %zu names vertex %.0f of %zu", number, list_[k],
+                     n_vertices);
+    if (n < 3)
+      continue;
+    uint32_t corner[3];
+    for (size_t c = 0; c < 3; c++)
+      corner[c] = static_cast<uint32_t>(list_[k - 2 + c]);
+    if (n % 2 == 0)
+      std::swap(corner[0], corner[1]);
+    if (corner[0] == corner[1] || corner[1] == corner[2] ||
+        corner[2] == corner[0])
+      continue;
+    corners_.insert(corners_.end(), corner, corner + 3);
+    end_face(nullptr);
+  }
+}
+
+template <class Source> void Reader<Source>::strips(const Element &element) {
+  for (size_t s = 0; s < element.n; s++) {
+    values(element, s, header_.of_strip);
+    add_strip(s);
+  }
+}
+
 template <class Source> void Reader<Source>::others(const Element &element) {
   for (size_t number = 0; number < element.n; number++)
-    values(element, number, false);
+    values(element, number, nullptr);
+  if (element.n)
+    builder_.note(std::to_string(element.n) + " element" +
+                  (element.n > 1 ? "s '" : " '") + shown_word(element.name) +
+                  "' passed over");
 }
 
 template <class Source> void Reader<Source>::read() {
   const std::vector<Element> &elements = header_.elements;
-  builder_.reserve(elements[header_.vertices].n, elements[header_.faces].n);
+  builder_.reserve(elements[header_.vertices].n,
+                   header_.of_face ? elements[header_.faces].n : 0);
   for (size_t e = 0; e < elements.size(); e++) {
     value_.assign(elements[e].properties.size(), 0);
     if (e == header_.vertices)
       vertices(elements[e]);
     else if (e == header_.faces)
       faces(elements[e]);
+    else if (e == header_.strips)
+      strips(elements[e]);
     else
       others(elements[e]);
   }

@@ -72,6 +72,8 @@ void Header::element() {
     note(vertices, "vertices");
   else if (name == "face" || name == "faces")
     note(faces, "faces");
+  else if (name == "tristrips")
+    note(strips, "strips");
   elements.push_back({name, static_cast<size_t>(n), {}});
 }
 
@@ -123,22 +125,25 @@ void Header::check_vertices() const {
   }
 }
 
-void Header::check_faces() {
-  if (faces == NONE)
-    text_.refuse("there is no element 'face'");
+/* The list of vertex numbers of an element of faces or strips. */
+const Property *Header::find_list(size_t which, const char *what) const {
+  const Property *list = nullptr;
+  if (which == NONE)
+    return nullptr;
   for (Word name : {"vertex_indices", "vertex_index"}) {
-    const Property *found = find_property(elements[faces], name);
+    const Property *found = find_property(elements[which], name);
     if (!found)
       continue;
-    if (!index_list.empty())
-      text_.refuse("faces have two lists of vertices");
+    if (list)
+      text_.refuse("%s have two lists of vertices", what);
     if (!found->count_type || found->type->is_real)
-      text_.refuse("the property '%s' of faces is not a list of integers",
-                   name.data());
-    index_list = found->name;
+      text_.refuse("the property '%s' of %s is not a list of integers",
+                   name.data(), what);
+    list = found;
   }
-  if (index_list.empty())
-    text_.refuse("faces have no property 'vertex_indices'");
+  if (!list)
+    text_.refuse("%s have no property 'vertex_indices'", what);
+  return list;
 }
 
 /* A header claims no more than the file can hold. */
@@ -181,7 +186,10 @@ void Header::read() {
   text_.pass_line();
   check_sizes();
   check_vertices();
-  check_faces();
+  of_face = find_list(faces, "faces");
+  of_strip = find_list(strips, "strips");
+  if (!of_face && !of_strip)
+    text_.refuse("there is no element 'face' or 'tristrips'");
 }
 
 } // namespace hsr::ply

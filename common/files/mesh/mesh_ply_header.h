@@ -32,8 +32,9 @@ enum class Format { text, little_endian, big_endian };
 const Property *find_property(const Element &element, Word name);
 
 /* Reads and checks the header of a file. A good header claims no more than the
- * file can hold, has vertices with coordinates, and has faces with one list of
- * vertex numbers. Any other is refused: read() throws Refused. */
+ * file can hold, has vertices with coordinates, and has faces, strips of
+ * triangles (element "tristrips"), or both, with one list of vertex numbers each.
+ * Any other is refused: read() throws Refused. */
 class Header {
 public:
   explicit Header(const Mesh_file &file)
@@ -42,14 +43,15 @@ public:
 
   Format format = Format::text;
   std::vector<Element> elements;
-  size_t vertices = NONE, faces = NONE; /* their indices in elements[] */
-  Word index_list; /* the name of a face's list of vertex numbers */
+  static constexpr size_t NONE = SIZE_MAX;
+  /* Their indices in elements[], or NONE. */
+  size_t vertices = NONE, faces = NONE, strips = NONE;
+  /* The lists of vertex numbers, of a face and of a strip, or NULL. */
+  const Property *of_face = nullptr, *of_strip = nullptr;
   /* The text, which is behind the header once that is read. */
   Text &text() { return text_; }
 
 private:
-  static constexpr size_t NONE = SIZE_MAX;
-
   Word word(const char *what);
   const Type *type();
   void next_line();
@@ -58,7 +60,7 @@ private:
   void property();
   void note(size_t &which, const char *what);
   void check_vertices() const;
-  void check_faces();
+  const Property *find_list(size_t which, const char *what) const;
   void check_sizes() const;
 
   const Mesh_file &file_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the .ply files that most programs write for large meshes: binary, of
-// two elements, vertices whose properties are all real numbers, and triangles
-// with nothing but their vertex numbers. All records of an element have one
+// two elements, vertices whose properties are all real numbers, with no colours
+// among them, and triangles with nothing but their vertex numbers. All records of an element have one
 // size, so threads share them.
 #include "common/base/share.h"
 #include "common/files/mesh/mesh_ply_header.h"
@@ -103,8 +103,9 @@ size_t plain_size(const Header &header) {
   constexpr size_t MOST = UINT32_MAX / 3 - 1;
   const std::vector<Element> &elements = header.elements;
   if (header.format != Format::little_endian || elements.size() != 2 ||
-      header.vertices != 0 || elements[0].n > MOST || elements[1].n > MOST ||
-      elements[1].properties.size() != 1)
+      header.vertices != 0 || header.faces != 1 || elements[0].n > MOST ||
+      elements[1].n > MOST || elements[1].properties.size() != 1 ||
+      find_property(elements[0], "red") || find_property(elements[0], "r"))
     return 0;
   const Property &list = elements[1].properties[0];
   size_t size = 0;

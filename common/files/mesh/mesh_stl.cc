@@ -2,7 +2,14 @@
 // Reads .stl files, binary and text.
 //
 // Source      3D Systems, "StereoLithography Interface Specification"
-// Departures  of a text, keywords in any case, and several solids.
+// Colours     the last two bytes of a facet, in one of two ways. Magics writes
+//             "COLOR=" into the header, and behind it the colour of all facets
+//             in four bytes, red, green, blue and alpha. Facets whose highest
+//             bit is 0 have their own: 5 bits each of blue, green, red, the
+//             highest first. VisCAM and others write no such header. The highest
+//             bit is 1 where a facet has a colour: red, green, blue.
+// Departures  of a text, keywords in any case, and several solids. Bytes after
+//             the last facet are passed over, with a note.
 // Vertices    a file has no vertex numbers; mesh_corners.cc finds which corners
 //             are one vertex
 // Method      a text is cut into blocks before lines that begin a facet, which
@@ -54,7 +61,65 @@ size_t binary_facets(const Mesh_file &file) {
   return file.size() < HEADER + COUNT ? 0 : little_endian(file.begin + HEADER);
 }
 
-void read_binary(const Mesh_file &file, Mesh_builder &builder) {
+size_t binary_size(const Mesh_file &file) {
+  return HEADER + COUNT + TRIANGLE * binary_facets(file);
+}
+
+/* Five bits of a colour, from bit `first` on, encoded as 0..1. */
+float five_bits(unsigned bits, unsigned first) {
+  return static_cast<float>(bits >> first & 31) / 31;
+}
+
+/* Where the header has the colour of all facets, in four bytes; NULL: nowhere. */
+const char *find_common_colour(const Mesh_file &file) {
+  constexpr Word COLOUR = "COLOR=";
+  const size_t at = Word(file.begin, HEADER).find(COLOUR);
+  return at <= HEADER - COLOUR.size() - 4 ? file.begin + at + COLOUR.size()
+                                          : nullptr;
+}
+
+/* The last two bytes of a facet. */
+unsigned bits_of(const Mesh_file &file, uint32_t facet) {
+  const char *at = file.begin + HEADER + COUNT + TRIANGLE * facet + TRIANGLE;
+  return little_endian(at - 4) >> 16;
+}
+
+/* The first facet from `from` with any of these bits, or `to`. */
+uint32_t find_bits(void *context, uint32_t from, uint32_t to) {
+  const Mesh_file &file = *static_cast<const Mesh_file *>(context);
+  while (from < to && !bits_of(file, from))
+    from++;
+  return from;
+}
+
+/* The colours of n facets; none, if the file has none. */
+std::vector<Rgba> colours_of(Mesh_file &file, uint32_t n, int threads) {
+  const char *const common = find_common_colour(file);
+  const unsigned red = common ? 0 : 10, blue = common ? 10 : 0;
+  Rgba all{0, 0, 0, NO_OPACITY};
+  for (size_t k = 0; k < 4 && common; k++)
+    all[k] = static_cast<float>(static_cast<unsigned char>(common[k])) / 255;
+  if (common)
+    all = rgba_of_file(all);
+  /* Where no facet has any bit, none has a colour of its own. */
+  const bool have_own =
+      hsr_share_search(threads, n, RANGE, find_bits, &file) < n;
+  std::vector<Rgba> looks;
+  for (uint32_t f = 0; f < n && (common || have_own); f++) {
+    const unsigned bits = bits_of(file, f);
+    const bool has_own = have_own && (bits >> 15) != (common ? 1u : 0u);
+    looks.push_back(
+        has_own ? rgba_of_file({five_bits(bits, red), five_bits(bits, 5),
+                                five_bits(bits, blue), NO_OPACITY})
+                : all);
+  }
+  const bool any = std::any_of(looks.begin(), looks.end(), [](const Rgba &c) {
+    return c[3] != NO_OPACITY;
+  });
+  return any ? looks : std::vector<Rgba>();
+}
+
+void read_binary(Mesh_file &file, Mesh_builder &builder) {
   const size_t n = binary_facets(file);
   if (n > static_cast<size_t>(MOST_ELEMENTS))
     file.refuse(0, "%zu facets are more than can be read", n);
@@ -62,9 +127,19 @@ void read_binary(const Mesh_file &file, Mesh_builder &builder) {
   const uint32_t finite = hsr_share_search(builder.threads(), uint32_t(n),
                                            RANGE, find_infinite, first);
   builder.reserve(0, finite);
-  give_loose_triangles<float>({first, TRIANGLE, finite}, builder);
+  const std::vector<Rgba> looks = colours_of(file, finite, builder.threads());
+  give_loose_triangles<float>({first, TRIANGLE, finite},
+                              looks.empty() ? nullptr : &looks, builder);
   if (finite < n)
     file.refuse(0, "facet %u has a coordinate that is not finite", finite);
+  if (!looks.empty())
+    builder.note(find_common_colour(file)
+                     ? "colours are read as Magics writes them"
+                     : "colours are read as VisCAM writes them");
+  const size_t left = file.size() - binary_size(file);
+  if (left)
+    builder.note(std::to_string(left) + (left > 1 ? " bytes" : " byte") +
+                 " after the last facet passed over");
 }
 
 /* ---- Text ---- */
@@ -200,7 +275,7 @@ void read_text(const Mesh_file &file, Mesh_builder &builder) {
   builder.reserve(0, n);
   give_loose_triangles<double>({reinterpret_cast<const char *>(numbers.data()),
                                 NUMBERS * sizeof(double), n},
-                               builder);
+                               nullptr, builder);
 }
 
 bool starts_as_text(const Mesh_file &file) {
@@ -209,6 +284,16 @@ bool starts_as_text(const Mesh_file &file) {
       file.begin, file.end, [](unsigned char c) { return std::isspace(c); });
   return static_cast<size_t>(file.end - at) >= SOLID.size() &&
          is_keyword(Word(at, SOLID.size()), SOLID);
+}
+
+bool has_zero(const Mesh_file &file) {
+  const size_t n = std::min(file.size(), HEADER + COUNT + TRIANGLE);
+  return std::memchr(file.begin, '\0', n);
+}
+
+/* Whether the text is UTF-16, whose bytes may be 0. */
+bool is_wide(const Mesh_file &file) {
+  return file.begin[0] == '\xff' || file.begin[0] == '\xfe';
 }
 
 /* Throws what is wrong with a file that is neither binary nor a text. */
@@ -220,16 +305,26 @@ bool starts_as_text(const Mesh_file &file) {
                 HEADER + COUNT);
   const size_t n = binary_facets(file);
   file.refuse(0,
-              "is no STL: it does not start with 'solid', and %zu binary "
-              "facets take %zu bytes, not %zu",
-              n, HEADER + COUNT + TRIANGLE * n, file.size());
+              "is no STL: it is no text that starts with 'solid', and %zu "
+              "binary facets take %zu bytes, not %zu",
+              n, binary_size(file), file.size());
+}
+
+/* Whether it is binary: its size is right, or at least enough, and it is no text,
+ * though its header may begin with "solid". */
+bool is_binary(const Mesh_file &file) {
+  return file.size() == binary_size(file) ||
+         (binary_facets(file) && file.size() > binary_size(file) &&
+          !is_wide(file) && has_zero(file));
 }
 
 } // namespace
 
 void stl_read(Mesh_file &file, Mesh_builder &builder) {
-  if (file.size() == HEADER + COUNT + TRIANGLE * binary_facets(file))
+  if (is_binary(file))
     return read_binary(file, builder);
+  if (has_zero(file) && !is_wide(file))
+    refuse_any(file);
   make_plain_text(file);
   if (!starts_as_text(file))
     refuse_any(file);

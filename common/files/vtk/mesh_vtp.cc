@@ -269,7 +269,7 @@ void Vtp_reader::give_strip() {
   for (size_t k = 2; k < corners_.size(); k++) {
     const uint32_t triangle[3] = {corners_[k - 2], corners_[k - 1 + k % 2],
                                   corners_[k - k % 2]};
-    builder_.face(triangle, 3, nullptr);
+    builder_.face(triangle, 3);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/files/mesh/exchange.h"
 
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ namespace {
 /* An object that is read; empty if it is refused. What is said has no path. */
 struct Read {
   std::vector<double> xyz;
-  std::vector<float> rgb; /* of its faces */
+  std::vector<float> rgb;                 /* of its faces, if they differ */
+  std::vector<std::array<float, 4>> look; /* of each: colour and opacity */
   std::vector<uint32_t> start, vertex;
   uint64_t n_dropped = 0;
   std::string error, notes;
@@ -34,6 +36,10 @@ struct Read {
       vertex.assign(o.vertex, o.vertex + o.start[o.n_faces]);
       if (o.rgb)
         rgb.assign(o.rgb, o.rgb + 3 * size_t{o.n_faces});
+      for (uint32_t f = 0; f < o.n_faces; f++) {
+        const float *c = hsr_face_rgb(&o, f);
+        look.push_back({c[0], c[1], c[2], hsr_face_opacity(&o, f)});
+      }
       n_dropped = import.n_dropped;
       notes = import.notes;
     }
@@ -42,9 +48,10 @@ struct Read {
     forget(path, notes);
   }
   bool operator==(const Read &other) const {
-    return xyz == other.xyz && rgb == other.rgb && start == other.start &&
-           vertex == other.vertex && n_dropped == other.n_dropped &&
-           error == other.error && notes == other.notes;
+    return xyz == other.xyz && rgb == other.rgb && look == other.look &&
+           start == other.start && vertex == other.vertex &&
+           n_dropped == other.n_dropped && error == other.error &&
+           notes == other.notes;
   }
   static void forget(const std::string &path, std::string &text) {
     for (size_t at; (at = text.find(path)) != std::string::npos;)
