@@ -142,6 +142,8 @@ tap_scripts = \
   %D%/command/completion.test \
   %D%/command/examples.test \
   %D%/command/full.test \
+  %D%/command/gltf.test \
+  %D%/command/gltf_models.test \
   %D%/command/import.test \
   %D%/command/judge.test \
   %D%/command/outside.test \

@@ -220,11 +220,6 @@ static enum hsr_status add_points(struct export *e,
   return HSR_OK;
 }
 
-static unsigned char to_byte(float linear) {
-  return (unsigned char)lrintf(255 *
-                               fminf(fmaxf(hsr_srgb_encode(linear), 0), 1));
-}
-
 /* Of a world of pieces, all is said of their parents. */
 static enum hsr_status add_faces(struct export *e,
                                  const struct hsr_world *world,
@@ -234,9 +229,10 @@ static enum hsr_status add_faces(struct export *e,
   uint32_t *id = HSR_NEW(&e->arena, uint32_t, n);
   uint32_t *object = HSR_NEW(&e->arena, uint32_t, n);
   uint32_t *instance = HSR_NEW(&e->arena, uint32_t, n);
-  unsigned char *rgb = HSR_NEW(&e->arena, unsigned char, 3 * n);
+  unsigned char *bytes = HSR_NEW(&e->arena, unsigned char, 3 * n);
+  float *rgb = HSR_NEW(&e->arena, float, 3 * n);
   double *opacity = HSR_NEW(&e->arena, double, n);
-  if (!id || !object || !instance || !rgb || !opacity)
+  if (!id || !object || !instance || !bytes || !rgb || !opacity)
     return hsr_fail_nomem(err);
   for (uint32_t f = 0; f < n; f++) {
     id[f] = hsr_world_parent(world, f);
@@ -246,12 +242,13 @@ static enum hsr_status add_faces(struct export *e,
     object[f] = e->scene->instances[place.instance].object;
     opacity[f] = (double)hsr_face_opacity(place.object, place.face);
     for (size_t k = 0; k < 3; k++)
-      rgb[3 * f + k] = to_byte(colour[k]);
+      bytes[3 * f + k] = hsr_srgb_byte(rgb[3 * f + k] = colour[k]);
   }
   add_data(cells, "id", HSR_CELL_NUMBERS, id);
   add_data(cells, "object", HSR_CELL_NUMBERS, object);
   add_data(cells, "instance", HSR_CELL_NUMBERS, instance);
-  add_data(cells, "colour", HSR_CELL_COLOURS, rgb);
+  add_data(cells, "colour", HSR_CELL_COLOURS, bytes);
+  add_data(cells, "rgb", HSR_CELL_RGB, rgb);
   add_data(cells, "opacity", HSR_CELL_REALS, opacity);
   return HSR_OK;
 }
@@ -300,7 +297,8 @@ static enum hsr_status write_shape(struct export *e, struct hsr_error *err) {
 }
 
 static bool is_scene_file(const char *path) {
-  return hsr_ends_in(path, ".obj") || hsr_ends_in(path, ".glb");
+  return hsr_ends_in(path, ".obj") || hsr_ends_in(path, ".ply") ||
+         hsr_ends_in(path, ".glb");
 }
 
 static enum hsr_status check(const struct options *o, struct hsr_error *err) {
@@ -341,6 +339,17 @@ static enum hsr_status open_world(struct export *e,
   return status;
 }
 
+/* The most by which a coordinate changes that becomes a float. */
+static double float_change(const struct hsr_mesh *mesh) {
+  double most = 0;
+  for (uint32_t v = 0; v < mesh->n_vertices; v++) {
+    most = fmax(most, fabs(mesh->x[v] - (double)(float)mesh->x[v]));
+    most = fmax(most, fabs(mesh->y[v] - (double)(float)mesh->y[v]));
+    most = fmax(most, fabs(mesh->z[v] - (double)(float)mesh->z[v]));
+  }
+  return most;
+}
+
 static enum hsr_status write_all(struct export *e,
                                  const struct hsr_variant *variant,
                                  struct hsr_error *err) {
@@ -352,18 +361,98 @@ static enum hsr_status write_all(struct export *e,
     return status;
   if (o->shape->make)
     return write_shape(e, err);
-  return hsr_ends_in(o->output, ".obj")
-             ? hsr_world_write_obj(&e->world, o->output, err)
+  if (hsr_ends_in(o->output, ".stl"))
+    e->change = float_change(&e->world.mesh);
+  if (hsr_ends_in(o->output, ".obj"))
+    return hsr_world_write_obj(&e->world, o->output, err);
+  return hsr_ends_in(o->output, ".ply")
+             ? hsr_world_write_ply(&e->world, o->output, err)
              : write_faces(e, err);
 }
 
+/* --- What was kept -------------------------------------------------------- */
+
+/* What a scene may have that not every format holds. */
+enum part { OBJECTS, INSTANCES, SIDES, COLOURS, OPACITIES, POLYGONS, VIEWS };
+static const char *const part_name[] = {
+    [OBJECTS] = "objects", [INSTANCES] = "instances", [SIDES] = "sides",
+    [COLOURS] = "colours", [OPACITIES] = "opacities", [POLYGONS] = "polygons",
+    [VIEWS] = "views"};
+enum { N_PARTS = VIEWS + 1 };
+
+/* The parts that each format holds. Views are asked for by no other option. */
+static unsigned parts_of(const char *path) {
+  const unsigned looks = 1u << COLOURS | 1u << OPACITIES | 1u << POLYGONS;
+  if (hsr_ends_in(path, ".glb"))
+    return ~0u;
+  if (hsr_ends_in(path, ".obj"))
+    return looks | 1u << OBJECTS;
+  if (hsr_ends_in(path, ".stl"))
+    return 0;
+  return hsr_ends_in(path, ".ply") ? looks | 1u << SIDES
+                                   : looks | 1u << OBJECTS | 1u << INSTANCES;
+}
+
+/* The parts that a scene has. */
+static unsigned parts_in(const struct hsr_scene *scene) {
+  unsigned parts = 1u << VIEWS;
+  parts |= scene->n_instances > 1 ? 1u << OBJECTS : 0;
+  parts |= scene->n_instances > scene->n_objects ? 1u << INSTANCES : 0;
+  parts |= hsr_scene_is_transparent(scene) ? 1u << OPACITIES : 0;
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *object = &scene->objects[o];
+    parts |= object->rgb || o ? 1u << COLOURS : 0;
+    parts |= object->one_sided ? 1u << SIDES : 0;
+    parts |= object->start[object->n_faces] != 3 * object->n_faces
+                 ? 1u << POLYGONS
+                 : 0;
+  }
+  return parts;
+}
+
+static bool is_byte(float share, float of_byte) {
+  return share >= of_byte && share <= of_byte;
+}
+
+/* Whether bytes hold all colours and opacities as they are. */
+static bool are_bytes(const struct hsr_scene *scene) {
+  bool are = true;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    for (uint32_t f = 0; f < scene->objects[o].n_faces && are; f++) {
+      const float *rgb = hsr_face_rgb(&scene->objects[o], f);
+      const float opacity = hsr_face_opacity(&scene->objects[o], f);
+      for (int k = 0; k < 3; k++)
+        are &= is_byte(rgb[k],
+                       hsr_srgb_decode((float)hsr_srgb_byte(rgb[k]) / 255.0f));
+      are &= is_byte(opacity, (float)lrintf(255 * opacity) / 255.0f);
+    }
+  return are;
+}
+
+/* The counts; and what of the scene the file does not have. */
 static void print_counts(const struct export *e) {
+  const char *path = e->options->output;
+  const unsigned lost = parts_in(e->scene) & ~parts_of(path);
   char faces[TERMINAL_NUMBER], objects[TERMINAL_NUMBER],
       instances[TERMINAL_NUMBER];
-  printf("%s: %s, %s, %s\n", e->options->output,
+  printf("%s: %s, %s, %s", path,
          terminal_number(hsr_scene_faces(e->scene), "faces", faces),
          terminal_number(e->scene->n_objects, "objects", objects),
          terminal_number(e->scene->n_instances, "instances", instances));
+  if (hsr_ends_in(path, ".ply") && !are_bytes(e->scene))
+    printf("; colours rounded to bytes");
+  const char *before = "; without its ";
+  for (int part = 0; part < N_PARTS; part++)
+    if (lost & 1u << part) {
+      printf("%s%s", before, part_name[part]);
+      before = ", ";
+    }
+  printf("\n");
+  if (e->change > 0)
+    fprintf(stderr,
+            "hsr: %s: coordinates are rounded to floats, which changes them by "
+            "up to %.2g\n",
+            path, e->change);
 }
 
 enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {

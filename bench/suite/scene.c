@@ -142,8 +142,9 @@ static enum hsr_status write_scene(struct made *made, const char *suffix,
   case 'o':
     return hsr_world_write_obj(&made->world, path, err);
   default:
-    return hsr_scene_write_glb(made->flat, (struct hsr_glb_frame){.metres = 1},
-                               path, NULL, err);
+    return hsr_scene_write_glb(
+        made->flat, (struct hsr_glb_frame){.metres = 1, .plain = true}, path,
+        NULL, err);
   }
 }
 

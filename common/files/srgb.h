@@ -17,6 +17,12 @@ static inline float hsr_srgb_encode(float linear) {
                               : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
 }
 
+/* A linear channel as a byte. */
+static inline unsigned char hsr_srgb_byte(float linear) {
+  return (unsigned char)lrintf(255 *
+                               fminf(fmaxf(hsr_srgb_encode(linear), 0), 1));
+}
+
 /* 0xrrggbb of three linear channels of 16 bits. */
 static inline uint32_t hsr_srgb_of(const uint16_t channel[3]) {
   uint32_t rgb = 0;

@@ -75,8 +75,8 @@ static bool is_same_mesh(const struct hsr_world *world, const char *path) {
   return same;
 }
 
-/* Whether the property one_sided, which hsr itself passes over, is the last byte
- * of each face. */
+/* Whether the property one_sided is the last byte of each face, after its colour
+ * and, where faces are transparent, its opacity. */
 static bool ply_tells_sides(const struct hsr_world *world, const char *path) {
   unsigned char *bytes;
   size_t size;
@@ -87,8 +87,9 @@ static bool ply_tells_sides(const struct hsr_world *world, const char *path) {
   bool same = at != NULL;
   if (at)
     at += strlen(end) + 24 * (size_t)world->mesh.n_vertices;
+  const size_t look = hsr_scene_is_transparent(world->roster.scene) ? 4 : 3;
   for (uint32_t f = 0; f < world->n_faces && same; f++) {
-    at += 1 + 4 * (size_t)at[0];
+    at += 1 + 4 * (size_t)at[0] + look;
     same = at < bytes + size && *at == world->mesh.one_sided[f];
     at++;
   }

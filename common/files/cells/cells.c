@@ -14,8 +14,7 @@ bool hsr_cells_fit(enum hsr_cell_kind kind, const char *path) {
     return true;
   if (hsr_ends_in(path, ".vtp"))
     return kind == HSR_CELL_POLYGON || kind == HSR_CELL_LINE;
-  return kind == HSR_CELL_POLYGON &&
-         (hsr_ends_in(path, ".ply") || hsr_ends_in(path, ".stl"));
+  return kind == HSR_CELL_POLYGON && hsr_ends_in(path, ".stl");
 }
 
 bool hsr_cells_keep_data(const char *path) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writing files for other programs: cells (polygons, lines, boxes or polyhedra)
- * with data through VTK, as .vtp .vtu .ply .stl; and whole scenes as .obj and
+ * with data through VTK, as .vtp .vtu .stl; and whole scenes as .obj, .ply and
  * .glb. */
 #ifndef HSR_COMMON_CELLS_H
 #define HSR_COMMON_CELLS_H
@@ -28,7 +28,8 @@ enum hsr_cell_kind {
 enum hsr_cell_type {
   HSR_CELL_NUMBERS, /* a value is a uint32_t */
   HSR_CELL_REALS,   /* a double */
-  HSR_CELL_COLOURS  /* 3 bytes, sRGB-encoded */
+  HSR_CELL_COLOURS, /* 3 bytes, sRGB-encoded */
+  HSR_CELL_RGB      /* 3 floats, linear */
 };
 struct hsr_cell_data {
   const char *name;
@@ -49,9 +50,8 @@ struct hsr_cells {
 };
 
 /* Whether a file of this name can hold cells of this kind, by its suffix. .vtu
- * holds all kinds, .vtp polygons and lines, .ply and .stl polygons in single
- * precision. .ply keeps only the first data of type HSR_CELL_COLOURS. .stl
- * keeps no data, and holds triangles only. */
+ * holds all kinds, .vtp polygons and lines, .stl triangles in single precision,
+ * without data. */
 bool hsr_cells_fit(enum hsr_cell_kind kind, const char *path);
 
 /* Whether a file of this name keeps all data of cells, as .vtp and .vtu do. */
@@ -87,9 +87,9 @@ void hsr_colours_free(struct hsr_colours *colours);
 enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
 
-/* Writes a world that is laid out as binary .ply, in full precision: polygons
- * without colours, in the order of their ids, and of each whether it is
- * one-sided. HSR_E_INPUT if the file cannot be written, or there are more than
+/* Writes a world that is laid out as binary .ply, with coordinates in full
+ * precision: polygons in the order of their ids, and of each its colour, its
+ * opacity if one is below 1, both as bytes, and whether it is one-sided. HSR_E_INPUT if the file cannot be written, or there are more than
  * 2^31 - 1 vertices. */
 enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
@@ -98,6 +98,7 @@ enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
 struct hsr_glb_frame {
   double metres; /* the length of the scene's unit, in metres */
   bool z_up;     /* z is up in the scene: it becomes y, and y becomes -z */
+  bool plain;    /* coordinates are rounded as they are, without an offset */
 };
 
 /* Writes a finished scene as binary glTF 2.0, with a mesh for each object, a
@@ -110,10 +111,10 @@ struct hsr_glb_frame {
  * frame.
  *
  * The attribute _FACE of a vertex is the number of its face in the object, whose
- * corners follow one another. `extras` of nodes have the instance with its
- * matrix and the id of its first face, or the view; those of meshes have the
- * offset, and those of the asset have the frame. By these, hsr reads the same
- * scene again. HSR_E_INPUT if the file cannot be written or would be larger than
+ * corners follow one another. `extras` of a node have its instance and the id of
+ * its first face. Those of the file have the frame, the offsets of meshes, the
+ * matrices of instances and the views. By these, hsr reads the same scene again.
+ * HSR_E_INPUT if the file cannot be written or would be larger than
  * 4 GB; HSR_E_REFUSED if a face cannot be divided into triangles; HSR_E_NOMEM. */
 enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
                                     struct hsr_glb_frame frame,

@@ -8,8 +8,8 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -20,9 +20,7 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -48,6 +46,8 @@ void add_data(vtkDataSet *set, const hsr_cells &cells) {
       add_array<vtkUnsignedIntArray>(set, data, cells.n, 1);
     else if (data.type == HSR_CELL_REALS)
       add_array<vtkDoubleArray>(set, data, cells.n, 1);
+    else if (data.type == HSR_CELL_RGB)
+      add_array<vtkFloatArray>(set, data, cells.n, 3);
     else
       add_array<vtkUnsignedCharArray>(set, data, cells.n, 3);
   }
@@ -105,55 +105,10 @@ template <class Writer, class Set> std::string xml(const hsr_cells &cells) {
   return hsr::vtk_text<Writer>(set.Get());
 }
 
-/* The first colours of the cells, for a .ply file. */
-void set_colours(vtkPLYWriter *writer, vtkPolyData *set,
-                 const hsr_cells &cells) {
-  for (int k = 0; k < cells.n_data; k++)
-    if (cells.data[k].type == HSR_CELL_COLOURS) {
-      writer->SetArrayName(cells.data[k].name);
-      set->GetCellData()->SetActiveScalars(cells.data[k].name);
-      return;
-    }
-}
-
-void begin(vtkPLYWriter *writer, vtkPolyData *set, const hsr_cells &cells) {
-  writer->SetDataByteOrderToLittleEndian();
-  writer->SetColorModeToDefault();
-  set_colours(writer, set, cells);
-}
-
-void begin(vtkSTLWriter *writer, vtkPolyData *, const hsr_cells &) {
-  writer->SetHeader("hsr");
-}
-
-/* vtkPLYWriter says nothing where the disk is full. So the size must be that of
- * the header and of what it announces: points of three floats; polygons of a
- * byte, four bytes a point and, with a colour, three more. */
-bool is_all_there(vtkPLYWriter *, vtkPolyData *set, const std::string &name) {
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  bool has_colours = false;
-  while (std::getline(file, line) && line != "end_header")
-    has_colours |= line == "property uchar red";
-  const std::streamoff header = file.tellg();
-  const vtkIdType polygons = set->GetNumberOfPolys();
-  const vtkIdType records = 12 * set->GetNumberOfPoints() +
-                            (has_colours ? 4 : 1) * polygons +
-                            4 * set->GetPolys()->GetNumberOfConnectivityIds();
-  file.seekg(0, std::ios::end);
-  return file && file.tellg() - header == records;
-}
-
-/* vtkSTLWriter checks what it writes. */
-bool is_all_there(vtkSTLWriter *, vtkPolyData *, const std::string &) {
-  return true;
-}
-
-/* VTK writes these by a file's name only: that of the part of the whole
- * file. */
-template <class Writer>
-enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
-                              struct hsr_error *err) {
+/* VTK writes it by a file's name only: that of the part of the whole file. It
+ * checks what it writes. */
+enum hsr_status write_stl(const hsr_cells &cells, const char *path,
+                          struct hsr_error *err) {
   hsr_whole_file file;
   enum hsr_status status = hsr_whole_file_open(&file, path, err);
   if (status)
@@ -162,19 +117,13 @@ enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     vtkNew<vtkPolyData> set;
     fill(set.Get(), cells);
-    vtkNew<Writer> writer;
-    begin(writer.Get(), set.Get(), cells);
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetHeader("hsr");
     writer->SetInputData(set);
     writer->SetFileTypeToBinary();
-    /* VTK adds the suffix .ply to a name without it. */
-    const std::string name = std::string(file.part) + ".ply";
-    writer->SetFileName(name.c_str());
-    if (!writer->Write() || writer->GetErrorCode() ||
-        !is_all_there(writer.Get(), set.Get(), name) ||
-        std::rename(name.c_str(), file.part))
+    writer->SetFileName(file.part);
+    if (!writer->Write() || writer->GetErrorCode())
       status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written", path);
-    if (status)
-      std::remove(name.c_str());
   } catch (const std::bad_alloc &) {
     status = hsr_fail_nomem(err);
   } catch (...) {
@@ -186,9 +135,7 @@ enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
 enum hsr_status write(const struct hsr_cells *cells, const char *path,
                       struct hsr_error *err) {
   if (hsr_ends_in(path, ".stl"))
-    return write_by_name<vtkSTLWriter>(*cells, path, err);
-  if (hsr_ends_in(path, ".ply"))
-    return write_by_name<vtkPLYWriter>(*cells, path, err);
+    return write_stl(*cells, path, err);
   return hsr::write_vtk_text(
       path,
       [&] {

@@ -13,6 +13,8 @@ extern "C" {
 
 /* The `generator` of files that hsr writes. */
 #define HSR_GLB_GENERATOR "hsr"
+/* How many numbers the file's `extras` have of a view. */
+enum { HSR_GLB_VIEW = 16 };
 
 /* Computes the matrix of a node, by columns: the place m of an instance, in the
  * frame of the file. The mesh of the node has coordinates that are less by

@@ -27,6 +27,8 @@ struct glb {
   struct hsr_scene *scene;
   struct hsr_glb_frame frame;
   json_t *meshes, *accessors, *views, *materials, *nodes, *cameras;
+  json_t *offsets, *places, *eyes; /* for hsr itself: of meshes, instances and
+                                      cameras */
   size_t n_accessors, n_views, n_materials;
   double (*offset)[3]; /* of each object */
   double *change;      /* of each object: the most, in its own frame */
@@ -49,8 +51,8 @@ static double round_to_float(double x, double offset) {
 }
 
 /* Axis by axis. Where all coordinates are floats, nothing is gained. */
-static void find_offset(const struct hsr_object *object, double offset[3],
-                        double *change) {
+static void find_offset(const struct hsr_object *object, bool plain,
+                        double offset[3], double *change) {
   double lo[3], hi[3], size = 0;
   bool are_floats = true;
   for (size_t v = 0; v < object->n_vertices; v++)
@@ -66,7 +68,7 @@ static void find_offset(const struct hsr_object *object, double offset[3],
   }
   int exponent;
   frexp(8 * size, &exponent);
-  for (int k = 0; k < 3 && !are_floats; k++)
+  for (int k = 0; k < 3 && !are_floats && !plain; k++)
     offset[k] = ldexp(rint(ldexp(lo[k] / 2 + hi[k] / 2, -exponent)), exponent);
   *change = 0;
   for (size_t v = 0; v < 3 * (size_t)object->n_vertices; v++) {
@@ -307,10 +309,9 @@ static enum hsr_status add_world(struct glb *g, uint32_t number,
                               .offset = g->offset[number]};
   if (!status)
     hsr_json_append(&g->meshes,
-                    json_pack("{so so s{so}}", "name", name_of(object),
-                              "primitives", add_primitives(g, object, faces),
-                              "extras", "offset",
-                              numbers(g->offset[number], 3)));
+                    json_pack("{so so}", "name", name_of(object), "primitives",
+                              add_primitives(g, object, faces)));
+  hsr_json_append(&g->offsets, numbers(g->offset[number], 3));
   hsr_colours_free(&colours);
   return status;
 }
@@ -329,7 +330,7 @@ static enum hsr_status add_mesh(struct glb *g, uint32_t number,
                             .n_views = 1};
   struct hsr_world world, triangles;
   bool changed = false;
-  find_offset(object, g->offset[number], &g->change[number]);
+  find_offset(object, g->frame.plain, g->offset[number], &g->change[number]);
   enum hsr_status status = hsr_world_init(&world, &alone, err);
   if (!status)
     status = hsr_world_triangulate(&world, &triangles, &changed, err);
@@ -354,22 +355,28 @@ static void add_instances(struct glb *g) {
       if (n_faces) {
         hsr_glb_place(&g->frame, m, g->offset[o], matrix);
         hsr_json_append(&g->nodes,
-                        json_pack("{sI so s{sI sI so}}", "mesh", mesh, "matrix",
+                        json_pack("{sI so s{sI sI}}", "mesh", mesh, "matrix",
                                   numbers(matrix, 16), "extras", "instance",
-                                  (json_int_t)i, "first_face", first, "matrix",
-                                  numbers(m, 12)));
+                                  (json_int_t)i, "first_face", first));
       }
+      hsr_json_append(&g->places, numbers(m, 12));
       first += n_faces;
     }
     mesh += n_faces > 0;
   }
 }
 
+/* Eye, at, up, fov, near, parallel, light. */
 static json_t *describe_view(const struct hsr_camera *camera) {
-  return json_pack("{so so so sf sf sf so}", "eye", numbers(camera->eye, 3),
-                   "at", numbers(camera->at, 3), "up", numbers(camera->up, 3),
-                   "fov", camera->fov, "near", camera->near, "parallel",
-                   camera->parallel, "light", numbers(camera->light, 4));
+  double all[HSR_GLB_VIEW];
+  memcpy(all, camera->eye, sizeof camera->eye);
+  memcpy(all + 3, camera->at, sizeof camera->at);
+  memcpy(all + 6, camera->up, sizeof camera->up);
+  all[9] = camera->fov;
+  all[10] = camera->near;
+  all[11] = camera->parallel;
+  memcpy(all + 12, camera->light, sizeof camera->light);
+  return numbers(all, HSR_GLB_VIEW);
 }
 
 static void add_camera(struct glb *g, uint32_t number) {
@@ -386,10 +393,10 @@ static void add_camera(struct glb *g, uint32_t number) {
           : json_pack("{ss s{sf sf}}", "type", "perspective", "perspective",
                       "yfov", camera.size, "znear", camera.near));
   hsr_json_append(&g->nodes,
-                  json_pack("{sI so s{so}}", "camera",
+                  json_pack("{sI so}", "camera",
                             (json_int_t)json_array_size(g->cameras) - 1,
-                            "matrix", numbers(camera.matrix, 16), "extras",
-                            "view", describe_view(view)));
+                            "matrix", numbers(camera.matrix, 16)));
+  hsr_json_append(&g->eyes, describe_view(view));
 }
 
 /* --- The file ------------------------------------------------------------- */
@@ -405,9 +412,10 @@ static char *describe(struct glb *g) {
   for (size_t k = 0; k < json_array_size(g->nodes); k++)
     hsr_json_append(&roots, json_integer((json_int_t)k));
   json_t *all = json_pack(
-      "{s{ss ss s{sf sb}} si s[{so}] so so so so so so s[{sI}]}", "asset",
-      "version", "2.0", "generator", HSR_GLB_GENERATOR, "extras", "metres",
-      g->frame.metres, "z_up", g->frame.z_up, "scene", 0, "scenes", "nodes",
+      "{s{ss ss} s{sf sb so so so} si s[{so}] so so so so so so s[{sI}]}",
+      "asset", "version", "2.0", "generator", HSR_GLB_GENERATOR, "extras",
+      "metres", g->frame.metres, "z_up", g->frame.z_up, "offsets", g->offsets,
+      "instances", g->places, "views", g->eyes, "scene", 0, "scenes", "nodes",
       roots, "nodes", g->nodes, "meshes", g->meshes, "materials", g->materials,
       "cameras", g->cameras, "accessors", g->accessors, "bufferViews", g->views,
       "buffers", "byteLength", (json_int_t)g->bytes);
@@ -469,8 +477,9 @@ static enum hsr_status write_scene(struct glb *g, const char *path,
     return write_file(g, path, err);
   }
   json_t *const array[] = {g->meshes,    g->accessors, g->views,
-                           g->materials, g->nodes,     g->cameras};
-  for (int k = 0; k < 6; k++)
+                           g->materials, g->nodes,     g->cameras,
+                           g->offsets,   g->places,    g->eyes};
+  for (size_t k = 0; k < sizeof array / sizeof *array; k++)
     json_decref(array[k]);
   return status;
 }
@@ -499,6 +508,9 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
     g.materials = json_array();
     g.nodes = json_array();
     g.cameras = json_array();
+    g.offsets = json_array();
+    g.places = json_array();
+    g.eyes = json_array();
     status = write_scene(&g, path, err);
     if (change)
       *change = largest_change(&g);

@@ -37,7 +37,7 @@ class Gltf_mesh_reader {
 public:
   Gltf_mesh_reader(Gltf_meshes &meshes, Gltf_part part, Mesh_builder &builder)
       : meshes_(meshes), part_(part), builder_(builder) {}
-  void read(const Gltf_value &mesh);
+  void read(const Gltf_value &mesh, size_t number);
 
 private:
   struct Face {
@@ -322,9 +322,9 @@ void Gltf_mesh_reader::give() {
   }
 }
 
-void Gltf_mesh_reader::read(const Gltf_value &mesh) {
+void Gltf_mesh_reader::read(const Gltf_value &mesh, size_t number) {
   if (meshes_.as_written_)
-    mesh["extras"]["offset"].numbers(offset_, 3);
+    meshes_.file_.root()["extras"]["offsets"][number].numbers(offset_, 3);
   const Gltf_value primitives = mesh["primitives"];
   builder_.set_one_sided(!part_.is_double_sided);
   for (size_t k = 0; k < primitives.size(); k++)
@@ -391,7 +391,7 @@ uint32_t Gltf_meshes::object(size_t mesh, Gltf_part part,
   const Gltf_element element = file_.element(GLTF_MESHES, mesh);
   return scene_.object(
       element["name"].text(name.c_str()), [&](Mesh_builder &builder) {
-        Gltf_mesh_reader(*this, part, builder).read(element.value);
+        Gltf_mesh_reader(*this, part, builder).read(element.value, mesh);
       });
 }
 

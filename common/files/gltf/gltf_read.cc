@@ -51,7 +51,9 @@ private:
   bool read_camera(const Gltf_element &node, const Matrix &m,
                    struct hsr_camera *camera);
   bool is_as_written(const std::vector<size_t> &nodes);
-  bool is_written_mesh(const Gltf_element &node);
+  bool written_place(const Gltf_element &node, Matrix &m) const;
+  bool written_view(const Gltf_element &node, struct hsr_camera *camera) const;
+  bool is_written_mesh(const Gltf_element &node) const;
   bool is_written_view(const Gltf_element &node) const;
   void add_objects();
   void add_object(Gltf_meshes &meshes, const Placed *from, const Placed *to,
@@ -61,8 +63,7 @@ private:
   Gltf_file gltf_;
   Mesh_scene &scene_;
   bool as_written_ = false;
-  struct hsr_glb_frame frame_ = {1, false};
-  std::map<size_t, std::array<double, 3>> offsets_; /* of meshes */
+  struct hsr_glb_frame frame_ = {1, false, false};
   std::vector<Placed> placed_;
   size_t n_skinned_ = 0, n_far_ = 0;
 };
@@ -146,7 +147,7 @@ Matrix Gltf_reader::local(const Gltf_element &node) const {
 Matrix Gltf_reader::place(const Gltf_element &node,
                           const Matrix &parent) const {
   Matrix m;
-  if (as_written_ && node["extras"]["matrix"].numbers(m.data(), 12))
+  if (as_written_ && written_place(node, m))
     return m;
   hsr_instance_compose(parent.data(), local(node).data(), m.data());
   return m;
@@ -205,24 +206,12 @@ bool Gltf_reader::read_camera(const Gltf_element &node, const Matrix &m,
   return !is_parallel || camera->parallel > 0;
 }
 
-/* The view that hsr wrote beside a camera. False: there is none. */
-bool read_view(const Gltf_element &node, struct hsr_camera *camera) {
-  const Gltf_value view = node["extras"]["view"];
-  *camera = {};
-  camera->fov = view["fov"].number(45);
-  camera->near = view["near"].number(0);
-  camera->parallel = view["parallel"].number(0);
-  view["light"].numbers(camera->light, 4);
-  return view["eye"].numbers(camera->eye, 3) &&
-         view["at"].numbers(camera->at, 3) && view["up"].numbers(camera->up, 3);
-}
-
 void Gltf_reader::add_view(const Gltf_element &node, const Matrix &m) {
   struct hsr_camera camera = {};
   struct hsr_error why = {HSR_OK, "it shows nothing"};
   camera.fov = 45;
   if (as_written_)
-    read_view(node, &camera);
+    written_view(node, &camera);
   else if (!read_camera(node, m, &camera))
     camera.up[0] = camera.up[1] = camera.up[2] = 0;
   if (!scene_.view(camera, &why))
@@ -231,32 +220,57 @@ void Gltf_reader::add_view(const Gltf_element &node, const Matrix &m) {
 
 /* ---- Files of hsr ---- */
 
-/* Whether the matrix of a node is that of the numbers beside it. */
+/* Whether the matrix of a node is that of the numbers that hsr kept. */
 bool is_matrix(const Gltf_element &node, const double wanted[16]) {
   double matrix[16];
   return node["matrix"].numbers(matrix, 16) &&
          std::equal(matrix, matrix + 16, wanted);
 }
 
-bool Gltf_reader::is_written_mesh(const Gltf_element &node) {
-  const size_t mesh = node["mesh"].index(gltf_.count(GLTF_MESHES), "mesh");
-  double m[12], matrix[16];
-  if (!node["extras"]["matrix"].numbers(m, 12))
+/* The place of the instance that a node is. False: it is none. */
+bool Gltf_reader::written_place(const Gltf_element &node, Matrix &m) const {
+  const Gltf_value places = gltf_.root()["extras"]["instances"];
+  const Gltf_value instance = node["extras"]["instance"];
+  return instance.is_number() && node["mesh"].is_there() &&
+         places[instance.index(places.size(), "instance")].numbers(m.data(),
+                                                                   12);
+}
+
+/* The view that a node's camera is. False: it is none. */
+bool Gltf_reader::written_view(const Gltf_element &node,
+                               struct hsr_camera *camera) const {
+  const Gltf_value views = gltf_.root()["extras"]["views"];
+  const size_t index =
+      node["camera"].index(gltf_.count(GLTF_CAMERAS), "camera");
+  double all[HSR_GLB_VIEW];
+  *camera = {};
+  if (!views[index].numbers(all, HSR_GLB_VIEW))
     return false;
-  auto offset = offsets_.find(mesh);
-  if (offset == offsets_.end()) {
-    offset = offsets_.emplace(mesh, std::array<double, 3>{0, 0, 0}).first;
-    const Gltf_element element = gltf_.element(GLTF_MESHES, mesh);
-    element["extras"]["offset"].numbers(offset->second.data(), 3);
-  }
-  hsr_glb_place(&frame_, m, offset->second.data(), matrix);
+  std::copy_n(all, 3, camera->eye);
+  std::copy_n(all + 3, 3, camera->at);
+  std::copy_n(all + 6, 3, camera->up);
+  camera->fov = all[9];
+  camera->near = all[10];
+  camera->parallel = all[11];
+  std::copy_n(all + 12, 4, camera->light);
+  return true;
+}
+
+bool Gltf_reader::is_written_mesh(const Gltf_element &node) const {
+  const size_t mesh = node["mesh"].index(gltf_.count(GLTF_MESHES), "mesh");
+  Matrix m;
+  double offset[3] = {0, 0, 0}, matrix[16];
+  if (!written_place(node, m))
+    return false;
+  gltf_.root()["extras"]["offsets"][mesh].numbers(offset, 3);
+  hsr_glb_place(&frame_, m.data(), offset, matrix);
   return is_matrix(node, matrix);
 }
 
 bool Gltf_reader::is_written_view(const Gltf_element &node) const {
   struct hsr_camera camera;
   struct hsr_glb_camera wanted;
-  if (!read_view(node, &camera) ||
+  if (!written_view(node, &camera) ||
       !hsr_glb_find_camera(&frame_, &camera, &wanted) ||
       !is_matrix(node, wanted.matrix))
     return false;
@@ -271,9 +285,9 @@ bool Gltf_reader::is_written_view(const Gltf_element &node) const {
 /* Whether the nodes are still as hsr wrote them. Then what hsr wrote beside
  * them, for itself, holds. */
 bool Gltf_reader::is_as_written(const std::vector<size_t> &nodes) {
-  const Gltf_value asset = gltf_.root()["asset"];
-  const Gltf_value frame = asset["extras"];
-  if (asset["generator"].text("") != HSR_GLB_GENERATOR || !frame.is_there())
+  const Gltf_value frame = gltf_.root()["extras"];
+  if (gltf_.root()["asset"]["generator"].text("") != HSR_GLB_GENERATOR ||
+      !frame.is_there())
     return false;
   frame_.metres = frame["metres"].number(1);
   frame_.z_up = frame["z_up"].truth(false);

@@ -15,5 +15,8 @@ libcore_a_SOURCES += \
   %D%/json_read.h \
   %D%/palette_json.c \
   %D%/scene_json.c \
+  %D%/scene_json_meshes.c \
+  %D%/scene_json_places.c \
+  %D%/scene_json_reader.h \
   %D%/scene_json_shared.h \
   %D%/scene_json_write.c

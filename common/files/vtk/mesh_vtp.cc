@@ -9,9 +9,10 @@
 // Memory      at once: the file, 8 bytes a number in it, and the object
 // Departures  zlib is the only compressor; vertices and lines as cells are
 //             refused; point and cell data, fields and time steps are not read,
-//             but for the colours that hsr export writes: cell data "colour",
-//             three bytes a polygon, which all pieces have or none; all pieces
-//             have points of one type.
+//             but for those that hsr export writes of polygons: "colour", three
+//             bytes; beside it "rgb", the same as three linear floats, and
+//             "opacity". All pieces have each of them or none. All pieces have
+//             points of one type.
 #include "common/files/srgb.h"
 #include "common/files/vtk/xml_scan.h"
 
@@ -37,7 +38,8 @@ private:
     size_t connectivity = NONE, offsets = NONE;
   };
   struct Piece {
-    size_t points = NONE, colours = NONE;
+    size_t points = NONE;
+    size_t looks[3] = {NONE, NONE, NONE}; /* as LOOKS */
     Cells polys, strips;
   };
 
@@ -45,12 +47,13 @@ private:
   void piece(Tag &tag);
   void points(const Tag &tag, size_t n);
   Cells cells(const Tag &tag, size_t n, size_t n_points);
-  void colours(const Tag &tag, size_t n);
+  void looks(const Tag &tag, size_t n);
   void keep(Tag &tag, Array array);
   void check_offsets(const Cells &cells) const;
-  void check_colours() const;
+  void check_looks() const;
   void give(const Piece &piece);
-  void give_polygon(size_t cell, const std::vector<double> *colours);
+  const std::vector<double> *look(const Piece &piece, size_t which) const;
+  void give_polygon(size_t cell, const Piece &piece);
   void give_strip();
 
   Mesh_builder &builder_;
@@ -99,7 +102,7 @@ void Vtp_reader::piece(Tag &tag) {
     else if (child.name == "Strips" && n_strips && ++n_found[2])
       pieces_.back().strips = cells(child, n_strips, n_points);
     else if (child.name == "CellData" && n_polys && !n_strips && !n_found[3]++)
-      colours(child, n_polys);
+      looks(child, n_polys);
     else
       markup_.skip(child);
   }
@@ -172,22 +175,36 @@ Vtp_reader::Cells Vtp_reader::cells(const Tag &tag, size_t n, size_t n_points) {
   return cells;
 }
 
-/* sRGB, of each polygon. */
-void Vtp_reader::colours(const Tag &tag, size_t n) {
-  size_t &found = pieces_.back().colours;
+/* What is known of each polygon. */
+struct Look {
+  const char *name, *n_numbers, *type;
+  double least, most;
+};
+enum { COLOUR, RGB, OPACITY, N_LOOKS };
+constexpr Look LOOKS[N_LOOKS] = {
+    {"colour", "3", "UInt8", 0, UINT8_MAX},
+    {"rgb", "3", "Float32", -DBL_MAX, DBL_MAX},
+    {"opacity", "1", "Float64", -DBL_MAX, DBL_MAX}};
+
+void Vtp_reader::looks(const Tag &tag, size_t n) {
   for (Tag child; markup_.child(tag, child);) {
     const Word *name = markup_.attribute(child, "Name");
     const Word *size = markup_.attribute(child, "NumberOfComponents");
     const Word *type = markup_.attribute(child, "type");
-    if (found != NONE || child.name != "DataArray" || !name ||
-        *name != "colour" || !size || *size != "3" || !type ||
-        *type != "UInt8") {
+    const Word n_numbers = size ? *size : Word("1");
+    size_t k = 0;
+    while (k < N_LOOKS &&
+           (pieces_.back().looks[k] != NONE || child.name != "DataArray" ||
+            !name || *name != LOOKS[k].name ||
+            n_numbers != LOOKS[k].n_numbers || !type || *type != LOOKS[k].type))
+      k++;
+    if (k == N_LOOKS) {
       markup_.skip(child);
       continue;
     }
-    found = arrays_.size();
-    keep(child,
-         {"colours", child.text.data(), 3 * n, 0, UINT8_MAX, Array::ANY_ORDER});
+    pieces_.back().looks[k] = arrays_.size();
+    keep(child, {LOOKS[k].name, child.text.data(), k == OPACITY ? n : 3 * n,
+                 LOOKS[k].least, LOOKS[k].most, Array::ANY_ORDER});
   }
 }
 
@@ -208,23 +225,43 @@ void Vtp_reader::check_offsets(const Cells &cells) const {
                    offsets.least, n_corners);
 }
 
-void Vtp_reader::check_colours() const {
-  size_t n = 0;
-  for (const Piece &piece : pieces_)
-    n += piece.colours != NONE;
-  if (n && n < pieces_.size())
-    file_.refuse(0,
-                 "%zu of its %zu pieces have cell data 'colour'; all must, "
-                 "or none",
-                 n, pieces_.size());
+void Vtp_reader::check_looks() const {
+  for (size_t k = 0; k < N_LOOKS; k++) {
+    size_t n = 0;
+    for (const Piece &piece : pieces_)
+      n += piece.looks[k] != NONE;
+    if (n && n < pieces_.size())
+      file_.refuse(0,
+                   "%zu of its %zu pieces have cell data '%s'; all must, or "
+                   "none",
+                   n, pieces_.size(), LOOKS[k].name);
+  }
 }
 
-void Vtp_reader::give_polygon(size_t cell, const std::vector<double> *colours) {
+/* The array of a piece; NULL if it is not there, or not of hsr. */
+const std::vector<double> *Vtp_reader::look(const Piece &piece,
+                                            size_t which) const {
+  return piece.looks[COLOUR] == NONE || piece.looks[which] == NONE
+             ? nullptr
+             : &arrays_[piece.looks[which]].values;
+}
+
+static float share(double x) {
+  return static_cast<float>(x > 0 ? x < 1 ? x : 1 : 0);
+}
+
+void Vtp_reader::give_polygon(size_t cell, const Piece &piece) {
+  const std::vector<double> *colour = look(piece, COLOUR);
+  const std::vector<double> *exact = look(piece, RGB);
+  const std::vector<double> *opacity = look(piece, OPACITY);
   float rgb[3];
-  for (size_t k = 0; k < 3 && colours; k++)
-    rgb[k] =
-        hsr_srgb_decode(static_cast<float>((*colours)[3 * cell + k]) / 255.0f);
-  builder_.face(corners_.data(), corners_.size(), colours ? rgb : nullptr);
+  for (size_t k = 0; k < 3 && colour; k++)
+    rgb[k] = exact ? share((*exact)[3 * cell + k])
+                   : hsr_srgb_decode(
+                         static_cast<float>((*colour)[3 * cell + k]) / 255.0f);
+  builder_.face(corners_.data(), corners_.size(), colour ? rgb : nullptr);
+  if (opacity)
+    builder_.opacity(share((*opacity)[cell]));
 }
 
 /* Every second triangle of a strip is wound the other way round. */
@@ -241,8 +278,6 @@ void Vtp_reader::give(const Piece &piece) {
   const std::vector<double> &xyz = arrays_[piece.points].values;
   for (size_t k = 0; k < xyz.size(); k += 3, n_vertices_++)
     builder_.vertex(xyz[k], xyz[k + 1], xyz[k + 2]);
-  const std::vector<double> *colours =
-      piece.colours == NONE ? nullptr : &arrays_[piece.colours].values;
   for (const Cells *cells : {&piece.polys, &piece.strips}) {
     if (cells->offsets == NONE)
       continue;
@@ -254,7 +289,7 @@ void Vtp_reader::give(const Piece &piece) {
         corners_.push_back(
             static_cast<uint32_t>(first + static_cast<size_t>(vertex[at])));
       if (cells == &piece.polys)
-        give_polygon(c, colours);
+        give_polygon(c, piece);
       else
         give_strip();
     }
@@ -265,7 +300,7 @@ void Vtp_reader::read() {
   scan_root();
   if (!n_faces_)
     file_.refuse(0, "holds no face");
-  check_colours();
+  check_looks();
   check_arrays();
   for (const Piece &piece : pieces_) {
     check_offsets(piece.polys);
