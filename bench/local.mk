@@ -33,6 +33,8 @@ libbench_a_SOURCES = \
   %D%/errors.c \
   %D%/list.c \
   %D%/scenes.c \
+  %D%/densities.c \
+  %D%/densities.h \
   %D%/stats.c \
   %D%/voxels.c \
   %D%/check/candidates.c \

@@ -270,7 +270,7 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
         err, HSR_E_INPUT,
         "%.200s: not a scene: files end in .scene.json, .off, "
         ".obj, .ply, .stl, .vtp, .gltf or .glb; volumes in .nii, .nii.gz, "
-        ".mhd, .mha, .vtk, .vti or .vtr",
+        ".mhd, .mha, .nrrd, .nhdr, .vtk, .vti or .vtr",
         name);
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
                   hint);
@@ -402,7 +402,7 @@ static enum hsr_status fill(struct hsr_scene *scene, const char *name,
   if (hsr_is_mesh_name(name))
     return hsr_mesh_read(scene, path, import, err);
   if (hsr_is_volume_name(name))
-    return hsr_volume_read(scene, path, err);
+    return hsr_volume_read(scene, path, import, err);
   return open_builtin(scene, name, err);
 }
 
@@ -484,6 +484,8 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
   bool alone = !status && part && is_made_by_parts(plain);
   if (!status && import)
     (*scene)->threads = import->threads;
+  if (!status)
+    status = hsr_scene_expect(*scene, name + n, err);
   if (!status)
     status = alone ? make_part(*scene, plain, part, err)
                    : open_plain(*scene, plain, import, err);
