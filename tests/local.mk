@@ -145,7 +145,7 @@ tap_scripts = \
   %D%/command/densities.test \
   %D%/command/full.test \
   %D%/command/gltf.test \
-  %D%/command/gltf_models.test \
+  %D%/command/models.test \
   %D%/command/import.test \
   %D%/command/judge.test \
   %D%/command/outside.test \
