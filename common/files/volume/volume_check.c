@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks of volume files before VTK reads them.
+/* Checks of volume files before they are read.
  *
  * Safety      VTK believes headers: it takes the memory that they ask for. So
  *             each is parsed here first. What a file claims must be there, and
@@ -354,9 +354,8 @@ static enum hsr_status check_xml(struct hsr_volume_file *file,
   return status ? status : hsr_volume_scan_xml(file, err);
 }
 
-enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
-                                 struct hsr_error *err) {
-  file->slope = 1;
+static enum hsr_status check_format(struct hsr_volume_file *file,
+                                    struct hsr_error *err) {
   switch (file->format) {
   case HSR_NIFTI:
     return hsr_volume_check_nifti(file, err);
@@ -371,6 +370,15 @@ enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
     return check_xml(file, err);
   }
   return hsr_fail(err, HSR_E_INTERNAL, "no such format");
+}
+
+enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
+                                 struct hsr_error *err) {
+  file->slope = 1;
+  enum hsr_status status = check_format(file, err);
+  if (!status)
+    hsr_volume_find_way(file);
+  return status;
 }
 
 void hsr_volume_file_free(struct hsr_volume_file *file) {

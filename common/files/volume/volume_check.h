@@ -41,6 +41,9 @@ enum hsr_status hsr_volume_settle(struct hsr_volume_file *file,
                                   const struct hsr_volume_frame *frame,
                                   struct hsr_error *err);
 
+/* Sets file->way, when the sizes and perhaps the place are set. */
+void hsr_volume_find_way(struct hsr_volume_file *file);
+
 /* Adds a file that has samples. `name` is beside the header if it is not
  * absolute. HSR_E_NOMEM. */
 enum hsr_status hsr_volume_add_part(struct hsr_volume_file *file,
