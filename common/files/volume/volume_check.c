@@ -131,10 +131,12 @@ enum hsr_status hsr_volume_add_numbered(struct hsr_volume_file *file,
   uint64_t size;
   if (!is_numbered(format) || first < 0 || first > most || last < 0 ||
       last > most || step == 0 || llabs(step) > most)
-    return hsr_volume_refuse(file, err,
-                             "its samples are in files of names that its "
-                             "header does not say well: '%.99s'",
-                             format);
+    return hsr_volume_refuse(
+        file, err,
+        "its header names files of samples by '%.99s' and three "
+        "numbers, which must be a name with one %%d, the "
+        "first, the last and the step",
+        format);
   enum hsr_status status = HSR_OK;
   for (; !status && (step > 0 ? first <= last : first >= last); first += step) {
     const char *at = strchr(format, '%'), *end = at + strcspn(at, "di");

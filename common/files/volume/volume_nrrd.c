@@ -318,7 +318,9 @@ static enum hsr_status read_header(struct hsr_volume_file *file, struct nrrd *h,
                              "and encoding");
   if (!status && !h->has_order && h->encoding != HSR_TEXT &&
       hsr_volume_type_bytes(h->type) > 1)
-    return hsr_volume_refuse(file, err, "its header does not say the endian");
+    return hsr_volume_refuse(file, err,
+                             "its header has no endian, which numbers "
+                             "of several bytes need");
   return status;
 }
 
