@@ -5,6 +5,10 @@
 
 #include "common/files/volume/volume_data.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Fails with HSR_E_INPUT: the file's path, and why it is refused. */
 enum hsr_status hsr_volume_refuse(const struct hsr_volume_file *file,
                                   struct hsr_error *err, const char *why, ...)
@@ -70,4 +74,7 @@ enum hsr_status hsr_volume_check_meta(struct hsr_volume_file *file,
 enum hsr_status hsr_volume_check_nrrd(struct hsr_volume_file *file,
                                       struct hsr_error *err);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

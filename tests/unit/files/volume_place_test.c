@@ -171,6 +171,22 @@ static void write_nrrd(const struct way *w, const char *path) {
   fclose(out);
 }
 
+static void write_vti(const struct way *w, const char *path) {
+  FILE *out = create(path);
+  fprintf(out, "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 4 0 3 "
+               "0 2\" Origin=\"10 -20 5\" Spacing=\"1 2 0.5\" Direction=\"");
+  for (int a = 0; a < 3; a++)
+    for (int f = 0; f < 3; f++)
+      fprintf(out, " %d", entry(w, f, a));
+  fprintf(out, "\">\n<Piece Extent=\"0 4 0 3 0 2\">\n<PointData>"
+               "<DataArray type=\"UInt8\" Name=\"d\">\n");
+  for (int k = 0; k < SAMPLES; k++)
+    fprintf(out, "%d\n", k * 37 % SAMPLES);
+  fprintf(out, "</DataArray></PointData>\n</Piece>\n</ImageData>\n"
+               "</VTKFile>\n");
+  fclose(out);
+}
+
 /* --- Reading -------------------------------------------------------------- */
 
 /* Index of a position along an axis of the world; -1: no sample is there. */
@@ -222,7 +238,8 @@ static void test_ways(struct tap *tap) {
   } formats[] = {{"s.nii", "NIfTI's sform", write_sform},
                  {"q.nii", "NIfTI's qform", write_qform},
                  {"m.mha", "MetaImage's TransformMatrix", write_meta},
-                 {"n.nrrd", "NRRD's space directions", write_nrrd}};
+                 {"n.nrrd", "NRRD's space directions", write_nrrd},
+                 {"v.vti", "VTK's Direction", write_vti}};
   for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
     int good = 0;
     for (int way = 0; way < 48; way++) {
@@ -351,7 +368,7 @@ int main(void) {
   if (!mkdtemp(folder) || chdir(folder))
     abort();
   bool has_vtk = hsr_exchange_has_vtk();
-  struct tap tap = plan(has_vtk ? 13 : 2);
+  struct tap tap = plan(has_vtk ? 14 : 2);
   if (has_vtk) {
     test_ways(&tap);
     test_oblique(&tap);
