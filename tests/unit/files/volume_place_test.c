@@ -366,12 +366,62 @@ static void test_threshold(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+enum { MIXED = 4000 };
+
+/* Two hills that overlap, of 3 : 1. */
+static enum hsr_status mixed_slice(void *data, uint32_t k, float *density,
+                                   struct hsr_error *err) {
+  (void)data, (void)k, (void)err;
+  unsigned random = 7;
+  for (int c = 0; c < MIXED; c++) {
+    float sum = 0;
+    for (int n = 0; n < 4; n++) {
+      random = random * 1103515245u + 12345u;
+      sum += (float)(random >> 16 & 1023) / 1024;
+    }
+    density[c] = c % 4 ? 100 * sum : 180 + 60 * sum;
+  }
+  return HSR_OK;
+}
+
+/* The sum of the squares of bins from .. to - 1 about their mean. */
+static double spread(const struct hsr_densities *d, int from, int to) {
+  double n = 0, sum = 0, squares = 0;
+  for (int k = from; k < to; k++) {
+    n += (double)d->bin[k];
+    sum += k * (double)d->bin[k];
+  }
+  for (int k = from; k < to && n > 0; k++)
+    squares += (double)d->bin[k] * (k - sum / n) * (k - sum / n);
+  return squares;
+}
+
+/* Otsu's threshold is also the one within whose classes the spread is least. */
+static void test_otsu(struct tap *tap) {
+  struct hsr_densities d;
+  int best = 1;
+  double least = INFINITY;
+  bool measured = !hsr_densities_measure(&d, 1, MIXED, mixed_slice, NULL, NULL);
+  for (int k = 1; k < HSR_DENSITY_BINS; k++) {
+    double both = spread(&d, 0, k) + spread(&d, k, HSR_DENSITY_BINS);
+    if (both < least) {
+      least = both;
+      best = k;
+    }
+  }
+  double step = (d.high - d.low) / HSR_DENSITY_BINS;
+  ok(tap,
+     measured && fabs(d.threshold - (d.low + best * step)) < 1e-9 &&
+         best > 100 && best < 200,
+     "Otsu's threshold of two hills: %g, after bin %d", d.threshold, best);
+}
+
 int main(void) {
   char folder[] = "/tmp/hsr-places-XXXXXX";
   if (!mkdtemp(folder) || chdir(folder))
     abort();
   bool has_vtk = hsr_exchange_has_vtk();
-  struct tap tap = plan(has_vtk ? 14 : 4);
+  struct tap tap = plan(has_vtk ? 15 : 5);
   test_ways(&tap, has_vtk);
   if (has_vtk) {
     test_oblique(&tap);
@@ -379,6 +429,7 @@ int main(void) {
     test_scales(&tap);
   }
   test_threshold(&tap);
+  test_otsu(&tap);
   char clean[80];
   snprintf(clean, sizeof clean, "rm -rf %s", folder);
   return finish(&tap) | (system(clean) != 0);
