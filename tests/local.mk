@@ -141,8 +141,8 @@ tap_scripts = \
   %D%/command/cluster.test \
   %D%/command/command.test \
   %D%/command/completion.test \
-  %D%/command/examples.test \
   %D%/command/densities.test \
+  %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/gltf.test \
   %D%/command/models.test \
