@@ -206,10 +206,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
       return option_fail(&o->base, "--sort-last=%s: must be 1 to %d", arg,
                          (int)MOST_PARTS);
     return 0;
-  case DROP_DEGENERATE:
-  case TWO_SIDED:
-    parse_import_option(&o->import, key);
-    return 0;
   case ARGP_KEY_ARG:
     if (o->n_scenes == MOST_SCENES)
       return option_fail(&o->base, "check: at most %d scenes",
@@ -218,8 +214,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     return order_views(o);
-  default:
-    return parse_camera_option(&o->camera, key, arg, &o->base);
+  default: {
+    error_t error = parse_import_option(&o->import, key, arg, &o->base);
+    return error == ARGP_ERR_UNKNOWN
+               ? parse_camera_option(&o->camera, key, arg, &o->base)
+               : error;
+  }
   }
 }
 
@@ -265,7 +265,7 @@ static const struct argp argp = {
          "is known to need more for a view is refused, and so is every line "
          "drawing if the line oracle takes longer",
          0},
-        SCENE_ARGP_OPTIONS,
+        IMPORT_ARGP_OPTIONS,
         {"differences", DIFFERENCES, "DIR", 0,
          "write a picture of what differs, or both line drawings, into this "
          "folder",

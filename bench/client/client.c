@@ -7,7 +7,9 @@ enum hsr_status client_open(const struct scene_options *o,
   const struct hsr_open_options options = {.size = sizeof options,
                                            .threads = o->import.threads,
                                            .strict = o->import.strict,
-                                           .two_sided = o->import.two_sided};
+                                           .two_sided = o->import.two_sided,
+                                           .weld = o->import.weld,
+                                           .path = o->import.path};
   struct hsr_scene_info info = {.size = sizeof info};
   enum hsr_status status = hsr_open(o->name, &options, scene, err);
   if (!status)

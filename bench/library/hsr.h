@@ -213,6 +213,10 @@ struct hsr_open_options {
                           cover no sample */
   int two_sided; /* not 0: all faces are seen from both sides; 0: those of
                           a closed mesh are seen from outside only */
+  double weld;   /* vertices of a mesh file that are no farther apart are
+                          joined, in its unit; 0: none are */
+  const char *path; /* where the file is, if the name is not its path, but what
+                          the scene is called, with the suffix; NULL: it is */
 };
 
 /* Opens a scene: a built-in one with its parameters ("house", "soup:1000:7"),

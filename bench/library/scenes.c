@@ -4,6 +4,7 @@
 #include "common/base/share.h"
 #include "scenes/scenes.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,6 +50,9 @@ enum hsr_status lib_open_options(const struct hsr_open_options *from,
   if (!status && (options->threads < 0 || options->threads > MOST_THREADS))
     status = hsr_fail(err, HSR_E_USAGE, "options: threads must be 0 to %d",
                       MOST_THREADS);
+  if (!status && !(options->weld >= 0 && options->weld <= DBL_MAX))
+    status = hsr_fail(err, HSR_E_USAGE,
+                      "options: weld must be a distance, or 0");
   return status;
 }
 
@@ -60,6 +64,8 @@ static enum hsr_status open_named(const char *name,
                                   struct hsr_error *err) {
   struct hsr_import import = {.strict = options->strict,
                               .two_sided = options->two_sided,
+                              .weld = options->weld,
+                              .path = options->path,
                               .threads = hsr_threads(options->threads)};
   enum hsr_status status = hsr_scene_open(name, &import, &handle->scene, err);
   handle->n_dropped = import.n_dropped;

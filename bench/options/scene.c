@@ -7,10 +7,25 @@
 #include <stdio.h>
 #include <string.h>
 
-bool parse_import_option(struct hsr_import *import, int key) {
-  import->strict |= key == STRICT;
-  import->two_sided |= key == TWO_SIDED;
-  return key == STRICT || key == TWO_SIDED || key == DROP_DEGENERATE;
+error_t parse_import_option(struct hsr_import *import, int key, const char *arg,
+                            struct option_base *base) {
+  switch (key) {
+  case STRICT:
+    import->strict = true;
+    return 0;
+  case TWO_SIDED:
+    import->two_sided = true;
+    return 0;
+  case DROP_DEGENERATE: /* which is the standard */
+    return 0;
+  case WELD:
+    return parse_number(arg, &import->weld) && import->weld > 0
+               ? 0
+               : option_fail(base, "--weld %s: must be a distance above 0",
+                             arg);
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
 }
 
 /* Reads standard input, if the scene is that. */
@@ -55,17 +70,17 @@ error_t parse_output(const char *arg, const char *suffix, const char *command,
 error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                            const char *command, struct option_base *base) {
   switch (key) {
-  case STRICT:
-  case DROP_DEGENERATE:
-  case TWO_SIDED:
-    parse_import_option(&o->import, key);
-    return 0;
   case ARGP_KEY_ARG:
     if (o->name)
       return option_fail(base, "%s: one scene at a time, not also '%s'",
                          command, arg);
     o->name = arg;
     return 0;
+  case WELD:
+    return parse_number(arg, &o->import.weld) && o->import.weld > 0
+               ? 0
+               : option_fail(base, "--weld %s: must be a distance above 0",
+                             arg);
   case FORMAT:
     o->format = arg;
     return 0;
@@ -75,7 +90,7 @@ error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                          command);
     return take_input(o, command, base);
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_import_option(&o->import, key, arg, base);
   }
 }
 

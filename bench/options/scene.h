@@ -16,10 +16,36 @@ struct scene_options {
                                   aim_scene has added them */
 };
 
-/* An entry for an argp option array, and the parser of that option and of the
- * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
- * of the subcommand: "render", ... */
-enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE, FORMAT };
+enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE, FORMAT, WELD };
+
+/* Entries for an argp option array: how files are imported. Their parser stores
+ * them in *import. ARGP_ERR_UNKNOWN if `key` is none of them. */
+#define IMPORT_ARGP_OPTIONS                                                    \
+  {"strict",                                                                   \
+   STRICT,                                                                     \
+   NULL,                                                                       \
+   0,                                                                          \
+   "refuse a file with faces that have no area, instead of leaving them out",  \
+   0},                                                                         \
+      {"drop-degenerate", DROP_DEGENERATE, NULL, OPTION_HIDDEN, NULL, 0},      \
+      {"weld",                                                                 \
+       WELD,                                                                   \
+       "DISTANCE",                                                             \
+       0,                                                                      \
+       "join vertices of a mesh file that are no farther apart, in its unit",  \
+       0},                                                                     \
+  {                                                                            \
+    "two-sided", TWO_SIDED, NULL, 0,                                           \
+        "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
+        "without it, faces that turn their backs to the eye do not exist",     \
+        0                                                                      \
+  }
+error_t parse_import_option(struct hsr_import *import, int key, const char *arg,
+                            struct option_base *base);
+
+/* The same, and --format; their parser takes the argument SCENE, too.
+ * ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name of the subcommand:
+ * "render", ... */
 #define SCENE_ARGP_OPTIONS                                                     \
   {"format",                                                                   \
    FORMAT,                                                                     \
@@ -27,21 +53,7 @@ enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE, FORMAT };
    0,                                                                          \
    "what standard input holds, if SCENE is -: obj, ply, nii, scene.json",      \
    0},                                                                         \
-      {"strict",                                                               \
-       STRICT,                                                                 \
-       NULL,                                                                   \
-       0,                                                                      \
-       "refuse a file with faces that have no area, instead of leaving them "  \
-       "out",                                                                  \
-       0},                                                                     \
-      {"drop-degenerate", DROP_DEGENERATE, NULL, OPTION_HIDDEN, NULL, 0}, {    \
-    "two-sided", TWO_SIDED, NULL, 0,                                           \
-        "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
-        "without it, faces that turn their backs to the eye do not exist",     \
-        0                                                                      \
-  }
-/* The same options, into a struct hsr_import. False if `key` is none. */
-bool parse_import_option(struct hsr_import *import, int key);
+      IMPORT_ARGP_OPTIONS
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 

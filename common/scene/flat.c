@@ -48,11 +48,11 @@ static uint32_t find_flat(void *context, uint32_t from, uint32_t to) {
   return f;
 }
 
-/* Moves face `from` to the place of face `to`, which is not after it. */
-static void move_face(struct hsr_object *object, uint32_t from, uint32_t to) {
-  const uint32_t *start = object->start + from;
-  uint32_t n = start[1] - start[0];
-  memmove(object->vertex + object->start[to], object->vertex + start[0],
+/* Moves face `from`, of which n corners begin at `corners`, to the place of face
+ * `to`, which is not after it. */
+static void move_face(struct hsr_object *object, uint32_t from,
+                      uint32_t corners, uint32_t n, uint32_t to) {
+  memmove(object->vertex + object->start[to], object->vertex + corners,
           n * sizeof *object->vertex);
   object->start[to + 1] = object->start[to] + n;
   if (object->rgb)
@@ -70,8 +70,26 @@ enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,
   uint32_t kept = hsr_share_search(threads, n_faces, RANGE, find_flat, &search);
   for (uint32_t f = kept; f < n_faces; f++)
     if (!is_flat(&search, f))
-      move_face(object, f, kept++);
+      move_face(object, f, object->start[f],
+                object->start[f + 1] - object->start[f], kept++);
   object->n_faces = kept;
   *n = n_faces - kept;
   return atomic_load(&search.out_of_memory) ? HSR_E_NOMEM : HSR_OK;
+}
+
+void hsr_object_change_vertices(struct hsr_object *object, const uint32_t *to,
+                                uint64_t *n) {
+  const uint32_t n_faces = object->n_faces;
+  uint32_t kept = 0, first = 0;
+  for (uint32_t f = 0; f < n_faces; f++) {
+    const uint32_t end = object->start[f + 1];
+    for (uint32_t k = first; k < end; k++)
+      object->vertex[k] = to[object->vertex[k]];
+    const size_t left = hsr_ring_tidy(object->vertex + first, end - first);
+    if (left >= 3)
+      move_face(object, f, first, (uint32_t)left, kept++);
+    first = end;
+  }
+  object->n_faces = kept;
+  *n = n_faces - kept;
 }

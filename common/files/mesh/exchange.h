@@ -30,7 +30,10 @@ struct hsr_import {
   bool two_sided;   /* all objects are two-sided, even closed ones */
   const char *path; /* where the file of a scene is, if its name is not its
                          path; or NULL. hsr_scene_open takes notice of it */
-  int threads;      /* how many threads import a file; 0 means 1. A scene that
+  double
+      weld; /* vertices no farther from one another than this are joined, in the
+                 file\'s unit; 0: none are */
+  int threads;        /* how many threads import a file; 0 means 1. A scene that
                          is opened with this gets the same number */
   uint64_t n_dropped; /* out: how many faces were left out */
   char notes[1000]; /* out: what else was ignored. Lines are appended; one that

@@ -23,4 +23,5 @@ libcore_a_SOURCES += \
   %D%/mesh_solid.cc \
   %D%/mesh_stl.cc \
   %D%/mesh_text.cc \
-  %D%/mesh_text.h
+  %D%/mesh_text.h \
+  %D%/mesh_weld.cc

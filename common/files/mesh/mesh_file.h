@@ -117,6 +117,9 @@ public:
   void leave_out_flat();
   /* Passes over vertices that are not finite, if no face uses them. */
   void settle_unused();
+  /* Joins vertices that are no farther from one another than this (mesh_weld.cc),
+   * and notes how many. */
+  void weld(double distance);
   /* Removes everything that was given. */
   void forget();
   /* Adds a line about something in the file that was ignored. */

@@ -9,7 +9,7 @@ namespace hsr {
 
 Mesh_scene::Mesh_scene(const char *path, const struct hsr_import *import)
     : path_(path), strict_(import && import->strict),
-      two_sided_(import && import->two_sided),
+      two_sided_(import && import->two_sided), weld_(import ? import->weld : 0),
       threads_(import ? import->threads : 1), scene_(hsr_scene_new("")) {
   if (!scene_)
     throw std::bad_alloc();
@@ -26,6 +26,8 @@ uint32_t Mesh_scene::object(const std::string &name,
   Mesh_builder builder(object, path_, strict_, threads_);
   fill(builder);
   builder.settle_unused();
+  if (weld_ > 0)
+    builder.weld(weld_);
   builder.leave_out_flat();
   n_given_ += builder.n_given();
   n_dropped_ += builder.n_dropped();

@@ -45,6 +45,7 @@ public:
 private:
   const char *path_;
   const bool strict_, two_sided_;
+  const double weld_; /* 0: no vertices are joined */
   const int threads_;
   struct hsr_scene *scene_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
