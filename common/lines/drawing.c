@@ -94,6 +94,27 @@ enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing) {
   return HSR_OK;
 }
 
+static int by_edge_and_place(const void *a, const void *b) {
+  const struct hsr_segment *p = a, *q = b;
+  const int order = hsr_edge_name_compare(&p->edge, &q->edge);
+  return order ? order : (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+enum hsr_status hsr_drawing_gather(struct hsr_drawing *drawing) {
+  struct hsr_drawing gathered = {.segment = NULL};
+  if (drawing->n)
+    qsort(drawing->segment, drawing->n, sizeof *drawing->segment,
+          by_edge_and_place);
+  for (size_t k = 0; k < drawing->n; k++)
+    if (hsr_drawing_add(&gathered, &drawing->segment[k])) {
+      hsr_drawing_free(&gathered);
+      return HSR_E_NOMEM;
+    }
+  hsr_drawing_free(drawing);
+  *drawing = gathered;
+  return HSR_OK;
+}
+
 /* --- Comparison ----------------------------------------------------------- */
 
 static uint32_t wanted_invisibility(const struct hsr_segment *segment,

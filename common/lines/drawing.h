@@ -70,6 +70,10 @@ int hsr_edge_name_compare(const struct hsr_edge_name *a,
  * must be together. They keep their order. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing);
 
+/* The same for intervals in any order: those of one edge are sorted by where they
+ * begin, and such as continue one another become one. HSR_E_NOMEM. */
+enum hsr_status hsr_drawing_gather(struct hsr_drawing *drawing);
+
 /* The result of hsr_drawing_compare. */
 #define HSR_DRAWING_TOLERANCE 1e-12
 struct hsr_drawing_difference {

@@ -9,7 +9,6 @@
 #include "common/lines/drawing.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -54,12 +53,6 @@ static void compare_depths(const struct hsr_npy *got,
 
 /* --- Segments ------------------------------------------------------------- */
 
-static int compare_segments(const void *a, const void *b) {
-  const struct hsr_segment *p = a, *q = b;
-  const int order = hsr_edge_name_compare(&p->edge, &q->edge);
-  return order ? order : (p->t0 > q->t0) - (p->t0 < q->t0);
-}
-
 static bool is_number(double x) {
   return x >= 0 && x < UINT32_MAX && x == floor(x);
 }
@@ -88,24 +81,19 @@ static enum hsr_status take_segments(const struct hsr_npy *a, const char *path,
     return hsr_fail(err, HSR_E_INPUT,
                     "%.300s: must be floats, with %d columns or more", path,
                     (int)COLUMNS);
-  const size_t n = (size_t)a->size[0];
-  struct hsr_segment *all = malloc((n + 1) * sizeof *all);
-  enum hsr_status status = all ? HSR_OK : hsr_fail_nomem(err);
-  for (size_t k = 0; k < n && !status; k++) {
+  enum hsr_status status = HSR_OK;
+  for (size_t k = 0; k < a->size[0] && !status; k++) {
     double row[COLUMNS];
+    struct hsr_segment segment;
     for (size_t c = 0; c < COLUMNS; c++)
       row[c] = number_at(a, k * (size_t)a->size[1] + c);
-    if (!take_row(row, &all[k]))
+    if (!take_row(row, &segment))
       status =
           hsr_fail(err, HSR_E_INPUT, "%.300s: row %zu is no interval", path, k);
-  }
-  if (!status)
-    qsort(all, n, sizeof *all, compare_segments);
-  for (size_t k = 0; k < n && !status; k++)
-    if (hsr_drawing_add(drawing, &all[k]))
+    else if (hsr_drawing_add(drawing, &segment))
       status = hsr_fail_nomem(err);
-  free(all);
-  return status;
+  }
+  return status || !hsr_drawing_gather(drawing) ? status : hsr_fail_nomem(err);
 }
 
 static enum hsr_status

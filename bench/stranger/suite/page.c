@@ -77,7 +77,7 @@ static void put_kinds(const struct suite_judgement *j, FILE *out) {
 
 /* Depths and segments, if there are any. */
 static void put_extras(const struct suite_judgement *j, FILE *out) {
-  for (int k = 0; k < SUITE_EXTRAS; k++) {
+  for (enum suite_extra_kind k = SUITE_DEPTHS; k < SUITE_EXTRAS; k++) {
     const struct suite_extra *e = &j->extra[k];
     if (!e->pictures)
       continue;

@@ -124,7 +124,7 @@ static void say_scenes(const struct suite_judgement *j) {
 }
 
 static void say_extras(const struct suite_judgement *j) {
-  for (int k = 0; k < SUITE_EXTRAS; k++) {
+  for (enum suite_extra_kind k = SUITE_DEPTHS; k < SUITE_EXTRAS; k++) {
     const struct suite_extra *e = &j->extra[k];
     char number[TERMINAL_NUMBER];
     if (!e->pictures)
@@ -184,7 +184,7 @@ static json_t *id_json(uint32_t id) {
 /* What there is beside the ids; {} if that is nothing. */
 static json_t *extras_json(const struct suite_extra extra[SUITE_EXTRAS]) {
   json_t *made = json_object();
-  for (int k = 0; k < SUITE_EXTRAS && made; k++) {
+  for (enum suite_extra_kind k = SUITE_DEPTHS; k < SUITE_EXTRAS && made; k++) {
     const struct suite_extra *e = &extra[k];
     if (!e->pictures)
       continue;

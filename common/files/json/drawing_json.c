@@ -146,29 +146,6 @@ static enum hsr_status take_size(const struct hsr_json_node *at, void *to) {
   return status;
 }
 
-static int compare_segments(const void *a, const void *b) {
-  const struct hsr_segment *p = a, *q = b;
-  int order = hsr_edge_name_compare(&p->edge, &q->edge);
-  return order ? order : (p->t0 > q->t0) - (p->t0 < q->t0);
-}
-
-/* Sorts the intervals, and joins those that continue one another. */
-static enum hsr_status sort(struct hsr_drawing *drawing,
-                            struct hsr_error *err) {
-  struct hsr_drawing sorted = {.segment = NULL};
-  if (drawing->n)
-    qsort(drawing->segment, drawing->n, sizeof *drawing->segment,
-          compare_segments);
-  for (size_t k = 0; k < drawing->n; k++)
-    if (hsr_drawing_add(&sorted, &drawing->segment[k])) {
-      hsr_drawing_free(&sorted);
-      return hsr_fail_nomem(err);
-    }
-  hsr_drawing_free(drawing);
-  *drawing = sorted;
-  return HSR_OK;
-}
-
 enum hsr_status hsr_drawing_json_read(const char *path,
                                       struct hsr_drawing *drawing, int size[2],
                                       struct hsr_error *err) {
@@ -201,8 +178,8 @@ enum hsr_status hsr_drawing_json_read(const char *path,
     status = hsr_json_list(&segments, list[0], levels + 1, NULL, take_segment,
                            drawing);
   }
-  if (!status)
-    status = sort(drawing, err);
+  if (!status && hsr_drawing_gather(drawing))
+    status = hsr_fail_nomem(err);
   json_decref(value);
   free(text);
   return status;
