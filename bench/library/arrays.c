@@ -3,6 +3,7 @@
 #include "bench/library/library.h"
 #include "common/base/share.h"
 #include "common/files/mesh/exchange.h"
+#include "common/grids/densities.h"
 #include "common/grids/grid.h"
 
 #include <math.h>
@@ -210,19 +211,6 @@ static enum hsr_status check_grid(const struct hsr_grid_arrays *g,
   return HSR_OK;
 }
 
-/* The least and the greatest density, of those that are finite. */
-static void find_range(const struct hsr_grid_arrays *g, double *low,
-                       double *high) {
-  size_t n = (size_t)g->n[0] * g->n[1] * g->n[2];
-  *low = INFINITY;
-  *high = -INFINITY;
-  for (size_t k = 0; k < n; k++)
-    if (isfinite(g->density[k])) {
-      *low = fmin(*low, (double)g->density[k]);
-      *high = fmax(*high, (double)g->density[k]);
-    }
-}
-
 /* Places 0, 1, 2 ... for axes that have none of their own. */
 static double *count_places(const struct hsr_grid_arrays *g) {
   uint32_t n = 0;
@@ -244,8 +232,18 @@ static enum hsr_status make_grid(const struct hsr_grid_arrays *g,
   const struct hsr_grid_keep keep = {.least = g->least, .most = g->most};
   for (int axis = 0; axis < 3; axis++)
     samples.position[axis] = g->at[axis] ? g->at[axis] : places;
-  find_range(g, &samples.low, &samples.high);
-  return hsr_grid_init(grid, &samples, &keep, err);
+  struct hsr_densities *d = malloc(sizeof *d);
+  enum hsr_status status =
+      d ? hsr_densities_measure(d, g->n[2], (size_t)g->n[0] * g->n[1],
+                                copy_slice, (void *)g, err)
+        : hsr_fail_nomem(err);
+  if (!status) {
+    samples.low = d->low;
+    samples.high = d->high;
+    status = hsr_grid_init(grid, &samples, &keep, err);
+  }
+  grid->densities = d;
+  return status;
 }
 
 static enum hsr_status fill_grid(struct hsr_scene *scene,

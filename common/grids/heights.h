@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Terrain as a grid: a map of heights.
  *
- * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 5.2: a
+ * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 3.4: a
  *             column has enough samples to leave no hole beside a lower column.
  * Rule        the column at (x, z) has a cell at its own level. It also has
  *             cells below that, down to one level above its lowest neighbour.
