@@ -441,7 +441,9 @@ static void print_counts(const struct export *e) {
          terminal_number(e->scene->n_objects, "objects", objects),
          terminal_number(e->scene->n_instances, "instances", instances));
   if (hsr_ends_in(path, ".ply") && !are_bytes(e->scene))
-    printf("; colours rounded to bytes");
+    printf("; %s rounded to bytes", hsr_scene_is_transparent(e->scene)
+                                        ? "colours and opacities"
+                                        : "colours");
   const char *before = "; without its ";
   for (int part = 0; part < N_PARTS; part++)
     if (lost & 1u << part) {

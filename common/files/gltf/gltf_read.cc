@@ -51,6 +51,7 @@ private:
   bool read_camera(const Gltf_element &node, const Matrix &m,
                    struct hsr_camera *camera);
   bool is_as_written(const std::vector<size_t> &nodes);
+  size_t mesh_of(const Gltf_value &reference) const;
   bool written_place(const Gltf_element &node, Matrix &m) const;
   bool written_view(const Gltf_element &node, struct hsr_camera *camera) const;
   bool is_written_mesh(const Gltf_element &node) const;
@@ -153,6 +154,14 @@ Matrix Gltf_reader::place(const Gltf_element &node,
   return m;
 }
 
+/* Which mesh a node has. hsr writes some twice, wound the other way round. */
+size_t Gltf_reader::mesh_of(const Gltf_value &reference) const {
+  const size_t n = gltf_.count(GLTF_MESHES);
+  const size_t mesh = reference.index(n, "mesh");
+  const Gltf_value same = gltf_.root()["extras"]["same_mesh"];
+  return as_written_ && mesh < same.size() ? same[mesh].index(n, "mesh") : mesh;
+}
+
 /* Finds what the nodes below the roots place. No node may be there twice. */
 void Gltf_reader::visit(const std::vector<size_t> &roots) {
   const size_t n = gltf_.count(GLTF_NODES);
@@ -170,8 +179,7 @@ void Gltf_reader::visit(const std::vector<size_t> &roots) {
     const Matrix m = place(node, next.parent);
     const Gltf_value mesh = node["mesh"], children = node["children"];
     if (mesh.is_there())
-      placed_.push_back(
-          {mesh.index(gltf_.count(GLTF_MESHES), "mesh"), next.node, m});
+      placed_.push_back({mesh_of(mesh), next.node, m});
     n_skinned_ += mesh.is_there() && node["skin"].is_there();
     if (node["camera"].is_there())
       add_view(node, m);
@@ -303,20 +311,12 @@ bool Gltf_reader::is_as_written(const std::vector<size_t> &nodes) {
 
 /* ---- Objects ---- */
 
-/* The sign of the determinant is that of the winding; 3.7.4. */
-bool is_mirror(const Matrix &m) {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) -
-             m[1] * (m[4] * m[10] - m[6] * m[8]) +
-             m[2] * (m[4] * m[9] - m[5] * m[8]) <
-         0;
-}
-
 /* One object, and an instance of it for each node that places it. */
 void Gltf_reader::add_object(Gltf_meshes &meshes, const Placed *from,
                              const Placed *to, Gltf_part part) {
   const auto is_of_part = [&](const Placed &placed) {
     return as_written_ || part.is_double_sided ||
-           is_mirror(placed.m) == part.is_mirrored;
+           hsr_glb_mirrors(placed.m.data()) == part.is_mirrored;
   };
   if (std::none_of(from, to, is_of_part))
     return;
@@ -352,7 +352,7 @@ void Gltf_reader::add_objects() {
     n_placed++;
   }
   meshes.add_notes();
-  add_notes(gltf_.count(GLTF_MESHES) - n_placed);
+  add_notes(as_written_ ? 0 : gltf_.count(GLTF_MESHES) - n_placed);
 }
 
 void Gltf_reader::add_notes(size_t n_unplaced) {
