@@ -131,15 +131,12 @@ Matrix Gltf_reader::local(const Gltf_element &node) const {
   const double n = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
   if (!(n > 0) || !std::isfinite(n))
     node["rotation"].refuse("is no rotation");
-  for (size_t row = 0; row < 3; row++)
-    for (size_t c = 0; c < 3; c++) {
-      const size_t third = 3 - row - c; /* of the axes, if row != c */
-      const size_t a = (row + 1) % 3, b = (row + 2) % 3;
-      const double turn = c == a ? -q[third] * q[3] : q[third] * q[3];
-      const double r = row == c ? 1 - 2 * (q[a] * q[a] + q[b] * q[b]) / n
-                                : 2 * (q[row] * q[c] + turn) / n;
-      m[4 * row + c] = r * s[c];
-    }
+  for (size_t row = 0; row < 3; row++) {
+    const size_t a = (row + 1) % 3, b = (row + 2) % 3;
+    m[5 * row] = (1 - 2 * (q[a] * q[a] + q[b] * q[b]) / n) * s[row];
+    m[4 * row + a] = 2 * (q[row] * q[a] - q[b] * q[3]) / n * s[a];
+    m[4 * row + b] = 2 * (q[row] * q[b] + q[a] * q[3]) / n * s[b];
+  }
   for (size_t k = 0; k < 3; k++)
     m[4 * k + 3] = t[k];
   return m;
