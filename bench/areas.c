@@ -40,8 +40,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'o':
     if (o->output)
       return option_fail(&o->base, "areas: one -o, not also '%s'", arg);
-    o->output = arg;
-    return 0;
+    return parse_output(arg, ".csv", "areas", &o->base, &o->output);
   default:
     return parse_place_option(&o->scene, &o->view, key, arg, "areas", &o->base);
   }

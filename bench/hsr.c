@@ -6,6 +6,7 @@
 #include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
+#include "bench/terminal/streams.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
 
@@ -241,6 +242,6 @@ int main(int argc, char **argv) {
     return no_command(words[0]);
   status = begin(command, &err);
   if (!status)
-    status = command->run(n, words, &err);
+    status = streams_end(command->run(n, words, &err), &err);
   return end(finish(status, &err), &err);
 }

@@ -33,6 +33,8 @@ libbench_a_SOURCES = \
   %D%/errors.c \
   %D%/list.c \
   %D%/scenes.c \
+  %D%/densities.c \
+  %D%/densities.h \
   %D%/stats.c \
   %D%/voxels.c \
   %D%/check/candidates.c \
@@ -174,6 +176,8 @@ libbench_a_SOURCES = \
   %D%/tables/text.c \
   %D%/terminal/interrupt.c \
   %D%/terminal/interrupt.h \
+  %D%/terminal/streams.c \
+  %D%/terminal/streams.h \
   %D%/terminal/terminal.c \
   %D%/terminal/terminal.h \
   %D%/times/command.c \

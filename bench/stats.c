@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr stats: Table I of Sutherland et al. 1974, measured, and depths. */
+/* hsr stats: Table I of Sutherland et al. 1974, measured, depths, and the
+ * densities of a volume. */
+#include "bench/densities.h"
 #include "bench/options/command.h"
 #include "bench/options/place.h"
 #include "bench/results/json.h"
@@ -51,8 +53,10 @@ static const struct argp argp = {
     "view, and prints Table II's rules of thumb beside it, computed from the "
     "measured n, m, F_r, F_c and D_c. Then it says over how many samples how "
     "many faces lie, and with which probability two faces overlap in X, in Y "
-    "and in Z.\v"
-    "  hsr stats harbor --size 500x500",
+    "and in Z. Of a volume it first prints the densities of all samples: their "
+    "range, percentiles, the standard threshold and a histogram.\v"
+    "  hsr stats harbor --size 500x500\n"
+    "  hsr stats head.nii.gz",
     NULL,
     NULL,
     NULL};
@@ -82,11 +86,10 @@ struct depths {
   double rule; /* 2 H_f / n */
 };
 
-static enum hsr_status print_json(const struct options *o,
-                                  const struct hsr_table1 *measured,
-                                  const struct hsr_table1 *rules,
-                                  const struct depths *depths,
-                                  struct hsr_error *err) {
+static enum hsr_status
+print_json(const struct options *o, const struct hsr_table1 *measured,
+           const struct hsr_table1 *rules, const struct depths *depths,
+           const struct hsr_densities *densities, struct hsr_error *err) {
   json_t *samples = json_array();
   for (uint32_t k = 0; k <= depths->most; k++)
     hsr_json_append(&samples, json_integer((json_int_t)depths->samples[k]));
@@ -96,16 +99,20 @@ static enum hsr_status print_json(const struct options *o,
                                       "meaning", rows[k].meaning, "measured",
                                       number_or_null(cell(measured, k)), "rule",
                                       number_or_null(cell(rules, k))));
-  return json_print(json_pack("{ss ss si si si so so s{so so so so}}", "schema",
-                              "hsr-stats/1", "scene", o->scene.name, "view",
-                              (int)o->view.view, "width", o->view.m, "height",
-                              o->view.n, "table", table, "depths", samples,
-                              "overlaps", "x",
-                              number_or_null(depths->overlaps.f_x), "y",
-                              number_or_null(depths->overlaps.f_y), "z",
-                              number_or_null(depths->overlaps.f_z), "rule",
-                              number_or_null(depths->rule)),
-                    err);
+  json_t *all = json_pack("{ss ss si si si so so s{so so so so}}", "schema",
+                          "hsr-stats/1", "scene", o->scene.name, "view",
+                          (int)o->view.view, "width", o->view.m, "height",
+                          o->view.n, "table", table, "depths", samples,
+                          "overlaps", "x", number_or_null(depths->overlaps.f_x),
+                          "y", number_or_null(depths->overlaps.f_y), "z",
+                          number_or_null(depths->overlaps.f_z), "rule",
+                          number_or_null(depths->rule));
+  if (all && densities &&
+      json_object_set_new(all, "densities", densities_json(densities))) {
+    json_decref(all);
+    all = NULL;
+  }
+  return json_print(all, err);
 }
 
 static void print_number(double x) {
@@ -220,8 +227,11 @@ static enum hsr_status measure_depths(const struct options *o,
 static enum hsr_status measure(const struct options *o,
                                const struct hsr_world *world,
                                const struct hsr_view *view,
+                               const struct hsr_densities *densities,
                                struct hsr_error *err) {
   struct hsr_table1 measured, rules;
+  if (densities && !o->json)
+    print_densities(densities);
   enum hsr_status status = measure_table1(world, view, &measured, err);
   if (status)
     return status;
@@ -229,7 +239,7 @@ static enum hsr_status measure(const struct options *o,
   struct depths depths = {.samples = NULL};
   status = measure_depths(o, world, view, &measured, &depths, err);
   if (!status && o->json)
-    status = print_json(o, &measured, &rules, &depths, err);
+    status = print_json(o, &measured, &rules, &depths, densities, err);
   else if (!status) {
     print_text(o, &measured, &rules);
     print_depths(&depths);
@@ -246,7 +256,9 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
     return status;
   status = place_open(&place, &options.scene, &options.view, "stats", err);
   if (!status)
-    status = measure(&options, &place.world, &place.view, err);
+    status =
+        measure(&options, &place.world, &place.view,
+                place.scene->grid ? place.scene->grid->densities : NULL, err);
   place_close(&place);
   return status;
 }

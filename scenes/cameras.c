@@ -194,6 +194,16 @@ static enum hsr_status aim_by_file(struct hsr_scene *scene, const char *text,
 
 /* --- Palettes ------------------------------------------------------------- */
 
+static enum hsr_status open_palette(const char *text, size_t length,
+                                    struct hsr_palette *palette,
+                                    struct hsr_error *err) {
+  char *name = strndup(text, length);
+  enum hsr_status status =
+      name ? hsr_palette_open(name, palette, err) : hsr_fail_nomem(err);
+  free(name);
+  return status;
+}
+
 static enum hsr_status choose_palette(struct hsr_scene *scene, const char *text,
                                       size_t length, struct hsr_error *err) {
   if (!scene->grid)
@@ -201,11 +211,32 @@ static enum hsr_status choose_palette(struct hsr_scene *scene, const char *text,
                     "%.200s: is no grid, and only the splats of grids have a "
                     "palette",
                     scene->name);
-  char *name = strndup(text, length);
-  if (!name)
-    return hsr_fail_nomem(err);
-  enum hsr_status status = hsr_palette_open(name, &scene->grid->palette, err);
-  free(name);
+  enum hsr_status status =
+      open_palette(text, length, &scene->grid->palette, err);
+  if (!status && scene->grid->palette.has_window && !scene->grid->densities)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: its samples have no densities, and the palette "
+                    "has a window of them",
+                    scene->name);
+  return status;
+}
+
+/* A palette of a file may have a window, which the densities of a volume are
+ * levelled by while it is read. */
+enum hsr_status hsr_scene_expect(struct hsr_scene *scene, const char *cameras,
+                                 struct hsr_error *err) {
+  struct hsr_palette palette = {.has_window = false};
+  enum hsr_status status = HSR_OK;
+  while (*cameras && !status) {
+    const char *text = cameras + 1;
+    size_t n = strcspn(text, "@");
+    if (is_key(text, PALETTE))
+      status = open_palette(text + sizeof PALETTE, n - sizeof PALETTE, &palette,
+                            err);
+    cameras = text + n;
+  }
+  if (!status && palette.has_window)
+    memcpy(scene->window, palette.window, sizeof scene->window);
   return status;
 }
 

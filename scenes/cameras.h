@@ -35,6 +35,11 @@ size_t hsr_name_before_cameras(const char *name);
 enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
                               struct hsr_error *err);
 
+/* Sets what a palette of the name's cameras needs before the scene is filled:
+ * scene->window. Errors of palettes as of hsr_scene_aim. */
+enum hsr_status hsr_scene_expect(struct hsr_scene *scene, const char *cameras,
+                                 struct hsr_error *err);
+
 /* Replaces the views of a finished scene by n >= 1 of a full turn: view number
  * `view`, from 0, turned about the line through its point `at` along its `up`,
  * counter-clockwise seen from above. The first is that view itself. HSR_E_NOMEM;

@@ -266,11 +266,12 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
                     "export the model as .obj, .ply, .glb, .stl, .off or .vtp",
                     name);
   if (strpbrk(name, "./"))
-    return hsr_fail(err, HSR_E_INPUT,
-                    "%.200s: not a scene: files end in .scene.json, .off, "
-                    ".obj, .ply, .stl, .vtp, .gltf or .glb; volumes in .nii, .nii.gz, "
-                    ".mhd, .mha, .vtk, .vti or .vtr",
-                    name);
+    return hsr_fail(
+        err, HSR_E_INPUT,
+        "%.200s: not a scene: files end in .scene.json, .off, "
+        ".obj, .ply, .stl, .vtp, .gltf or .glb; volumes in .nii, .nii.gz, "
+        ".mhd, .mha, .nrrd, .nhdr, .vtk, .vti or .vtr",
+        name);
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
                   hint);
 }
@@ -391,16 +392,17 @@ static enum hsr_status fill(struct hsr_scene *scene, const char *name,
                             struct hsr_import *import, struct hsr_error *err) {
   if (!strncmp(name, "mesh:", 5))
     return open_mesh(scene, name + 5, import, err);
+  const char *path = import && import->path ? import->path : name;
   if (has_suffix(name, ".scene.json"))
-    return hsr_scene_json_read(scene, name, import, err);
+    return hsr_scene_json_read(scene, path, import, err);
   long frame;
   size_t file = file_before_frame(name, &frame);
   if (file)
     return open_frame(scene, name, file, frame, import, err);
   if (hsr_is_mesh_name(name))
-    return hsr_mesh_read(scene, name, import, err);
+    return hsr_mesh_read(scene, path, import, err);
   if (hsr_is_volume_name(name))
-    return hsr_volume_read(scene, name, err);
+    return hsr_volume_read(scene, path, import, err);
   return open_builtin(scene, name, err);
 }
 
@@ -482,6 +484,8 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
   bool alone = !status && part && is_made_by_parts(plain);
   if (!status && import)
     (*scene)->threads = import->threads;
+  if (!status)
+    status = hsr_scene_expect(*scene, name + n, err);
   if (!status)
     status = alone ? make_part(*scene, plain, part, err)
                    : open_plain(*scene, plain, import, err);

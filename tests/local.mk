@@ -129,6 +129,7 @@ tap_programs = \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/files/text_mesh_test \
+  %D%/unit/files/volume_place_test \
   %D%/unit/files/volume_test \
   %D%/unit/peers/line_pixels_test \
   %D%/unit/peers/lines_test \
@@ -141,6 +142,7 @@ tap_scripts = \
   %D%/command/command.test \
   %D%/command/completion.test \
   %D%/command/examples.test \
+  %D%/command/densities.test \
   %D%/command/full.test \
   %D%/command/gltf.test \
   %D%/command/gltf_models.test \
@@ -148,10 +150,12 @@ tap_scripts = \
   %D%/command/judge.test \
   %D%/command/outside.test \
   %D%/command/peers.test \
+  %D%/command/pictures.test \
   %D%/command/programs.test \
   %D%/command/programs_bench.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
+  %D%/command/streams.test \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \

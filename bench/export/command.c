@@ -79,8 +79,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'o':
     if (o->output)
       return option_fail(&o->base, "export: one output file");
-    o->output = arg;
-    return 0;
+    return parse_output(arg, NULL, "export", &o->base, &o->output);
   case WHAT:
     return choose_shape(o, arg);
   case VISIBLE:

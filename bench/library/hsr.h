@@ -627,11 +627,12 @@ struct hsr_style {
                     degrees are left out, unless they are outlines; 0: all are
                     drawn */
   const float *background; /* 3 numbers, linear, 0 to 1; NULL: the standard.
-                              Of kinds "ids" and "polygons" */
+                              Of kinds "ids", "polygons", "composited" */
 };
 
 /* Writes an answer to a file, as hsr render -o does: .exr .png ... of pictures,
- * .npy of ids, .svg .pdf .vtp .json of drawings, .vti of voxels. A failure
+ * .npy of ids and splats, .rgb.npy of colours, .depth.npy and .depth.png of the
+ * depths of ids, .svg .pdf .vtp .json of drawings, .vti of voxels. A failure
  * leaves no partial file. HSR_E_USAGE if such a file cannot hold the answer, or
  * the kind takes no account of what the style says; HSR_E_INPUT if it cannot be
  * written. */

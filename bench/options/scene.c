@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/scene.h"
 #include "bench/options/words.h"
+#include "bench/terminal/streams.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -9,6 +11,45 @@ bool parse_import_option(struct hsr_import *import, int key) {
   import->strict |= key == STRICT;
   import->two_sided |= key == TWO_SIDED;
   return key == STRICT || key == TWO_SIDED || key == DROP_DEGENERATE;
+}
+
+/* Reads standard input, if the scene is that. */
+static error_t take_input(struct scene_options *o, const char *command,
+                          struct option_base *base) {
+  const bool is_input = !strcmp(o->name, "-");
+  if (!is_input && o->format)
+    return option_fail(base, "%s: --format is for the scene - alone", command);
+  if (!is_input)
+    return 0;
+  if (!o->format)
+    return option_fail(base,
+                       "%s: --format says what standard input holds: obj, ply, "
+                       "...",
+                       command);
+  o->import.path = stream_input(o->format);
+  if (!o->import.path)
+    return option_fail(base, "standard input: cannot be read: %s",
+                       strerror(errno));
+  snprintf(o->of_input, sizeof o->of_input, "-.%s",
+           o->format + (*o->format == '.'));
+  o->name = o->of_input;
+  return 0;
+}
+
+error_t parse_output(const char *arg, const char *suffix, const char *command,
+                     struct option_base *base, const char **path) {
+  *path = arg;
+  if (!is_stream(arg))
+    return 0;
+  if (!arg[1] && !suffix)
+    return option_fail(
+        base, "%s: -o -.SUFFIX says what goes to standard output", command);
+  *path = stream_output(arg, suffix);
+  if (!*path && errno == EBUSY)
+    return option_fail(base, "%s: one file goes to standard output", command);
+  return *path ? 0
+               : option_fail(base, "standard output: cannot be written: %s",
+                             strerror(errno));
 }
 
 error_t parse_scene_option(struct scene_options *o, int key, char *arg,
@@ -25,11 +66,14 @@ error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                          command, arg);
     o->name = arg;
     return 0;
+  case FORMAT:
+    o->format = arg;
+    return 0;
   case ARGP_KEY_END:
     if (!o->name)
       return option_fail(base, "%s: which scene? (see hsr %s --help)", command,
                          command);
-    return 0;
+    return take_input(o, command, base);
   default:
     return ARGP_ERR_UNKNOWN;
   }

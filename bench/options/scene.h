@@ -9,6 +9,8 @@
 /* The one scene of a subcommand. */
 struct scene_options {
   const char *name;
+  const char *format; /* of standard input, which is named "-"; or NULL */
+  char of_input[50];  /* what its scene is called: "-.obj" */
   struct hsr_import import;
   char aimed[MOST_AIMED_NAME]; /* the name with its cameras and palette, once
                                   aim_scene has added them */
@@ -17,14 +19,21 @@ struct scene_options {
 /* An entry for an argp option array, and the parser of that option and of the
  * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
  * of the subcommand: "render", ... */
-enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE };
+enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE, FORMAT };
 #define SCENE_ARGP_OPTIONS                                                     \
-  {"strict",                                                                   \
-   STRICT,                                                                     \
-   NULL,                                                                       \
+  {"format",                                                                   \
+   FORMAT,                                                                     \
+   "SUFFIX",                                                                   \
    0,                                                                          \
-   "refuse a file with faces that have no area, instead of leaving them out",  \
+   "what standard input holds, if SCENE is -: obj, ply, nii, scene.json",      \
    0},                                                                         \
+      {"strict",                                                               \
+       STRICT,                                                                 \
+       NULL,                                                                   \
+       0,                                                                      \
+       "refuse a file with faces that have no area, instead of leaving them "  \
+       "out",                                                                  \
+       0},                                                                     \
       {"drop-degenerate", DROP_DEGENERATE, NULL, OPTION_HIDDEN, NULL, 0}, {    \
     "two-sided", TWO_SIDED, NULL, 0,                                           \
         "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
@@ -35,6 +44,11 @@ enum { STRICT = 0x180, TWO_SIDED, DROP_DEGENERATE };
 bool parse_import_option(struct hsr_import *import, int key);
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
+
+/* Sets *path to the file that an option -o names. "-.png" is standard output as
+ * .png, and "-" is it with the suffix `suffix`, unless that is NULL. */
+error_t parse_output(const char *arg, const char *suffix, const char *command,
+                     struct option_base *base, const char **path);
 
 /* --jobs of subcommands that draw on so many threads. */
 #define THREADS_ARGP_OPTION                                                    \

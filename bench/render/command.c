@@ -237,10 +237,11 @@ static enum hsr_status make_series(struct render *r, struct hsr_error *err) {
   return status;
 }
 
-/* Whether face ids are asked for. */
+/* Whether face ids or their depths are asked for. */
 static bool wants_ids(const struct render_options *o) {
   for (int k = 0; k < o->n_outputs; k++)
-    if (hsr_is_array_file(o->output[k]))
+    if (hsr_is_depth_file(o->output[k]) ||
+        (hsr_is_array_file(o->output[k]) && !hsr_is_colour_array(o->output[k])))
       return true;
   return false;
 }

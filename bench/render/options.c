@@ -193,8 +193,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->n_outputs == MOST_OUTPUTS)
       return option_fail(&o->base, "render: at most %d output files",
                          (int)MOST_OUTPUTS);
-    o->output[o->n_outputs++] = arg;
-    return 0;
+    return parse_output(arg, ".png", "render", &o->base,
+                        &o->output[o->n_outputs++]);
   case 'J':
     return parse_threads(&o->scene, &o->threads, arg, &o->base);
   case 'S':
@@ -236,8 +236,10 @@ static const struct argp_option entries[] = {
      "the algorithm, or, with a slash, a program (standard: zbuffer-fast)", 0},
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B and, unless it is "
-     "filtered, depth Z and face id; .npy the face ids, 4294967295 where there "
-     "is none; .png and others the colours; .svg, .pdf "
+     "filtered, depth Z and face id, or, of splats, the opacity A; .npy the "
+     "face ids, 4294967295 where there is none, or the splats' R G B A; "
+     ".rgb.npy the colours, .depth.npy and .depth.png the depths of faces; "
+     ".png and others the colours; .svg, .pdf "
      "and, in world space, .vtp hold a line "
      "drawing or visible polygons; .json a line drawing's intervals, edge by "
      "edge, for programs. May be given several times. Of several "
@@ -268,7 +270,7 @@ static const struct argp_option entries[] = {
      "make a picture of each of these scenes: SCENE has %d in the place of the "
      "number, as in traffic:20:%d; with --views A, view A + K of the K-th",
      10},
-    {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
+    {NULL, 0, NULL, 0, "Where the algorithm draws faces or splats:", 2},
     {"work", WORK, "FILE", 0,
      "write the work picture: how often each sample was touched (runs the "
      "counting build); filtered, only where the algorithm filters itself",
@@ -280,8 +282,8 @@ static const struct argp_option entries[] = {
     {"supersample", 'S', "N", 0,
      "N x N samples a pixel, averaged (colours only)", 2},
     {"background", BACKGROUND, "COLOUR", 0,
-     "white, R,G,B (each 0 to 255), or none: transparent, in .png files "
-     "(standard: a dark blue grey)",
+     "white, R,G,B (each 0 to 255), or none: transparent, in .png and .exr "
+     "files (standard: a dark blue grey; behind splats, black)",
      2},
     {NULL, 0, NULL, 0, "Where it draws in passes:", 4},
     {"passes", PASSES, "FILE", 0,
@@ -405,9 +407,10 @@ static bool is_exr(const char *path) {
 static enum hsr_status check_files(const struct render_options *o,
                                    struct hsr_error *err) {
   for (int k = 0; k < o->n_outputs; k++) {
-    if (o->no_background && !hsr_ends_in(o->output[k], ".png"))
+    if (o->no_background && !hsr_can_be_clear(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE,
-                      "%.200s: --background none is for .png files",
+                      "%.200s: --background none is for .png, .exr and "
+                      ".rgb.npy files",
                       o->output[k]);
     if (o->page.width > 0 && !hsr_ends_in(o->output[k], ".svg") &&
         !hsr_ends_in(o->output[k], ".pdf"))
@@ -415,11 +418,12 @@ static enum hsr_status check_files(const struct render_options *o,
                       "%.200s: --width is for .svg and .pdf files; --size is "
                       "the pixels of others",
                       o->output[k]);
-    if (o->supersamples > 1 && hsr_is_array_file(o->output[k]))
+    if (o->supersamples > 1 && !hsr_is_colour_file(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE,
-                      "%.200s: holds face ids, which are not averaged; leave "
-                      "out --supersample, or make --size larger",
-                      o->output[k]);
+                      "%.200s: holds %s, which are not averaged; leave out "
+                      "--supersample, or make --size larger",
+                      o->output[k],
+                      hsr_is_depth_file(o->output[k]) ? "depths" : "face ids");
   }
   return HSR_OK;
 }

@@ -303,7 +303,7 @@ static enum hsr_status write_difference(struct sheet *s, uint32_t *ids,
       got.form.type->show_difference(&comparison, &showing, s->rgb, err);
   char path[PATH];
   path_of(s, name, path);
-  struct hsr_picture picture = {m, n, ids, NULL, s->rgb};
+  struct hsr_picture picture = {.m = m, .n = n, .ids = ids, .rgb = s->rgb};
   return status ? status : hsr_image_write(path, &picture, NULL, err);
 }
 

@@ -149,7 +149,7 @@ enum hsr_status say_picture(const struct judged *judged, const char *path,
       rgb[3 * k + (size_t)c] =
           hsr_srgb_decode((float)(colour >> (16 - 8 * c) & 0xff) / 255);
   }
-  struct hsr_picture picture = {v->m, v->n, NULL, NULL, rgb};
+  struct hsr_picture picture = {.m = v->m, .n = v->n, .rgb = rgb};
   enum hsr_status status = hsr_image_write(path, &picture, NULL, err);
   free(rgb);
   return status;

@@ -3,8 +3,11 @@
  * programs. */
 #include "bench/options/command.h"
 #include "bench/options/parser.h"
+#include "bench/options/scene.h"
+#include "bench/terminal/streams.h"
 #include "bench/times/rows.h"
 
+#include <errno.h>
 #include <string.h>
 
 enum { MOST_FILES = 64, CSV = 0x200, LATEX, PLOT, REFERENCE };
@@ -30,8 +33,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->json = true;
     return 0;
   case PLOT:
-    o->plot = arg;
-    return rows_plot_fits(arg)
+    if (parse_output(arg, ".svg", "times", &o->base, &o->plot))
+      return EINVAL;
+    return rows_plot_fits(o->plot)
                ? 0
                : option_fail(&o->base,
                              "--plot %s: must end in .svg, .pdf or "
@@ -43,8 +47,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_ARG:
     if (o->n_files == MOST_FILES)
       return option_fail(&o->base, "times: at most %d files", (int)MOST_FILES);
-    o->file[o->n_files++] = arg;
-    return 0;
+    o->file[o->n_files] = is_stream(arg) ? stream_input("ndjson") : arg;
+    return o->file[o->n_files++]
+               ? 0
+               : option_fail(&o->base, "standard input: cannot be read: %s",
+                             strerror(errno));
   case ARGP_KEY_END:
     if (o->csv + o->json + o->latex > 1)
       return option_fail(&o->base,

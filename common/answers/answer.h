@@ -105,8 +105,8 @@ struct hsr_showing {
   enum hsr_hidden hidden; /* how hidden lines are drawn */
   double crease;          /* degrees; negative: all edges */
   struct hsr_page page;   /* of .svg and .pdf files */
-  /* Where there is no face: a linear colour; or nothing, in a .png file of
-   * ids. */
+  /* Where there is no face, and behind splats: a linear colour; or nothing, in
+   * .png and .exr files. */
   struct {
     bool given, none;
     float rgb[3];

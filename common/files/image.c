@@ -2,6 +2,10 @@
 #include "common/files/colour_tiles.h"
 #include "common/files/image_library.h"
 #include "common/files/library.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 static enum hsr_status load(const struct hsr_image_library **images,
                             struct hsr_error *err) {
@@ -12,21 +16,54 @@ static enum hsr_status load(const struct hsr_image_library **images,
   return status;
 }
 
+/* R G B, or R G B A, of each pixel. */
+static enum hsr_status write_colours(const char *path,
+                                     const struct hsr_picture *picture,
+                                     struct hsr_error *err) {
+  size_t n = (size_t)picture->m * (size_t)picture->n,
+         channels = picture->alpha ? 4 : 3;
+  float *all = malloc(channels * n * sizeof *all);
+  if (!all)
+    return hsr_fail_nomem(err);
+  for (size_t k = 0; k < n; k++) {
+    memcpy(all + channels * k, picture->rgb + 3 * k, 3 * sizeof *all);
+    if (picture->alpha)
+      all[channels * k + 3] = picture->alpha[k];
+  }
+  const struct hsr_npy array = {
+      .kind = 'f',
+      .bytes = sizeof *all,
+      .n_dimensions = 3,
+      .size = {(uint64_t)picture->n, (uint64_t)picture->m, channels},
+      .data = all};
+  enum hsr_status status = hsr_npy_write(path, &array, err);
+  free(all);
+  return status;
+}
+
 enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err) {
+  if (hsr_is_array_file(path))
+    return write_colours(path, picture, err);
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
   return status ? status : images->write(path, picture, text, err);
 }
 
-enum hsr_status hsr_image_write_alpha(const char *path,
-                                      const struct hsr_picture *picture,
-                                      const float *alpha, const char *text,
-                                      struct hsr_error *err) {
+enum hsr_status hsr_image_write_depths(const char *path, int m, int n,
+                                       const double *depth, const char *text,
+                                       struct hsr_error *err) {
+  const struct hsr_npy array = {.kind = 'f',
+                                .bytes = sizeof *depth,
+                                .n_dimensions = 2,
+                                .size = {(uint64_t)n, (uint64_t)m},
+                                .data = (void *)depth};
+  if (hsr_is_array_file(path))
+    return hsr_npy_write(path, &array, err);
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
-  return status ? status : images->write_alpha(path, picture, alpha, text, err);
+  return status ? status : images->write_depths(path, m, n, depth, text, err);
 }
 
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,

@@ -11,10 +11,12 @@ extern "C" {
 #endif
 
 /* Writes a picture in the format of the suffix:
- *   .exr  channels R G B Z as float and id as 32-bit unsigned. The picture must
- *         have rgb, depth and ids;
+ *   .exr  channels R G B as float; A if there is an alpha; Z as float and id as
+ *         32-bit unsigned if there are depth and ids;
+ *   .npy  floats: R G B and, if there is an alpha, A, of each pixel;
  *   any other suffix that OpenImageIO writes (.png, .ppm, .tif, .jpg ...): rgb
- *         with 8 bits a channel, sRGB-encoded.
+ *         with 8 bits a channel, sRGB-encoded. With an alpha, for .png, colours
+ *         are divided by it before they are encoded, and A is a channel.
  * The file is written under a temporary name beside `path` and then renamed, so
  * that a failure leaves no partial file. `text` is NULL or lines of
  * "key=value", which are put into the file's metadata if the format has a place
@@ -24,12 +26,16 @@ enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
-/* Writes the colours of a picture with an opacity alpha[k], 0..1, for each
- * pixel k, as .png, with 8 bits a channel. Errors as hsr_image_write. */
-enum hsr_status hsr_image_write_alpha(const char *path,
-                                      const struct hsr_picture *picture,
-                                      const float *alpha, const char *text,
-                                      struct hsr_error *err);
+/* Writes depths, m x n, by rows from the top, of which those that are not finite
+ * are of no face:
+ *   .npy  doubles, as they are;
+ *   .png  16 bits, grey: v is least + (v - 1) / 65534 (greatest - least), from 1
+ *         for the least depth to 65535 for the greatest, and 0 is no face. The
+ *         two are in the file's text, as DepthLeast and DepthGreatest.
+ * Errors as hsr_image_write. */
+enum hsr_status hsr_image_write_depths(const char *path, int m, int n,
+                                       const double *depth, const char *text,
+                                       struct hsr_error *err);
 
 /* Writes m x n values from 0 to 1, x[j * m + i], as colours of a perceptual
  * ramp from dark to bright. Not for .exr. Errors as hsr_image_write. */

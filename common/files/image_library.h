@@ -9,10 +9,9 @@
 struct hsr_image_library {
   enum hsr_status (*write)(const char *path, const struct hsr_picture *picture,
                            const char *text, struct hsr_error *err);
-  enum hsr_status (*write_alpha)(const char *path,
-                                 const struct hsr_picture *picture,
-                                 const float *alpha, const char *text,
-                                 struct hsr_error *err);
+  enum hsr_status (*write_depths)(const char *path, int m, int n,
+                                  const double *depth, const char *text,
+                                  struct hsr_error *err);
   enum hsr_status (*write_work)(const char *path, int m, int n,
                                 const float *work, struct hsr_error *err);
   enum hsr_status (*write_ramp)(const char *path, int m, int n, const float *x,

@@ -125,30 +125,41 @@ size_t n_pixels(const hsr_picture &picture) {
   return size_t(picture.m) * size_t(picture.n);
 }
 
-/* R G B Z id; only R G B where the pixels are no samples. */
+/* R G B, A where there is an alpha, Z and id where pixels are samples. */
 void write_exr(const std::string &path, const hsr_picture &picture,
                const char *text) {
-  const bool samples = picture.ids && picture.depth;
-  ImageSpec spec(picture.m, picture.n, samples ? 5 : 3, TypeDesc::FLOAT);
+  const size_t floats = 3 + (picture.alpha ? 1 : 0) + (picture.depth ? 1 : 0),
+               size = floats + (picture.ids ? 1 : 0);
+  ImageSpec spec(picture.m, picture.n, int(size), TypeDesc::FLOAT);
   spec.channelnames = {"R", "G", "B"};
+  if (picture.alpha) {
+    spec.channelnames.push_back("A");
+    spec.alpha_channel = 3;
+  }
+  if (picture.depth) {
+    spec.z_channel = int(spec.channelnames.size());
+    spec.channelnames.push_back("Z");
+  }
+  spec.channelformats.assign(floats, TypeDesc::FLOAT);
+  if (picture.ids) {
+    spec.channelnames.push_back("id");
+    spec.channelformats.push_back(TypeDesc::UINT32);
+  }
   spec.attribute("compression", "zip");
   annotate(spec, text);
-  if (!samples) {
-    write_file(path, spec, TypeDesc::FLOAT, picture.rgb);
-    return;
+  std::vector<uint32_t> pixels(size * n_pixels(picture)); /* bits of floats */
+  uint32_t *to = pixels.data();
+  const auto put = [&to](float x) { std::memcpy(to++, &x, sizeof x); };
+  for (size_t k = 0; k < n_pixels(picture); k++) {
+    for (size_t c = 0; c < 3; c++)
+      put(picture.rgb[3 * k + c]);
+    if (picture.alpha)
+      put(picture.alpha[k]);
+    if (picture.depth)
+      put(picture.depth[k]);
+    if (picture.ids)
+      *to++ = picture.ids[k];
   }
-  spec.channelnames.insert(spec.channelnames.end(), {"Z", "id"});
-  spec.channelformats.assign(4, TypeDesc::FLOAT);
-  spec.channelformats.push_back(TypeDesc::UINT32);
-  spec.z_channel = 3;
-  struct Pixel {
-    float r, g, b, z;
-    uint32_t id;
-  };
-  std::vector<Pixel> pixels(n_pixels(picture));
-  for (size_t k = 0; k < pixels.size(); k++)
-    pixels[k] = {picture.rgb[3 * k], picture.rgb[3 * k + 1],
-                 picture.rgb[3 * k + 2], picture.depth[k], picture.ids[k]};
   write_file(path, spec, TypeDesc::UNKNOWN, pixels.data());
 }
 
@@ -169,20 +180,50 @@ void write_colours(const std::string &path, const hsr_picture &picture,
   write_file(path, spec, TypeDesc::UINT8, bytes.data());
 }
 
-/* With a fourth channel, by which the colours are not multiplied. */
+/* With a fourth channel, by which the colours are divided. */
 void write_with_alpha(const std::string &path, const hsr_picture &picture,
-                      const float *alpha, const char *text) {
+                      const char *text) {
   ImageSpec spec(picture.m, picture.n, 4, TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("oiio:UnassociatedAlpha", 1);
   annotate(spec, text);
   std::vector<unsigned char> bytes(4 * n_pixels(picture));
   for (size_t k = 0; k < n_pixels(picture); k++) {
-    for (size_t c = 0; c < 3; c++)
-      bytes[4 * k + c] = byte_of(hsr_srgb_encode(picture.rgb[3 * k + c]));
-    bytes[4 * k + 3] = byte_of(alpha[k]);
+    const float alpha = picture.alpha[k];
+    for (size_t c = 0; c < 3 && alpha > 0; c++)
+      bytes[4 * k + c] = byte_of(
+          hsr_srgb_encode(std::min(1.0f, picture.rgb[3 * k + c] / alpha)));
+    bytes[4 * k + 3] = byte_of(alpha);
   }
   write_file(path, spec, TypeDesc::UINT8, bytes.data());
+}
+
+/* As image.h says. */
+void write_grey_depths(const std::string &path, int m, int n,
+                       const double *depth, const char *text) {
+  const size_t size = size_t(m) * size_t(n);
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (size_t k = 0; k < size; k++)
+    if (std::isfinite(depth[k])) {
+      least = std::min(least, depth[k]);
+      greatest = std::max(greatest, depth[k]);
+    }
+  std::vector<uint16_t> grey(size, 0);
+  const double range = greatest > least ? greatest - least : 1;
+  for (size_t k = 0; k < size; k++)
+    if (std::isfinite(depth[k]))
+      grey[k] = uint16_t(1 + std::lrint(65534 * ((depth[k] - least) / range)));
+  ImageSpec spec(m, n, 1, TypeDesc::UINT16);
+  spec.attribute("oiio:ColorSpace", "Linear");
+  annotate(spec, text);
+  char number[40];
+  if (least <= greatest) {
+    std::snprintf(number, sizeof number, "%.17g", least);
+    spec.attribute("DepthLeast", number);
+    std::snprintf(number, sizeof number, "%.17g", greatest);
+    spec.attribute("DepthGreatest", number);
+  }
+  write_file(path, spec, TypeDesc::UINT16, grey.data());
 }
 
 /* Logarithmically to 1, over a factor of 256, since work is spread as unevenly
@@ -209,7 +250,11 @@ void write_ramp(const std::string &path, int m, int n, const float *x) {
   if (!OIIO::ImageBufAlgo::color_map(ramp, source, 0, "inferno", OIIO::ROI(),
                                      1))
     throw failure(path, ramp.geterror());
-  write_colours(path, {m, n, nullptr, nullptr, rgb.data()}, nullptr);
+  hsr_picture picture = {};
+  picture.m = m;
+  picture.n = n;
+  picture.rgb = rgb.data();
+  write_colours(path, picture, nullptr);
 }
 
 /* Runs `write`, turning whatever it throws into a status. */
@@ -235,16 +280,18 @@ enum hsr_status write(const char *path, const struct hsr_picture *picture,
       [&] {
         if (suffix_of(path) == ".exr")
           write_exr(path, *picture, text);
+        else if (picture->alpha)
+          write_with_alpha(path, *picture, text);
         else
           write_colours(path, *picture, text);
       },
       err);
 }
 
-enum hsr_status write_alpha(const char *path, const struct hsr_picture *picture,
-                            const float *alpha, const char *text,
-                            struct hsr_error *err) {
-  return guarded([&] { write_with_alpha(path, *picture, alpha, text); }, err);
+enum hsr_status write_depths(const char *path, int m, int n,
+                             const double *depth, const char *text,
+                             struct hsr_error *err) {
+  return guarded([&] { write_grey_depths(path, m, n, depth, text); }, err);
 }
 
 enum hsr_status write_bright(const char *path, int m, int n, const float *x,
@@ -541,6 +588,6 @@ enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
 extern "C" {
 extern const struct hsr_image_library hsr_images;
 const struct hsr_image_library hsr_images = {
-    write, write_alpha,  write_work, write_bright,
+    write, write_depths, write_work, write_bright,
     read,  read_numbers, write_tile, join_tiles};
 }

@@ -26,9 +26,27 @@ static inline bool hsr_is_array_file(const char *path) {
   return hsr_ends_in(path, ".npy");
 }
 
+/* Whether a file of this name holds depths and nothing else. */
+static inline bool hsr_is_depth_file(const char *path) {
+  return hsr_ends_in(path, ".depth.npy") || hsr_ends_in(path, ".depth.png");
+}
+
+/* Whether a file of this name holds colours as an array of numbers. */
+static inline bool hsr_is_colour_array(const char *path) {
+  return hsr_ends_in(path, ".rgb.npy");
+}
+
 /* Whether a file of this name may hold the colours of pixels. */
 static inline bool hsr_is_colour_file(const char *path) {
-  return !hsr_is_line_file(path) && !hsr_is_array_file(path);
+  return hsr_is_colour_array(path) ||
+         !(hsr_is_line_file(path) || hsr_is_array_file(path) ||
+           hsr_is_depth_file(path));
+}
+
+/* Whether a file of this name can hold an opacity beside the colours. */
+static inline bool hsr_can_be_clear(const char *path) {
+  return hsr_is_colour_array(path) || hsr_ends_in(path, ".exr") ||
+         (hsr_ends_in(path, ".png") && !hsr_is_depth_file(path));
 }
 
 #endif

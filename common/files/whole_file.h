@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An output file that exists completely or not at all. It is written under a
- * temporary name, "PATH.part", and renamed at the end. If PATH is a device or a
- * pipe, the file is written elsewhere and copied to it at the end. */
+ * temporary name, "PATH.part", and renamed at the end. If PATH is a symbolic
+ * link, PATH is what it leads to. If that is a device or a pipe, the file is
+ * written elsewhere and copied to it at the end. */
 #ifndef HSR_COMMON_WHOLE_FILE_H
 #define HSR_COMMON_WHOLE_FILE_H
 
@@ -16,6 +17,7 @@ extern "C" {
 
 struct hsr_whole_file {
   const char *path; /* borrowed until the file is closed */
+  char *place;      /* what `path` leads to; owned */
   char *part;       /* the temporary name; owned */
   FILE *stream;     /* for the caller to write to */
   bool special;     /* `path` is a device or a pipe */

@@ -151,6 +151,8 @@ static void set_levels(struct keeper *keeper, const uint32_t at[3],
         gradient[a] * (g->bound[a][at[a] + 1] - g->bound[a][at[a]]) / width;
     gradient[a] = -gradient[a];
   }
+  if (s->normal)
+    s->normal(s->data, at, gradient);
   g->level[cell] = is_range ? level_of((density - s->low) / width) : 255;
   g->steep[cell] = level_of(length_of(by_cell));
   g->normal[cell] = hsr_normal_code(gradient);
@@ -337,6 +339,7 @@ void hsr_grid_free(struct hsr_grid *grid) {
   free(grid->level);
   free(grid->steep);
   free(grid->normal);
+  free(grid->densities);
   *grid = (struct hsr_grid){.n_cells = 0};
 }
 

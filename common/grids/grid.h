@@ -49,7 +49,10 @@ struct hsr_grid {
   uint8_t *steep;    /* by kept cell: the size of its gradient, 0 to 255 */
   uint16_t *normal;  /* by kept cell: the direction against its gradient, a code
                         of common/grids/normal.h */
-  struct hsr_palette palette; /* how samples look as splats */
+  struct hsr_palette palette;      /* how samples look as splats */
+  struct hsr_densities *densities; /* of all samples, kept or not
+                                      (common/grids/densities.h); NULL: they are
+                                      not known */
 };
 
 /* Writes the colour of the kept sample at[], linear, 0..1. */
@@ -70,6 +73,9 @@ struct hsr_grid_samples {
   void *data;
   double low, high; /* the densities of level 0 and level 255. If low is not
                        below high, all levels of density are 255 */
+  /* Writes the normal of sample at[], of any length. NULL: it is against the
+   * gradient. */
+  void (*normal)(void *data, const uint32_t at[3], double normal[3]);
 };
 
 /* Which samples are kept: those with a density of `least` to `most` and a

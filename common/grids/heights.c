@@ -60,6 +60,25 @@ static void colour_of(void *data, const uint32_t at[3], float density,
     by_level((float)at[1] / (float)h->levels, rgb);
 }
 
+static double height_at(const struct hsr_heights *h, uint32_t x, uint32_t z) {
+  size_t at = (size_t)z * h->n[0] + x;
+  return h->height ? (double)h->height[at] : (double)h->level[at];
+}
+
+static void normal_of(void *data, const uint32_t at[3], double normal[3]) {
+  const struct hsr_heights *h = data;
+  uint32_t x0 = at[0] ? at[0] - 1 : 0, z0 = at[2] ? at[2] - 1 : 0,
+           x1 = at[0] + 1 < h->n[0] ? at[0] + 1 : at[0],
+           z1 = at[2] + 1 < h->n[1] ? at[2] + 1 : at[2];
+  normal[0] =
+      x1 > x0 ? (height_at(h, x0, at[2]) - height_at(h, x1, at[2])) / (x1 - x0)
+              : 0;
+  normal[1] = 1;
+  normal[2] =
+      z1 > z0 ? (height_at(h, at[0], z0) - height_at(h, at[0], z1)) / (z1 - z0)
+              : 0;
+}
+
 enum hsr_status hsr_heights_grid(struct hsr_grid *grid,
                                  const struct hsr_heights *heights,
                                  struct hsr_error *err) {
@@ -74,8 +93,12 @@ enum hsr_status hsr_heights_grid(struct hsr_grid *grid,
     return hsr_fail_nomem(err);
   for (uint32_t k = 0; k < most; k++)
     at[k] = k;
-  const struct hsr_grid_samples samples = {
-      {n[0], n[1], n[2]}, {at, at, at}, column_slice, colour_of, &own, 0, 0};
+  const struct hsr_grid_samples samples = {.n = {n[0], n[1], n[2]},
+                                           .position = {at, at, at},
+                                           .slice = column_slice,
+                                           .colour = colour_of,
+                                           .data = &own,
+                                           .normal = normal_of};
   enum hsr_status status = hsr_grid_init(grid, &samples, &positive, err);
   free(at);
   return status;

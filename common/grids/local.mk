@@ -7,6 +7,8 @@ libcore_a_SOURCES += \
   %D%/palette.h \
   %D%/splatting.h
 libcore_a_SOURCES += \
+  %D%/densities.c \
+  %D%/densities.h \
   %D%/grid.c \
   %D%/heights.c \
   %D%/normal.c \

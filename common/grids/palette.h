@@ -26,6 +26,8 @@ struct hsr_palette {
   uint16_t rgb[HSR_LEVELS][3];   /* by level of density */
   uint16_t gradient[HSR_LEVELS]; /* by level of gradient: a factor of the
                                     opacity */
+  bool has_window;
+  double window[2]; /* the densities of level 0 and level 255 */
   bool own_colours; /* samples that have a colour of their own keep it */
   uint16_t ambient, diffuse, specular; /* the parts of the light */
   int exponent;                        /* of the specular light, 1..128 */

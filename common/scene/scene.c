@@ -30,6 +30,8 @@ struct hsr_scene *hsr_scene_new(const char *name) {
     free(scene);
     return NULL;
   }
+  for (int k = 0; k < 3; k++)
+    scene->stand[k][k] = 1;
   return scene;
 }
 
@@ -461,12 +463,14 @@ enum hsr_status hsr_scene_add_orbit_around(struct hsr_scene *scene,
       c = turned;
     }
     /* 1 / sin(45/2 degrees) is 2.613: the sphere just fits. */
-    struct hsr_camera camera = {.eye = {centre[0] + 2.46 * radius * s,
-                                        centre[1] + 0.89 * radius,
-                                        centre[2] + 2.46 * radius * c},
-                                .at = {centre[0], centre[1], centre[2]},
-                                .up = {0, 1, 0},
-                                .fov = 45};
+    const double by[3] = {2.46 * radius * s, 0.89 * radius, 2.46 * radius * c};
+    struct hsr_camera camera = {.fov = 45};
+    for (int a = 0; a < 3; a++) {
+      camera.at[a] = camera.eye[a] = centre[a];
+      camera.up[a] = scene->stand[1][a];
+      for (int k = 0; k < 3; k++)
+        camera.eye[a] += by[k] * scene->stand[k][a];
+    }
     enum hsr_status status = hsr_scene_view(scene, &camera);
     if (status)
       return status;

@@ -101,7 +101,11 @@ struct hsr_scene {
                                scene */
   uint32_t n_objects, n_instances, n_views;
   uint32_t cap_objects, cap_instances, cap_views; /* room, for the builder */
-  int enlarged;                /* all lengths have been multiplied by 2^enlarged
+  double window[2]; /* the densities that are to be level 0 and level 255 of its
+                       grid; both 0: as the grid's builder likes */
+  double stand[3][3]; /* of views that the scene is given: what is right,
+                         upwards and towards the viewer. Standard: x, y, z */
+  int enlarged;       /* all lengths have been multiplied by 2^enlarged
                                   (hsr_scene_enlarge) */
   struct hsr_motions *motions; /* what is known of motions; NULL: nothing */
   int threads; /* the number of threads that check the scene, lay it out and

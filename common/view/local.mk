@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 libcore_a_SOURCES += \
   %D%/clip.h \
+  %D%/depths.h \
   %D%/gouraud.h \
   %D%/line_name.h \
   %D%/picture.h \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/view/picture.h"
+#include "common/view/depths.h"
 #include "common/view/gouraud.h"
 
 #include <math.h>
@@ -25,18 +25,29 @@ static double depth_of_plane(const struct hsr_world *world,
   return hsr_view_depth(view, slope / hsr_view_height(view, n, p));
 }
 
+/* At sample k of the picture; infinite where there is no face. */
+static double depth_at(const struct hsr_world *world,
+                       const struct hsr_view *view, const uint32_t *ids,
+                       size_t k) {
+  int i = (int)(k % (size_t)view->m), j = (int)(k / (size_t)view->m);
+  return ids[k] == HSR_BACKGROUND
+             ? (double)INFINITY
+             : depth_of_plane(world, view, ids[k], hsr_sample_x(view, i),
+                              hsr_sample_y(view, j));
+}
+
 void hsr_picture_depth(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,
                        float *depth) {
-  for (int j = 0; j < view->n; j++)
-    for (int i = 0; i < view->m; i++) {
-      size_t k = (size_t)j * (size_t)view->m + (size_t)i;
-      depth[k] = ids[k] == HSR_BACKGROUND
-                     ? INFINITY
-                     : (float)depth_of_plane(world, view, ids[k],
-                                             hsr_sample_x(view, i),
-                                             hsr_sample_y(view, j));
-    }
+  for (size_t k = 0; k < (size_t)view->m * (size_t)view->n; k++)
+    depth[k] = (float)depth_at(world, view, ids, k);
+}
+
+void hsr_picture_depths(const struct hsr_world *world,
+                        const struct hsr_view *view, const uint32_t *ids,
+                        double *depth) {
+  for (size_t k = 0; k < (size_t)view->m * (size_t)view->n; k++)
+    depth[k] = depth_at(world, view, ids, k);
 }
 
 /* A colour that neighbouring ids do not share, by a multiplicative hash of the

@@ -19,6 +19,8 @@ struct hsr_picture {
   const float *depth;  /* m * n: depth t of the face, world units, or +infinity
                           of the background; may be NULL */
   const float *rgb;    /* 3 * m * n, linear, 0..1; may be NULL */
+  const float *alpha;  /* m * n: how much of each pixel is covered, 0..1, by
+                          which rgb is multiplied; NULL: all is covered */
 };
 
 enum hsr_shading {

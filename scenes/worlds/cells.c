@@ -78,7 +78,7 @@ enum hsr_status hsr_build_checker_cube(struct hsr_scene *scene,
   if (!at)
     return HSR_E_NOMEM;
   const struct hsr_grid_samples samples = {
-      {n, n, n}, {at, at, at}, shell_slice, checkered, &n, 0, 0};
+      {n, n, n}, {at, at, at}, shell_slice, checkered, &n, 0, 0, NULL};
   enum hsr_status status = add_grid(scene, &samples);
   free(at);
   if (status)

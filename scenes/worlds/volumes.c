@@ -55,8 +55,14 @@ enum hsr_status hsr_build_checker_plane(struct hsr_scene *scene,
   double at[PLANE_X];
   for (int k = 0; k < PLANE_X; k++)
     at[k] = k;
-  const struct hsr_grid_samples samples = {
-      {PLANE_X, 1, PLANE_Z}, {at, at, at}, full_slice, squares, NULL, 0, 0};
+  const struct hsr_grid_samples samples = {{PLANE_X, 1, PLANE_Z},
+                                           {at, at, at},
+                                           full_slice,
+                                           squares,
+                                           NULL,
+                                           0,
+                                           0,
+                                           NULL};
   struct hsr_grid grid;
   enum hsr_status status = hsr_grid_init(&grid, &samples, &positive, NULL);
   status = take_grid(scene, status, &grid);
@@ -159,7 +165,8 @@ enum hsr_status hsr_build_heights(struct hsr_scene *scene,
   if (!status) {
     raise_terrain(&d, 0.66);
     take_levels(&d, n, levels, level);
-    const struct hsr_heights heights = {{n, n}, levels, level, NULL};
+    const struct hsr_heights heights = {
+        .n = {n, n}, .levels = levels, .level = level};
     status = hsr_heights_grid(&grid, &heights, NULL);
   }
   status = take_grid(scene, status, &grid);
@@ -208,7 +215,8 @@ enum hsr_status hsr_build_colorado(struct hsr_scene *scene,
   if (!status && (size[0] != MAP || size[1] != MAP))
     status = HSR_E_INPUT;
   if (!status) {
-    const struct hsr_heights heights = {{MAP, MAP}, 256, level, rgb};
+    const struct hsr_heights heights = {
+        .n = {MAP, MAP}, .levels = 256, .level = level, .rgb = rgb};
     status = hsr_heights_grid(&grid, &heights, NULL);
   }
   status = take_grid(scene, status, &grid);
@@ -304,7 +312,8 @@ enum hsr_status hsr_build_tubules(struct hsr_scene *scene,
                                              by_depth,
                                              inside,
                                              0,
-                                             0};
+                                             0,
+                                             NULL};
     status = hsr_grid_init(&grid, &samples, &positive, NULL);
   }
   free(inside);
@@ -319,12 +328,12 @@ enum hsr_status hsr_build_brain(struct hsr_scene *scene,
   snprintf(name, sizeof name,
            HSR_BRAIN_FILE ":size=128x128x84:offset=62:least=%lld",
            parameter[0]);
-  return hsr_volume_read(scene, name, NULL);
+  return hsr_volume_read(scene, name, NULL, NULL);
 }
 
 enum hsr_status hsr_build_colin27(struct hsr_scene *scene,
                                   const long long *parameter) {
   char name[200];
   snprintf(name, sizeof name, HSR_COLIN27_FILE ":least=%lld", parameter[0]);
-  return hsr_volume_read(scene, name, NULL);
+  return hsr_volume_read(scene, name, NULL, NULL);
 }

@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_reader(
       path, data, size,
       [&](struct hsr_scene *scene, const char *name, struct hsr_error *err) {
-        return hsr_volume_read(scene, name, err);
+        return hsr_volume_read(scene, name, nullptr, err);
       });
   return 0;
 }

@@ -317,6 +317,8 @@ static struct hsr_request random_request(struct fuzz *f,
     r.m = one_in(f, 2) ? 16385 : 16384; /* a wide one, of few rows */
   else if (r.m > MOST || r.n > MOST)
     r.m = r.n = 16385;
+  if (r.m > MOST && r.algorithm && !strcmp(r.algorithm, "error-bounded"))
+    r.m = MOST; /* exact areas of so many pixels take minutes and gigabytes */
   for (int k = 0; k < 4 && one_in(f, 3); k++)
     r.window[k] = whole(f, MOST);
   return r;

@@ -4,6 +4,7 @@
 #include "common/answers/kinds/composited.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
+#include "common/files/npy.h"
 #include "common/files/srgb.h"
 #include "common/files/suffix.h"
 
@@ -245,33 +246,68 @@ static enum hsr_status show_difference(const struct hsr_comparison *c,
 
 /* --- Showing -------------------------------------------------------------- */
 
-/* In front of black. */
+/* In front of the background, or of black. */
 static enum hsr_status shade(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, struct hsr_error *err) {
   const uint16_t *rgba = rgba_of(answer);
   size_t n = count(answer) / CHANNELS;
-  (void)showing;
   shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
   if (!shaded->rgb)
     return hsr_fail_nomem(err);
   for (size_t k = 0; k < n; k++)
-    for (size_t c = 0; c < 3; c++)
+    for (size_t c = 0; c < 3; c++) {
       shaded->rgb[3 * k + c] = (float)rgba[CHANNELS * k + c] / 65535;
+      if (showing->background.given)
+        shaded->rgb[3 * k + c] += showing->background.rgb[c] *
+                                  (1 - (float)rgba[CHANNELS * k + 3] / 65535);
+    }
   return HSR_OK;
+}
+
+/* The answer itself: four integers a pixel. */
+static enum hsr_status write_array(const struct hsr_answer *answer,
+                                   const char *path, struct hsr_error *err) {
+  const struct hsr_npy array = {
+      .kind = 'u',
+      .bytes = sizeof(uint16_t),
+      .n_dimensions = 3,
+      .size = {(uint64_t)answer->n, (uint64_t)answer->m, CHANNELS},
+      .data = rgba_of(answer)};
+  return hsr_npy_write(path, &array, err);
+}
+
+/* Whether a file of colours has an alpha: where nothing is behind the splats,
+ * and where a program expects one, unless a background is given. */
+static bool has_alpha(const struct hsr_showing *showing, const char *path) {
+  return showing->background.none ||
+         (!showing->background.given && !hsr_ends_in(path, ".png") &&
+          hsr_can_be_clear(path));
 }
 
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
+  if (hsr_is_array_file(path) && !hsr_is_colour_array(path))
+    return write_array(answer, path, err);
+  const uint16_t *rgba = rgba_of(answer);
+  size_t n = count(answer) / CHANNELS;
+  float *alpha = has_alpha(showing, path) ? malloc(n * sizeof *alpha) : NULL;
+  if (has_alpha(showing, path) && !alpha)
+    return hsr_fail_nomem(err);
+  for (size_t k = 0; alpha && k < n; k++)
+    alpha[k] = (float)rgba[CHANNELS * k + 3] / 65535;
   struct hsr_picture picture = {
-      .m = answer->m, .n = answer->n, .rgb = shaded->rgb};
-  return hsr_image_write(path, &picture, showing->text, err);
+      .m = answer->m, .n = answer->n, .rgb = shaded->rgb, .alpha = alpha};
+  enum hsr_status status = hsr_image_write(path, &picture, showing->text, err);
+  free(alpha);
+  return status;
 }
 
 static bool fits(const char *path) {
-  return hsr_is_colour_file(path);
+  return hsr_is_colour_file(path) ||
+         (hsr_is_array_file(path) && !hsr_is_depth_file(path));
 }
 
 static void print(const struct hsr_answer *answer,
@@ -333,7 +369,7 @@ const struct hsr_answer_type hsr_answer_composited = {
     .summing = &summing,
     .by_windows = true,
     .by_places = true,
-    .takes = 1 << HSR_PALETTE,
+    .takes = 1 << HSR_PALETTE | 1 << HSR_BACKDROP | 1 << HSR_NO_BACKDROP,
     .make = make,
     .unset = unset,
     .free = free_body,

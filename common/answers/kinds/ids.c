@@ -6,6 +6,7 @@
 #include "common/files/image.h"
 #include "common/files/npy.h"
 #include "common/files/suffix.h"
+#include "common/view/depths.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -129,56 +130,62 @@ static void average(const struct hsr_answer *answer, int s, const float *rgb,
       }
 }
 
-/* The colours without the background, which was black, and which share of each
- * pixel's s x s samples shows a face. */
-static void uncover(const struct hsr_answer *answer, int s, float *rgb,
-                    float *alpha) {
+/* Which share of each pixel's s x s samples shows a face. */
+static void find_cover(const struct hsr_answer *answer, int s, float *alpha) {
   const uint32_t *ids = answer->body;
   int m = answer->m / s, n = answer->n / s;
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
-      const size_t pixel = (size_t)j * (size_t)m + (size_t)i;
       int covered = 0;
       for (int k = 0; k < s * s; k++)
         covered += ids[(size_t)(j * s + k / s) * (size_t)answer->m +
                        (size_t)(i * s + k % s)] != HSR_BACKGROUND;
-      alpha[pixel] = (float)covered / (float)(s * s);
-      for (size_t c = 0; c < 3 && covered; c++)
-        rgb[3 * pixel + c] /= alpha[pixel];
+      alpha[(size_t)j * (size_t)m + (size_t)i] =
+          (float)covered / (float)(s * s);
     }
 }
 
-static enum hsr_status write_uncovered(const struct hsr_answer *answer,
-                                       const struct hsr_showing *showing,
-                                       float *rgb, const char *path,
-                                       struct hsr_error *err) {
+/* Without a background, which is black then, there is an alpha. */
+static enum hsr_status write_colours(const struct hsr_answer *answer,
+                                     const struct hsr_showing *showing,
+                                     const struct hsr_shaded *shaded,
+                                     const char *path, struct hsr_error *err) {
   int s = showing->supersamples, m = answer->m / s, n = answer->n / s;
-  float *alpha = malloc((size_t)m * (size_t)n * sizeof *alpha);
-  if (!alpha)
-    return hsr_fail_nomem(err);
-  uncover(answer, s, rgb, alpha);
-  struct hsr_picture picture = {m, n, NULL, NULL, rgb};
+  size_t size = (size_t)m * (size_t)n;
+  struct hsr_picture picture = {.m = m,
+                                .n = n,
+                                .ids = s == 1 ? answer->body : NULL,
+                                .depth = s == 1 ? shaded->depth : NULL,
+                                .rgb = shaded->rgb};
+  float *rgb = s > 1 ? malloc(3 * size * sizeof *rgb) : NULL;
+  float *alpha = showing->background.none ? malloc(size * sizeof *alpha) : NULL;
+  bool lacks = (s > 1 && !rgb) || (showing->background.none && !alpha);
+  if (rgb && !lacks) {
+    average(answer, s, shaded->rgb, rgb);
+    picture.rgb = rgb;
+  }
+  if (alpha && !lacks) {
+    find_cover(answer, s, alpha);
+    picture.alpha = alpha;
+  }
   enum hsr_status status =
-      hsr_image_write_alpha(path, &picture, alpha, showing->text, err);
+      lacks ? hsr_fail_nomem(err)
+            : hsr_image_write(path, &picture, showing->text, err);
+  free(rgb);
   free(alpha);
   return status;
 }
 
-static enum hsr_status write_averaged(const struct hsr_answer *answer,
-                                      const struct hsr_showing *showing,
-                                      const struct hsr_shaded *shaded,
-                                      const char *path, struct hsr_error *err) {
-  int s = showing->supersamples, m = answer->m / s, n = answer->n / s;
-  float *rgb = malloc(3 * (size_t)m * (size_t)n * sizeof *rgb);
-  if (!rgb)
+static enum hsr_status write_depths(const struct hsr_answer *answer,
+                                    const struct hsr_showing *showing,
+                                    const char *path, struct hsr_error *err) {
+  double *depth = malloc(count_samples(answer) * sizeof *depth);
+  if (!depth)
     return hsr_fail_nomem(err);
-  average(answer, s, shaded->rgb, rgb);
-  struct hsr_picture picture = {m, n, NULL, NULL, rgb};
-  enum hsr_status status =
-      showing->background.none
-          ? write_uncovered(answer, showing, rgb, path, err)
-          : hsr_image_write(path, &picture, showing->text, err);
-  free(rgb);
+  hsr_picture_depths(showing->world, showing->view, answer->body, depth);
+  enum hsr_status status = hsr_image_write_depths(path, answer->m, answer->n,
+                                                  depth, showing->text, err);
+  free(depth);
   return status;
 }
 
@@ -197,13 +204,11 @@ static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
-  if (hsr_is_array_file(path))
+  if (hsr_is_depth_file(path))
+    return write_depths(answer, showing, path, err);
+  if (hsr_is_array_file(path) && !hsr_is_colour_array(path))
     return hsr_answer_write_ids(answer, path, err);
-  if (showing->supersamples > 1 || showing->background.none)
-    return write_averaged(answer, showing, shaded, path, err);
-  struct hsr_picture picture = {answer->m, answer->n, answer->body,
-                                shaded->depth, shaded->rgb};
-  return hsr_image_write(path, &picture, showing->text, err);
+  return write_colours(answer, showing, shaded, path, err);
 }
 
 static enum hsr_status write_tile(const struct hsr_answer *tile,

@@ -80,7 +80,8 @@ static enum hsr_status shade(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  return !hsr_is_array_file(path) && !hsr_ends_in(path, ".json");
+  return !hsr_is_array_file(path) && !hsr_is_depth_file(path) &&
+         !hsr_ends_in(path, ".json");
 }
 
 /* On paper, .svg or .pdf. */
@@ -112,8 +113,10 @@ static enum hsr_status write(const struct hsr_answer *answer,
     return hsr_polygons_write_vtp(answer->body, showing->view, path, err);
   if (hsr_is_line_file(path))
     return write_plot(answer, showing, path, err);
-  struct hsr_picture picture = {answer->m, answer->n, NULL, shaded->depth,
-                                shaded->rgb};
+  struct hsr_picture picture = {.m = answer->m,
+                                .n = answer->n,
+                                .depth = shaded->depth,
+                                .rgb = shaded->rgb};
   return hsr_image_write(path, &picture, showing->text, err);
 }
 

@@ -75,7 +75,7 @@ static enum hsr_status trim(struct hsr_answer *answer,
 static enum hsr_status write_image(const struct hsr_plot *plot,
                                    const char *path, const char *text,
                                    struct hsr_error *err) {
-  struct hsr_picture image = {plot->m, plot->n, NULL, NULL, NULL};
+  struct hsr_picture image = {.m = plot->m, .n = plot->n};
   float *rgb = malloc(3 * (size_t)plot->m * (size_t)plot->n * sizeof *rgb);
   if (!rgb)
     return hsr_fail_nomem(err);
@@ -125,7 +125,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
 }
 
 static bool fits(const char *path) {
-  return !hsr_is_array_file(path);
+  return !hsr_is_array_file(path) && !hsr_is_depth_file(path);
 }
 
 /* The length on the paper, in pixels. */

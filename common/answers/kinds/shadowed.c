@@ -179,9 +179,11 @@ static enum hsr_status write(const struct hsr_answer *answer,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
   const struct hsr_shadowed *body = answer->body;
-  struct hsr_picture picture = {answer->m, answer->n, body->ids,
-                                showing->depth ? shaded->depth : NULL,
-                                shaded->rgb};
+  struct hsr_picture picture = {.m = answer->m,
+                                .n = answer->n,
+                                .ids = body->ids,
+                                .depth = showing->depth ? shaded->depth : NULL,
+                                .rgb = shaded->rgb};
   return hsr_image_write(path, &picture, showing->text, err);
 }
 

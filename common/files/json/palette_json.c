@@ -129,6 +129,19 @@ static enum hsr_status take_colours(const struct hsr_json_node *at, void *to) {
   return HSR_OK;
 }
 
+/* --- The window ----------------------------------------------------------- */
+
+static enum hsr_status take_window(const struct hsr_json_node *at, void *to) {
+  struct hsr_palette *palette = to;
+  enum hsr_status status =
+      hsr_json_numbers(at, 2, hsr_json_number, palette->window);
+  if (!status && !(palette->window[0] < palette->window[1]))
+    return hsr_json_refuse(at, "the density of level 0 must be below that of "
+                               "level 255");
+  palette->has_window = !status;
+  return status;
+}
+
 /* --- Light ---------------------------------------------------------------- */
 
 /* About 1024 long. False if it is nowhere. */
@@ -178,6 +191,7 @@ static enum hsr_status read_palette(const struct hsr_json_node *root,
                                     struct hsr_palette *palette) {
   const struct hsr_json_rule rules[] = {
       {"schema"},
+      {"window", take_window, palette},
       {"opacity", take_table, palette->opacity},
       {"colour", take_colours, palette},
       {"gradient", take_table, palette->gradient},

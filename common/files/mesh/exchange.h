@@ -25,10 +25,12 @@ extern "C" {
 
 /* How meshes are imported, and what was left out. */
 struct hsr_import {
-  bool strict;    /* a file that has faces without area is refused; else they
+  bool strict;      /* a file that has faces without area is refused; else they
                          are left out and counted, since they cover no sample */
-  bool two_sided; /* all objects are two-sided, even closed ones */
-  int threads;    /* how many threads import a file; 0 means 1. A scene that
+  bool two_sided;   /* all objects are two-sided, even closed ones */
+  const char *path; /* where the file of a scene is, if its name is not its
+                         path; or NULL. hsr_scene_open takes notice of it */
+  int threads;      /* how many threads import a file; 0 means 1. A scene that
                          is opened with this gets the same number */
   uint64_t n_dropped; /* out: how many faces were left out */
   char notes[1000]; /* out: what else was ignored. Lines are appended; one that

@@ -2,10 +2,9 @@
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
 #endif
-#include "common/files/image.h"
 #include "common/files/volume/volume.h"
 #include "common/files/volume/volume_words.h"
-#include "common/grids/heights.h"
+#include "common/grids/densities.h"
 
 #include <errno.h>
 #include <math.h>
@@ -19,10 +18,10 @@
 static const struct {
   const char *suffix;
   enum hsr_volume_format format;
-} formats[] = {{".nii", HSR_NIFTI},      {".nii.gz", HSR_NIFTI},
-               {".mhd", HSR_META_IMAGE}, {".mha", HSR_META_IMAGE},
-               {".vtk", HSR_VTK_LEGACY}, {".vti", HSR_VTK_IMAGE},
-               {".vtr", HSR_VTK_GRID}};
+} formats[] = {
+    {".nii", HSR_NIFTI},      {".nii.gz", HSR_NIFTI},  {".mhd", HSR_META_IMAGE},
+    {".mha", HSR_META_IMAGE}, {".nrrd", HSR_NRRD},     {".nhdr", HSR_NRRD},
+    {".vtk", HSR_VTK_LEGACY}, {".vti", HSR_VTK_IMAGE}, {".vtr", HSR_VTK_GRID}};
 enum { N_FORMATS = sizeof formats / sizeof *formats };
 
 static bool ends_in(const char *text, size_t n, const char *suffix) {
@@ -145,7 +144,7 @@ static void free_volume(struct hsr_volume *volume) {
 /* A volume that is being kept. Its cells are as bright as they are dense. */
 struct keeping {
   const struct hsr_volume *volume;
-  double least, most; /* of all densities */
+  double low, high; /* of the window */
 };
 
 static enum hsr_status keep_slice(void *data, uint32_t k, float *density,
@@ -157,128 +156,118 @@ static enum hsr_status keep_slice(void *data, uint32_t k, float *density,
 static void by_density(void *data, const uint32_t at[3], float density,
                        float rgb[3]) {
   const struct keeping *k = data;
-  double width = k->most - k->least;
-  float grey = width > 0 ? (float)((density - k->least) / width) : 1;
+  double width = k->high - k->low;
+  float grey = width > 0 ? (float)((density - k->low) / width) : 1;
+  grey = grey > 0 ? grey < 1 ? grey : 1 : 0;
   (void)at;
   rgb[0] = rgb[1] = rgb[2] = 0.2f + 0.8f * grey * grey;
 }
 
-/* The least and the greatest density that are numbers. */
-static enum hsr_status find_range(struct keeping *keeping,
-                                  struct hsr_error *err) {
+static enum hsr_status make_grid(struct hsr_grid *grid, const char *path,
+                                 struct keeping *keeping,
+                                 const struct hsr_densities *d,
+                                 const struct hsr_volume_words *w,
+                                 struct hsr_error *err) {
   const struct hsr_volume *v = keeping->volume;
-  size_t n = (size_t)v->n[0] * v->n[1];
-  float *density = malloc(n * sizeof *density);
-  enum hsr_status status = density ? HSR_OK : hsr_fail_nomem(err);
-  keeping->least = INFINITY;
-  keeping->most = -INFINITY;
-  for (uint32_t k = 0; k < v->n[2] && !status; k++) {
-    status = v->slice(v->data, k, density, err);
-    for (size_t c = 0; c < n && !status; c++)
-      if (isfinite(density[c])) {
-        keeping->least = fmin(keeping->least, (double)density[c]);
-        keeping->most = fmax(keeping->most, (double)density[c]);
-      }
-  }
-  free(density);
-  return status;
+  const struct hsr_grid_keep rule = {.least = isnan(w->least) ? d->threshold
+                                                              : w->least,
+                                     .most = w->most,
+                                     .gradient = w->gradient,
+                                     .all_sides = w->all_sides};
+  const struct hsr_grid_samples samples = {
+      .n = {v->n[0], v->n[1], v->n[2]},
+      .position = {v->position[0], v->position[1], v->position[2]},
+      .slice = keep_slice,
+      .colour = by_density,
+      .data = keeping,
+      .low = keeping->low,
+      .high = keeping->high};
+  struct hsr_error why = {.text = ""};
+  enum hsr_status status = hsr_grid_init(grid, &samples, &rule, &why);
+  if (status == HSR_E_INPUT || status == HSR_E_REFUSED)
+    return hsr_fail(err, status, "%.200s: %.200s (densities are from %g to %g)",
+                    path, why.text, d->least, d->most);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 static enum hsr_status keep(struct hsr_scene *scene, const char *path,
                             const struct hsr_volume *volume,
                             const struct hsr_volume_words *w,
                             struct hsr_error *err) {
+  struct hsr_densities *d = malloc(sizeof *d);
   struct keeping keeping = {.volume = volume};
-  struct hsr_error why = {.text = ""};
-  enum hsr_status status = find_range(&keeping, err);
-  if (status)
-    return status;
-  struct hsr_grid_keep rule = {.least = w->least,
-                               .most = w->most,
-                               .gradient = w->gradient,
-                               .all_sides = w->all_sides};
-  if (isnan(w->least))
-    rule.least = keeping.least / 2 + keeping.most / 2;
-  const struct hsr_grid_samples samples = {
-      {volume->n[0], volume->n[1], volume->n[2]},
-      {volume->position[0], volume->position[1], volume->position[2]},
-      keep_slice,
-      by_density,
-      &keeping,
-      keeping.least,
-      keeping.most};
-  struct hsr_grid grid;
-  status = hsr_grid_init(&grid, &samples, &rule, &why);
-  if (status == HSR_E_INPUT || status == HSR_E_REFUSED)
-    hsr_fail(err, status, "%.200s: %.200s (densities are from %g to %g)", path,
-             why.text, keeping.least, keeping.most);
-  else if (status)
-    status = hsr_fail_nomem(err);
-  else if (hsr_scene_set_grid(scene, &grid))
-    status = hsr_fail_nomem(err);
+  struct hsr_grid grid = {.n_cells = 0};
+  enum hsr_status status = d ? HSR_OK : hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_densities_measure(d, volume->n[2],
+                                   (size_t)volume->n[0] * volume->n[1],
+                                   keep_slice, &keeping, err);
+  if (!status && !d->n)
+    status = hsr_fail(err, HSR_E_INPUT,
+                      "%.200s: no sample has a density that is a finite number",
+                      path);
+  if (!status) {
+    bool is_given = scene->window[0] < scene->window[1];
+    keeping.low = is_given ? scene->window[0] : d->low;
+    keeping.high = is_given ? scene->window[1] : d->high;
+    status = make_grid(&grid, path, &keeping, d, w, err);
+  }
+  if (!status) {
+    grid.densities = d;
+    d = NULL;
+    status = hsr_scene_set_grid(scene, &grid) ? hsr_fail_nomem(err) : HSR_OK;
+  }
   hsr_grid_free(&grid);
+  free(d);
   return status;
+}
+
+/* Lines that do not fit are left out. */
+static void take_notes(struct hsr_import *import, const char *notes) {
+  size_t used = import ? strlen(import->notes) : 0, n = strlen(notes);
+  if (import && used + n < sizeof import->notes)
+    memcpy(import->notes + used, notes, n + 1);
 }
 
 static enum hsr_status open_volume(struct hsr_volume *volume, const char *path,
                                    const struct hsr_volume_words *w,
+                                   struct hsr_import *import,
+                                   enum hsr_volume_space *space,
                                    struct hsr_error *err) {
   if (w->size[0])
     return open_raw(volume, path, w, err);
   int format = format_of(path, strlen(path));
   if (format < 0)
-    return hsr_fail(err, HSR_E_INPUT,
-                    "%.200s: a volume ends in .nii, .nii.gz, .mhd, .mha, "
-                    ".vtk, .vti or .vtr, or has the word size=NXxNYxNZ",
-                    path);
+    return hsr_fail(
+        err, HSR_E_INPUT,
+        "%.200s: a volume ends in .nii, .nii.gz, .mhd, .mha, "
+        ".nrrd, .nhdr, .vtk, .vti or .vtr, or has the word size=NXxNYxNZ",
+        path);
   struct hsr_volume_file file = {.format = formats[format].format,
                                  .path = path};
   enum hsr_status status = hsr_volume_check(&file, err);
   if (!status)
     status = hsr_volume_open_vtk(volume, &file, err);
-  free(file.text);
+  *space = file.space;
+  take_notes(import, file.notes);
+  hsr_volume_file_free(&file);
   return status;
 }
 
-/* --- Height maps ---------------------------------------------------------- */
+/* --- Which way is up ------------------------------------------------------ */
 
-/* Levels from 0 to w->levels - 1, by their share of the greatest height. */
-static enum hsr_status read_heights(struct hsr_scene *scene, const char *path,
-                                    const struct hsr_volume_words *w,
-                                    struct hsr_error *err) {
-  uint32_t size[2];
-  float *value;
-  enum hsr_status status = hsr_image_read(path, false, size, &value, err);
-  if (status)
-    return status;
-  size_t n = (size_t)size[0] * size[1];
-  uint32_t *level = malloc(n * sizeof *level);
-  float least = INFINITY, most = -INFINITY;
-  for (size_t k = 0; k < n; k++) {
-    least = fminf(least, value[k]);
-    most = fmaxf(most, value[k]);
-  }
-  float width = most > least ? most - least : 1;
-  for (size_t k = 0; level && k < n; k++)
-    level[k] =
-        isfinite(value[k])
-            ? (uint32_t)((value[k] - least) / width * (float)(w->levels - 1))
-            : 0;
-  const struct hsr_heights heights = {
-      .n = {size[0], size[1]}, .levels = w->levels, .level = level};
-  struct hsr_grid grid = {.n_cells = 0};
-  status = level ? hsr_heights_grid(&grid, &heights, err) : HSR_E_NOMEM;
-  if (!status)
-    status = hsr_scene_set_grid(scene, &grid);
-  hsr_grid_free(&grid);
-  free(level);
-  free(value);
-  return status == HSR_E_NOMEM ? hsr_fail_nomem(err) : status;
+/* A patient stands upright, and faces the viewer. */
+static void stand_up(struct hsr_scene *scene, enum hsr_volume_space space) {
+  static const double ras[3][3] = {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                      lps[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  if (space != HSR_NO_SPACE)
+    memcpy(scene->stand, space == HSR_RAS ? ras : lps, sizeof scene->stand);
 }
 
 /* --- Names ---------------------------------------------------------------- */
 
 enum hsr_status hsr_volume_read(struct hsr_scene *scene, const char *name,
+                                struct hsr_import *import,
                                 struct hsr_error *err) {
   bool is_heights = !strncmp(name, "heights-of:", 11);
   const char *file = is_heights ? name + 11 : name;
@@ -287,11 +276,13 @@ enum hsr_status hsr_volume_read(struct hsr_scene *scene, const char *name,
     return hsr_fail_nomem(err);
   struct hsr_volume_words words;
   struct hsr_volume volume = {.data = NULL};
+  enum hsr_volume_space space = HSR_NO_SPACE;
   enum hsr_status status = hsr_volume_words_read(&words, file, err);
   if (!status && is_heights)
-    status = read_heights(scene, path, &words, err);
+    status = hsr_heights_read(scene, path, &words, err);
   else if (!status) {
-    status = open_volume(&volume, path, &words, err);
+    status = open_volume(&volume, path, &words, import, &space, err);
+    stand_up(scene, space);
     if (!status)
       status = keep(scene, path, &volume, &words, err);
     free_volume(&volume);

@@ -3,29 +3,46 @@
  *
  * Safety      VTK believes headers: it takes the memory that they ask for. So
  *             each is parsed here first. What a file claims must be there, and
- *             a word that is not known is refused. */
+ *             a word that is not known is refused, or not shown to VTK. */
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
 #endif
-#include "common/files/volume/volume_data.h"
+#include "common/files/volume/volume_check.h"
 
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
-static enum hsr_status refuse(const struct hsr_volume_file *file,
-                              const char *why, struct hsr_error *err) {
-  return hsr_fail(err, HSR_E_INPUT, "%.200s: %s", file->path, why);
+enum hsr_status hsr_volume_refuse(const struct hsr_volume_file *file,
+                                  struct hsr_error *err, const char *why, ...) {
+  char text[300];
+  va_list args;
+  va_start(args, why);
+  vsnprintf(text, sizeof text, why, args);
+  va_end(args);
+  return hsr_fail(err, HSR_E_INPUT, "%.200s: %s", file->path, text);
 }
 
-static enum hsr_status size_of(const char *path, uint64_t *size,
-                               struct hsr_error *err) {
+void hsr_volume_note(struct hsr_volume_file *file, const char *what, ...) {
+  char text[300];
+  va_list args;
+  va_start(args, what);
+  vsnprintf(text, sizeof text, what, args);
+  va_end(args);
+  size_t used = strlen(file->notes), room = sizeof file->notes - used;
+  int n = snprintf(file->notes + used, room, "%.200s: %s\n", file->path, text);
+  if (n < 0 || (size_t)n >= room)
+    file->notes[used] = '\0';
+}
+
+enum hsr_status hsr_volume_size_of(const char *path, uint64_t *size,
+                                   struct hsr_error *err) {
   struct stat about;
   if (stat(path, &about))
     return hsr_fail(err, HSR_E_INPUT, "%.200s: %s", path, strerror(errno));
@@ -35,8 +52,7 @@ static enum hsr_status size_of(const char *path, uint64_t *size,
   return HSR_OK;
 }
 
-/* Whether the sizes can be those of a grid. */
-static bool set_sizes(struct hsr_volume_file *file, const long long n[3]) {
+bool hsr_volume_set_sizes(struct hsr_volume_file *file, const long long n[3]) {
   for (int a = 0; a < 3; a++) {
     if (n[a] < 1 || n[a] > HSR_VOLUME_MOST)
       return false;
@@ -45,259 +61,117 @@ static bool set_sizes(struct hsr_volume_file *file, const long long n[3]) {
   return true;
 }
 
-static double n_samples(const struct hsr_volume_file *file) {
+double hsr_volume_samples(const struct hsr_volume_file *file) {
   return (double)file->n[0] * file->n[1] * file->n[2];
 }
 
-/* Whether `size` bytes hold the samples, of `bytes` each, behind `before`
- * bytes. */
-static bool can_hold(const struct hsr_volume_file *file, uint64_t size,
-                     double before, double bytes) {
-  return before >= 0 && before + n_samples(file) * bytes <= (double)size;
+bool hsr_volume_can_hold(const struct hsr_volume_file *file, uint64_t size,
+                         double before, double bytes) {
+  return before >= 0 &&
+         before + hsr_volume_samples(file) * bytes <= (double)size;
 }
 
-/* --- NIfTI ---------------------------------------------------------------- */
-
-/* The numbers of a header, of either byte order. */
-struct nifti {
-  unsigned char bytes[352];
-  bool swapped;
-};
-
-static long nifti_short(const struct nifti *h, int at) {
-  unsigned lo = h->bytes[at + h->swapped], hi = h->bytes[at + !h->swapped];
-  long value = (long)(hi << 8 | lo);
-  return value < 0x8000 ? value : value - 0x10000;
+int hsr_volume_type_bytes(enum hsr_volume_type type) {
+  static const int bytes[] = {
+      [HSR_U8] = 1,  [HSR_I8] = 1,  [HSR_U16] = 2, [HSR_I16] = 2,
+      [HSR_U32] = 4, [HSR_I32] = 4, [HSR_U64] = 8, [HSR_I64] = 8,
+      [HSR_F32] = 4, [HSR_F64] = 8};
+  return bytes[type];
 }
 
-static double nifti_real(const struct nifti *h, int at) {
-  uint32_t bits = 0;
-  for (int k = 0; k < 4; k++)
-    bits |= (uint32_t)h->bytes[at + (h->swapped ? 3 - k : k)] << 8 * k;
-  float value;
-  memcpy(&value, &bits, sizeof value);
-  return (double)value;
-}
+/* --- Files of samples ----------------------------------------------------- */
 
-/* Reads the header, and counts all bytes; of a file that is packed, those that
- * it holds. False if the header is not there. */
-static bool read_nifti(struct nifti *h, const char *path, uint64_t *size) {
-  gzFile in = gzopen(path, "rb");
-  if (!in)
-    return false;
-  unsigned char rest[1 << 14];
-  int n = gzread(in, h->bytes, sizeof h->bytes), more = n;
-  for (*size = n > 0 ? (uint64_t)n : 0; more > 0;) {
-    more = gzread(in, rest, sizeof rest);
-    *size += more > 0 ? (uint64_t)more : 0;
+enum hsr_status hsr_volume_add_part(struct hsr_volume_file *file,
+                                    const char *name, struct hsr_error *err) {
+  struct hsr_volume_bytes *bytes = &file->bytes;
+  const char *slash = strrchr(file->path, '/');
+  size_t folder = slash && *name != '/' ? (size_t)(slash + 1 - file->path) : 0;
+  size_t size = folder + strlen(name) + 1;
+  char **all = realloc(bytes->path, (bytes->n + 1) * sizeof *all);
+  char *path = malloc(size);
+  if (all)
+    bytes->path = all;
+  if (!all || !path) {
+    free(path);
+    return hsr_fail_nomem(err);
   }
-  if (gzclose(in) != Z_OK || more < 0)
-    *size = 0;
-  static const unsigned char little[] = {0x5c, 1, 0, 0},
-                             big[] = {0, 0, 1, 0x5c};
-  h->swapped = !memcmp(h->bytes, big, 4);
-  return n == sizeof h->bytes && (h->swapped || !memcmp(h->bytes, little, 4)) &&
-         !memcmp(h->bytes + 344, "n+1", 4);
-}
-
-/* Bytes of a sample, by the code of its type; 0: it is no number. */
-static int nifti_bytes(long type) {
-  switch (type) {
-  case 2:
-  case 256:
-    return 1;
-  case 4:
-  case 512:
-    return 2;
-  case 8:
-  case 16:
-  case 768:
-    return 4;
-  case 64:
-  case 1024:
-  case 1280:
-    return 8;
-  default:
-    return 0;
-  }
-}
-
-static enum hsr_status check_nifti(struct hsr_volume_file *file,
-                                   struct hsr_error *err) {
-  struct nifti h = {.swapped = false};
-  uint64_t size = 0;
-  enum hsr_status status = size_of(file->path, &size, err);
-  if (status)
-    return status;
-  if (!read_nifti(&h, file->path, &size))
-    return refuse(file, "has no header of NIfTI-1", err);
-  long n_axes = nifti_short(&h, 40);
-  if (n_axes < 3 || n_axes > 7)
-    return refuse(file, "has not three axes", err);
-  for (int k = 4; k <= n_axes; k++)
-    if (nifti_short(&h, 40 + 2 * k) != 1)
-      return refuse(file, "has more than one number a sample", err);
-  if (!set_sizes(file,
-                 (const long long[3]){nifti_short(&h, 42), nifti_short(&h, 44),
-                                      nifti_short(&h, 46)}))
-    return refuse(file, "has a size that is not positive", err);
-  int bytes = nifti_bytes(nifti_short(&h, 70));
-  if (!bytes || nifti_short(&h, 72) != 8 * bytes)
-    return refuse(file, "has samples of no known type", err);
-  double before = nifti_real(&h, 108);
-  if (!(before >= 352) || !can_hold(file, size, before, bytes))
-    return refuse(file, "is too short for the samples that it claims", err);
+  snprintf(path, size, "%.*s%s", (int)folder, file->path, name);
+  bytes->path[bytes->n++] = path;
   return HSR_OK;
 }
 
-/* --- MetaImage ------------------------------------------------------------ */
-
-/* What a header says. */
-struct meta {
-  long long n[3];
-  int bytes;
-  long long header_size;
-  char data[256];
-};
-
-static bool is_yes(const char *value) {
-  return !strcasecmp(value, "true") || !strcmp(value, "1") ||
-         !strcasecmp(value, "yes");
-}
-
-static int meta_bytes(const char *type) {
-  static const struct {
-    const char *name;
-    int bytes;
-  } types[] = {{"MET_UCHAR", 1}, {"MET_CHAR", 1},   {"MET_USHORT", 2},
-               {"MET_SHORT", 2}, {"MET_UINT", 4},   {"MET_INT", 4},
-               {"MET_FLOAT", 4}, {"MET_DOUBLE", 8}, {NULL, 0}};
-  int k = 0;
-  while (types[k].name && strcmp(types[k].name, type))
-    k++;
-  return types[k].bytes;
-}
-
-/* Keys that are of no concern here, and take no memory. */
-static bool is_harmless(const char *key) {
-  static const char *const keys[] = {"ObjectType",
-                                     "BinaryDataByteOrderMSB",
-                                     "ElementByteOrderMSB",
-                                     "Offset",
-                                     "TransformMatrix",
-                                     "CenterOfRotation",
-                                     "ElementSpacing",
-                                     "AnatomicalOrientation",
-                                     "ElementSize",
-                                     "Origin",
-                                     "Position",
-                                     "Modality",
-                                     "Comment",
-                                     NULL};
-  for (int k = 0; keys[k]; k++)
-    if (!strcmp(keys[k], key))
-      return true;
-  return false;
-}
-
-/* One line, "key = value". False if it is not known or cannot be so. */
-static bool read_key(struct meta *m, const char *key, const char *value) {
-  char end;
-  if (!strcmp(key, "NDims"))
-    return !strcmp(value, "3");
-  if (!strcmp(key, "DimSize"))
-    return sscanf(value, "%7lld %7lld %7lld %c", &m->n[0], &m->n[1], &m->n[2],
-                  &end) == 3;
-  if (!strcmp(key, "ElementType"))
-    return (m->bytes = meta_bytes(value)) > 0;
-  if (!strcmp(key, "ElementNumberOfChannels"))
-    return !strcmp(value, "1");
-  if (!strcmp(key, "BinaryData"))
-    return is_yes(value);
-  if (!strcmp(key, "CompressedData"))
-    return !is_yes(value);
-  if (!strcmp(key, "HeaderSize"))
-    return sscanf(value, "%18lld %c", &m->header_size, &end) == 1;
-  else if (!strcmp(key, "ElementDataFile"))
-    snprintf(m->data, sizeof m->data, "%s", value);
-  else
-    return is_harmless(key);
-  return true;
-}
-
-/* Splits a line at its '='; both parts trimmed. */
-static bool split(char *line, char **key, char **value) {
-  char *equals = strchr(line, '=');
-  if (!equals)
-    return false;
-  char *end = equals;
-  while (end > line && isspace((unsigned char)end[-1]))
-    end--;
-  *end = '\0';
-  *key = line + strspn(line, " \t");
-  *value = equals + 1 + strspn(equals + 1, " \t");
-  end = *value + strlen(*value);
-  while (end > *value && isspace((unsigned char)end[-1]))
-    *--end = '\0';
-  return true;
-}
-
-/* Reads up to the line that names the data; `header`: the bytes until there. */
-static bool read_meta(struct meta *m, FILE *in, long *header) {
-  char line[1024], *key, *value;
-  for (int k = 0; k < 100 && !m->data[0]; k++)
-    if (!fgets(line, sizeof line, in) || !strchr(line, '\n') ||
-        strlen(line) > 250 || !split(line, &key, &value) ||
-        !read_key(m, key, value))
-      return false;
-  *header = ftell(in);
-  return m->data[0] && m->bytes && *header > 0;
-}
-
-/* The bytes of the samples' file, behind the header if they follow it. */
-static enum hsr_status meta_size(const struct hsr_volume_file *file,
-                                 const struct meta *m, uint64_t header,
+/* Finds the size of part k. */
+static enum hsr_status find_part(const struct hsr_volume_file *file, size_t k,
                                  uint64_t *size, struct hsr_error *err) {
-  if (!strcmp(m->data, "LOCAL")) {
-    enum hsr_status status = size_of(file->path, size, err);
-    *size -= status ? 0 : header;
-    return status;
-  }
-  char path[4096];
-  const char *slash = strrchr(file->path, '/');
-  int folder = slash && m->data[0] != '/' ? (int)(slash + 1 - file->path) : 0;
-  snprintf(path, sizeof path, "%.*s%s", folder, file->path, m->data);
-  return size_of(path, size, NULL)
-             ? refuse(file, "its samples are in a file that cannot be read",
-                      err)
+  const char *path = file->bytes.path[k];
+  return hsr_volume_size_of(path, size, NULL)
+             ? hsr_volume_refuse(
+                   file, err,
+                   "its samples are in a file that cannot be read: %.200s",
+                   path)
              : HSR_OK;
 }
 
-static enum hsr_status check_meta(struct hsr_volume_file *file,
-                                  struct hsr_error *err) {
-  struct meta m = {.bytes = 0};
-  long header = 0;
-  uint64_t size = 0;
-  FILE *in = fopen(file->path, "rb");
-  if (!in)
-    return refuse(file, strerror(errno), err);
-  bool is_read = read_meta(&m, in, &header);
-  fclose(in);
-  if (!is_read)
-    return refuse(file,
-                  "has a header that is not read: of three axes, one "
-                  "number a sample, binary and not packed, its words known",
-                  err);
-  if (strpbrk(m.data, "%") || !strcmp(m.data, "LIST") || strchr(m.data, ' '))
-    return refuse(file, "has its samples in several files", err);
-  if (!set_sizes(file, m.n))
-    return refuse(file, "has a size that is not positive, or too large", err);
-  enum hsr_status status = meta_size(file, &m, (uint64_t)header, &size, err);
-  if (status)
-    return status;
-  double before = m.header_size > 0 ? (double)m.header_size : 0;
-  if (m.header_size < -1 || !can_hold(file, size, before, m.bytes))
-    return refuse(file, "is too short for the samples that it claims", err);
+/* Whether the only directive is a %d, perhaps with a width. */
+static bool is_numbered(const char *format) {
+  const char *at = strchr(format, '%');
+  if (!at)
+    return false;
+  at += 1 + strspn(at + 1, "0");
+  at += *at >= '1' && *at <= '9';
+  return (*at == 'd' || *at == 'i') && !strchr(at, '%');
+}
+
+enum hsr_status hsr_volume_add_numbered(struct hsr_volume_file *file,
+                                        const char *format, long long first,
+                                        long long last, long long step,
+                                        struct hsr_error *err) {
+  const long long most = HSR_VOLUME_MOST;
+  char name[600];
+  uint64_t size;
+  if (!is_numbered(format) || first < 0 || first > most || last < 0 ||
+      last > most || step == 0 || llabs(step) > most)
+    return hsr_volume_refuse(file, err,
+                             "its samples are in files of names that its "
+                             "header does not say well: '%.99s'",
+                             format);
+  enum hsr_status status = HSR_OK;
+  for (; !status && (step > 0 ? first <= last : first >= last); first += step) {
+    const char *at = strchr(format, '%'), *end = at + strcspn(at, "di");
+    int width = end > at + 1 ? atoi(at + 1) : 0;
+    bool zeros = at[1] == '0';
+    snprintf(name, sizeof name, zeros ? "%.*s%0*lld%s" : "%.*s%*lld%s",
+             (int)(at - format), format, width, first, end + 1);
+    status = hsr_volume_add_part(file, name, err);
+    if (!status)
+      status = find_part(file, file->bytes.n - 1, &size, err);
+  }
+  return status;
+}
+
+enum hsr_status hsr_volume_check_parts(struct hsr_volume_file *file,
+                                       bool at_end, struct hsr_error *err) {
+  struct hsr_volume_bytes *bytes = &file->bytes;
+  if (bytes->n != 1 && (bytes->n != file->n[2] || at_end))
+    return hsr_volume_refuse(file, err,
+                             "has its samples in %zu files: there must be one, "
+                             "or one for each of %u slices%s",
+                             bytes->n, file->n[2],
+                             at_end ? ", of a header of known size" : "");
+  double need = hsr_volume_samples(file) / (double)bytes->n *
+                hsr_volume_type_bytes(bytes->type);
+  for (size_t k = 0; k < bytes->n; k++) {
+    uint64_t size = 0;
+    enum hsr_status status = find_part(file, k, &size, err);
+    if (status)
+      return status;
+    if (at_end && need <= (double)size)
+      bytes->offset = size - (uint64_t)need;
+    if ((double)bytes->offset + need > (double)size)
+      return hsr_volume_refuse(
+          file, err, "%s%.99s is too short for the samples that it claims",
+          bytes->n > 1 ? "slice " : "", bytes->path[k]);
+  }
   return HSR_OK;
 }
 
@@ -384,13 +258,13 @@ static bool pass_scalars(struct reader *r) {
   if (!strcmp(word, "1") && !next_word(r, word))
     return false;
   return !strcasecmp(word, "LOOKUP_TABLE") && next_word(r, word) &&
-         pass_numbers(r, n_samples(r->file), type);
+         pass_numbers(r, hsr_volume_samples(r->file), type);
 }
 
 static bool pass_sizes(struct reader *r) {
   long long n[3];
   return next_number(r, &n[0]) && next_number(r, &n[1]) &&
-         next_number(r, &n[2]) && set_sizes(r->file, n);
+         next_number(r, &n[2]) && hsr_volume_set_sizes(r->file, n);
 }
 
 /* The statements, up to the scalars of the points. VTK sees no more. */
@@ -410,7 +284,8 @@ static bool pass_statements(struct reader *r) {
       good = word[0] >= 'X' && word[0] <= 'Z' &&
              pass_coordinates(r, word[0] - 'X');
     else if (!strcasecmp(word, "POINT_DATA") && r->file->n[0])
-      good = has_points = next_number(r, &n) && (double)n == n_samples(r->file);
+      good = has_points =
+          next_number(r, &n) && (double)n == hsr_volume_samples(r->file);
     else if (!strcasecmp(word, "SCALARS") && has_points)
       return pass_scalars(r);
     if (!good)
@@ -437,12 +312,12 @@ static bool pass_beginning(struct reader *r) {
 static enum hsr_status load(struct hsr_volume_file *file,
                             struct hsr_error *err) {
   uint64_t size = 0;
-  enum hsr_status status = size_of(file->path, &size, err);
+  enum hsr_status status = hsr_volume_size_of(file->path, &size, err);
   if (status)
     return status;
   FILE *in = fopen(file->path, "rb");
   if (!in)
-    return refuse(file, strerror(errno), err);
+    return hsr_volume_refuse(file, err, "%s", strerror(errno));
   file->text = malloc(size + 1);
   file->size = file->text ? fread(file->text, 1, size, in) : 0;
   fclose(in);
@@ -459,8 +334,8 @@ static enum hsr_status check_legacy(struct hsr_volume_file *file,
     return status;
   struct reader r = {file, file->text, file->text + file->size, false};
   if (!pass_beginning(&r))
-    return refuse(
-        file, "is no VTK file of structured points or a rectilinear grid", err);
+    return hsr_volume_refuse(
+        file, err, "is no VTK file of structured points or a rectilinear grid");
   if (!pass_statements(&r))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: something is wrong, or not known, before byte %td "
@@ -481,11 +356,14 @@ static enum hsr_status check_xml(struct hsr_volume_file *file,
 
 enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
                                  struct hsr_error *err) {
+  file->slope = 1;
   switch (file->format) {
   case HSR_NIFTI:
-    return check_nifti(file, err);
+    return hsr_volume_check_nifti(file, err);
   case HSR_META_IMAGE:
-    return check_meta(file, err);
+    return hsr_volume_check_meta(file, err);
+  case HSR_NRRD:
+    return hsr_volume_check_nrrd(file, err);
   case HSR_VTK_LEGACY:
     return check_legacy(file, err);
   case HSR_VTK_IMAGE:
@@ -493,4 +371,11 @@ enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
     return check_xml(file, err);
   }
   return hsr_fail(err, HSR_E_INTERNAL, "no such format");
+}
+
+void hsr_volume_file_free(struct hsr_volume_file *file) {
+  for (size_t k = 0; k < file->bytes.n; k++)
+    free(file->bytes.path[k]);
+  free(file->bytes.path);
+  free(file->text);
 }

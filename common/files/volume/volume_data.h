@@ -11,8 +11,8 @@
 extern "C" {
 #endif
 
-/* The samples of an open volume. `slice` is as in hsr_grid_samples, but it may
- * be called for any k at any time. */
+/* The samples of an open volume, along the axes of the world. `slice` is as in
+ * hsr_grid_samples, but it may be called for any k at any time. */
 struct hsr_volume {
   uint32_t n[3];
   double *position[3]; /* n along each axis; malloc'ed, freed with the volume */
@@ -28,27 +28,84 @@ enum { HSR_VOLUME_MOST = 1 << 20 }; /* most samples along an axis */
 enum hsr_volume_format {
   HSR_NIFTI,
   HSR_META_IMAGE,
+  HSR_NRRD,
   HSR_VTK_LEGACY,
   HSR_VTK_IMAGE, /* .vti */
   HSR_VTK_GRID   /* .vtr */
+};
+
+/* What the axes of the world mean. */
+enum hsr_volume_space {
+  HSR_NO_SPACE, /* the header does not say it */
+  HSR_RAS,      /* x to a patient's right, y to the front, z to the head */
+  HSR_LPS       /* x to a patient's left, y to the back, z to the head */
+};
+
+/* A type of numbers in a file. */
+enum hsr_volume_type {
+  HSR_NO_TYPE,
+  HSR_U8,
+  HSR_I8,
+  HSR_U16,
+  HSR_I16,
+  HSR_U32,
+  HSR_I32,
+  HSR_U64,
+  HSR_I64,
+  HSR_F32,
+  HSR_F64
+};
+
+/* Where samples are: sample (i, j, k) of a file, i varying fastest, is at
+ * origin + i step[0] + j step[1] + k step[2] in the world. */
+struct hsr_volume_frame {
+  double origin[3], step[3][3];
+};
+
+/* The same along the axes of the world: axis a of the world runs along axis
+ * axis[a] of the file, and sample k of that is at first[a] + k step[a]. A step
+ * below 0 turns the axis round. */
+struct hsr_volume_place {
+  int axis[3];
+  double first[3], step[3];
+};
+
+/* Samples that are plain bytes in files: all in one, or one slice in each. */
+struct hsr_volume_bytes {
+  char **path; /* `n` malloc'ed paths, malloc'ed; NULL: VTK reads the header */
+  size_t n;
+  uint64_t offset; /* bytes before the first sample of each file */
+  enum hsr_volume_type type;
+  bool is_big_endian;
 };
 
 /* A file that is checked before VTK reads it. */
 struct hsr_volume_file {
   enum hsr_volume_format format;
   const char *path;    /* borrowed */
-  uint32_t n[3];       /* samples along each axis */
+  uint32_t n[3];       /* samples along each axis of the file */
   bool is_rectilinear; /* a rectilinear grid, not an image */
+  bool has_place;      /* `place` is set; else samples are where VTK says */
+  struct hsr_volume_place place;
+  enum hsr_volume_space space;
+  double slope, intercept; /* a density is slope times the number in the file,
+                              plus intercept */
+  struct hsr_volume_bytes bytes;
   char *text;  /* of VTK's own formats: the bytes that VTK reads; malloc'ed */
   size_t size; /* of the text */
+  char notes[700]; /* what of the header is not used: lines, each with its
+                      newline and the path */
 };
 
 /* Checks that a file holds what its header claims, and nothing that VTK would
  * believe without a check. The caller sets file->format and path. The function
- * sets the rest. The caller frees file->text, also after a failure.
- * HSR_E_INPUT, HSR_E_NOMEM, HSR_E_INTERNAL. */
+ * sets the rest. The caller frees with hsr_volume_file_free, also after a
+ * failure. HSR_E_INPUT, HSR_E_NOMEM, HSR_E_INTERNAL. */
 enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
                                  struct hsr_error *err);
+
+/* Frees what the file owns. */
+void hsr_volume_file_free(struct hsr_volume_file *file);
 
 /* The part of hsr_volume_check for HSR_VTK_IMAGE and HSR_VTK_GRID. Before the
  * call, file->is_rectilinear is set and file->text is all of the file. Parts

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const keys[] = {"least",  "most",    "gradient",
-                                   "sides",  "size",    "type",
-                                   "offset", "spacing", "levels"};
-enum { N_KEYS = sizeof keys / sizeof *keys, LONGEST = 60 };
+static const char *const keys[] = {"least",  "most",      "gradient", "sides",
+                                   "size",   "type",      "offset",   "spacing",
+                                   "levels", "photograph"};
+enum { N_KEYS = sizeof keys / sizeof *keys, LONGEST = 256 };
 
 static const struct hsr_raw_type types[] = {
     {"u8", 1, false, false, false},     {"i8", 1, true, false, false},
@@ -100,6 +100,10 @@ static bool read_word(struct hsr_volume_words *w, const char *key,
     return read_whole(value, UINT64_C(1) << 50, &w->offset);
   if (!strcmp(key, "spacing"))
     return read_spacing(value, w->spacing);
+  if (!strcmp(key, "photograph")) {
+    snprintf(w->photograph, sizeof w->photograph, "%s", value);
+    return *value;
+  }
   if (strcmp(key, "levels") != 0 || !read_whole(value, 4096, &whole))
     return false;
   w->levels = (uint32_t)whole;

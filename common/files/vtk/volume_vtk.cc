@@ -18,12 +18,14 @@
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
+#include <vtkNrrdReader.h>
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkRectilinearGridReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredPoints.h>
+#include <vtkStringArray.h>
 #include <vtkStructuredPointsReader.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
@@ -61,6 +63,7 @@ struct Listener {
 struct Samples {
   vtkSmartPointer<vtkDataSet> data;
   vtkSmartPointer<vtkDataArray> values;
+  bool slices_are_turned = false; /* the last slice of the file is the first */
 };
 
 template <class Reader>
@@ -87,6 +90,70 @@ vtkSmartPointer<vtkDataSet> read_image(const hsr_volume_file &file) {
   return read(reader.Get());
 }
 
+/* VTK turns the slices of a left-handed frame round. */
+vtkSmartPointer<vtkDataSet> read_nifti(const hsr_volume_file &file,
+                                       bool &slices_are_turned) {
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetFileName(file.path);
+  vtkSmartPointer<vtkDataSet> data = read(reader.Get());
+  slices_are_turned = reader->GetQFac() < 0;
+  return data;
+}
+
+int vtk_type(enum hsr_volume_type type) {
+  switch (type) {
+  case HSR_U8:
+    return VTK_UNSIGNED_CHAR;
+  case HSR_I8:
+    return VTK_SIGNED_CHAR;
+  case HSR_U16:
+    return VTK_UNSIGNED_SHORT;
+  case HSR_I16:
+    return VTK_SHORT;
+  case HSR_U32:
+    return VTK_UNSIGNED_INT;
+  case HSR_I32:
+    return VTK_INT;
+  case HSR_U64:
+    return VTK_UNSIGNED_LONG_LONG;
+  case HSR_I64:
+    return VTK_LONG_LONG;
+  case HSR_F32:
+    return VTK_FLOAT;
+  case HSR_F64:
+    return VTK_DOUBLE;
+  case HSR_NO_TYPE:
+    break;
+  }
+  throw Failure{"has samples of no known type"};
+}
+
+/* Samples in files of plain bytes, of which the header says all that is needed:
+ * so a file may have any name. */
+vtkSmartPointer<vtkDataSet> read_bytes(const hsr_volume_file &file) {
+  const hsr_volume_bytes &bytes = file.bytes;
+  vtkNew<vtkImageReader2> reader;
+  vtkNew<vtkStringArray> names;
+  for (size_t k = 0; k < bytes.n; k++)
+    names->InsertNextValue(bytes.path[k]);
+  if (bytes.n > 1)
+    reader->SetFileNames(names);
+  else
+    reader->SetFileName(bytes.path[0]);
+  reader->SetFileDimensionality(bytes.n > 1 ? 2 : 3);
+  reader->SetDataExtent(0, static_cast<int>(file.n[0]) - 1, 0,
+                        static_cast<int>(file.n[1]) - 1, 0,
+                        static_cast<int>(file.n[2]) - 1);
+  reader->SetFileLowerLeft(1);
+  reader->SetHeaderSize(bytes.offset);
+  reader->SetDataScalarType(vtk_type(bytes.type));
+  if (bytes.is_big_endian)
+    reader->SetDataByteOrderToBigEndian();
+  else
+    reader->SetDataByteOrderToLittleEndian();
+  return read(reader.Get());
+}
+
 template <class Reader>
 vtkSmartPointer<vtkDataSet> read_text(const hsr_volume_file &file) {
   vtkNew<Reader> reader;
@@ -105,12 +172,17 @@ vtkSmartPointer<vtkDataSet> read_xml(const hsr_volume_file &file) {
   return read(reader.Get(), listener);
 }
 
-vtkSmartPointer<vtkDataSet> read_file(const hsr_volume_file &file) {
+vtkSmartPointer<vtkDataSet> read_file(const hsr_volume_file &file,
+                                      bool &slices_are_turned) {
+  if (file.bytes.n)
+    return read_bytes(file);
   switch (file.format) {
   case HSR_NIFTI:
-    return read_image<vtkNIFTIImageReader>(file);
+    return read_nifti(file, slices_are_turned);
   case HSR_META_IMAGE:
     return read_image<vtkMetaImageReader>(file);
+  case HSR_NRRD:
+    return read_image<vtkNrrdReader>(file);
   case HSR_VTK_IMAGE:
     return read_xml<vtkXMLImageDataReader>(file);
   case HSR_VTK_GRID:
@@ -137,44 +209,58 @@ void sizes(vtkDataSet *data, int n[3]) {
     grid->GetDimensions(n);
 }
 
-double *positions(vtkDataSet *data, int axis, uint32_t n) {
-  auto *at = static_cast<double *>(std::malloc(n * sizeof(double)));
-  if (!at)
-    throw std::bad_alloc();
-  if (auto *image = vtkImageData::SafeDownCast(data)) {
-    const double first = image->GetExtent()[2 * axis];
-    for (uint32_t k = 0; k < n; k++)
-      at[k] =
-          image->GetOrigin()[axis] + image->GetSpacing()[axis] * (first + k);
-    return at;
-  }
+double place(vtkDataSet *data, int axis, uint32_t k) {
+  if (auto *image = vtkImageData::SafeDownCast(data))
+    return image->GetOrigin()[axis] +
+           image->GetSpacing()[axis] *
+               (double(image->GetExtent()[2 * axis]) + k);
   auto *grid = vtkRectilinearGrid::SafeDownCast(data);
   vtkDataArray *from = axis == 0   ? grid->GetXCoordinates()
                        : axis == 1 ? grid->GetYCoordinates()
                                    : grid->GetZCoordinates();
+  return k < from->GetNumberOfTuples() ? from->GetComponent(k, 0) : 0;
+}
+
+/* Where samples are along an axis of the world, ascending. */
+double *positions(vtkDataSet *data, const hsr_volume_file &file, int axis,
+                  uint32_t n) {
+  auto *at = static_cast<double *>(std::malloc(n * sizeof(double)));
+  if (!at)
+    throw std::bad_alloc();
+  const double first = file.place.first[axis], step = file.place.step[axis];
   for (uint32_t k = 0; k < n; k++)
-    at[k] = k < from->GetNumberOfTuples() ? from->GetComponent(k, 0) : 0;
+    at[k] = !file.has_place ? place(data, axis, k)
+            : step < 0      ? first + step * (n - 1 - k)
+                            : first + step * k;
   return at;
 }
 
-template <class T> void copy(const T *from, size_t n, float *to) {
-  for (size_t k = 0; k < n; k++)
-    to[k] = static_cast<float>(from[k]);
-}
-
+/* The samples, and the way through them along the axes of the world: from one
+ * to the next it is step[axis], from `first` on. */
 struct Open {
   Samples samples;
-  size_t slice; /* samples */
+  uint32_t n[3];
+  ptrdiff_t first, step[3];
+  double slope, intercept;
 };
+
+template <class T>
+void copy(const Open &open, uint32_t k, const T *from, float *to) {
+  from += open.first + ptrdiff_t(k) * open.step[2];
+  for (uint32_t j = 0; j < open.n[1]; j++, from += open.step[1])
+    for (uint32_t i = 0; i < open.n[0]; i++)
+      *to++ = static_cast<float>(
+          open.slope * static_cast<double>(from[ptrdiff_t(i) * open.step[0]]) +
+          open.intercept);
+}
 
 enum hsr_status slice(void *data, uint32_t k, float *density,
                       struct hsr_error *) {
   const Open &open = *static_cast<Open *>(data);
   vtkDataArray *values = open.samples.values;
-  const auto first = static_cast<vtkIdType>(k * open.slice);
   switch (values->GetDataType()) {
-    vtkTemplateMacro(copy(static_cast<VTK_TT *>(values->GetVoidPointer(first)),
-                          open.slice, density));
+    vtkTemplateMacro(copy(
+        open, k, static_cast<VTK_TT *>(values->GetVoidPointer(0)), density));
   default:
     break;
   }
@@ -185,25 +271,41 @@ void close(void *data) {
   delete static_cast<Open *>(data);
 }
 
+/* Finds the way along an axis of the world. */
+void set_way(Open &open, const hsr_volume_file &file, int axis) {
+  const int f = file.has_place ? file.place.axis[axis] : axis;
+  ptrdiff_t step = f == 0   ? 1
+                   : f == 1 ? ptrdiff_t(file.n[0])
+                            : ptrdiff_t(file.n[0]) * ptrdiff_t(file.n[1]);
+  bool is_turned = file.has_place && file.place.step[axis] < 0;
+  if (f == 2 && open.samples.slices_are_turned)
+    is_turned = !is_turned;
+  open.n[axis] = file.n[f];
+  open.step[axis] = is_turned ? -step : step;
+  if (is_turned)
+    open.first += step * ptrdiff_t(file.n[f] - 1);
+}
+
 void open(hsr_volume *volume, const hsr_volume_file &file) {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   auto made = std::make_unique<Open>();
-  made->samples.data = read_file(file);
-  vtkDataSet *data = made->samples.data;
+  Samples &samples = made->samples;
+  samples.data = read_file(file, samples.slices_are_turned);
   int n[3] = {0, 0, 0};
-  sizes(data, n);
-  made->samples.values = scalars(data);
-  vtkDataArray *values = made->samples.values;
-  made->slice = size_t{file.n[0]} * file.n[1];
+  sizes(samples.data, n);
+  samples.values = scalars(samples.data);
   for (int a = 0; a < 3; a++)
     if (n[a] < 0 || static_cast<uint32_t>(n[a]) != file.n[a])
       throw Failure{"VTK does not read what the file holds"};
-  if (!values || values->GetNumberOfComponents() != 1 ||
-      values->GetNumberOfTuples() != data->GetNumberOfPoints())
+  if (!samples.values || samples.values->GetNumberOfComponents() != 1 ||
+      samples.values->GetNumberOfTuples() != samples.data->GetNumberOfPoints())
     throw Failure{"has not one number a sample"};
+  made->slope = file.slope;
+  made->intercept = file.intercept;
   for (int a = 0; a < 3; a++) {
-    volume->n[a] = file.n[a];
-    volume->position[a] = positions(data, a, file.n[a]);
+    set_way(*made, file, a);
+    volume->n[a] = made->n[a];
+    volume->position[a] = positions(samples.data, file, a, made->n[a]);
   }
   volume->slice = slice;
   volume->close = close;

@@ -30,7 +30,7 @@ std::string directory() {
 
 void try_exr(tap *t, const std::string &dir) {
   const std::string path = dir + "/a.exr";
-  const hsr_picture picture = {M, N, IDS, DEPTH, RGB};
+  const hsr_picture picture = {M, N, IDS, DEPTH, RGB, nullptr};
   hsr_error err;
   ok(t, !hsr_image_write(path.c_str(), &picture, "Scene=a b\n", &err),
      "an .exr is written");
@@ -58,7 +58,7 @@ void try_exr(tap *t, const std::string &dir) {
 
 void try_png(tap *t, const std::string &dir) {
   const std::string path = dir + "/a.png";
-  const hsr_picture picture = {M, N, IDS, DEPTH, RGB};
+  const hsr_picture picture = {M, N, IDS, DEPTH, RGB, nullptr};
   hsr_error err;
   ok(t, !hsr_image_write(path.c_str(), &picture, nullptr, &err),
      "a .png is written");
@@ -107,7 +107,7 @@ void try_work(tap *t, const std::string &dir) {
 }
 
 void try_failures(tap *t, const std::string &dir) {
-  const hsr_picture picture = {M, N, IDS, DEPTH, RGB};
+  const hsr_picture picture = {M, N, IDS, DEPTH, RGB, nullptr};
   const char *const names[] = {"/a.xyz", "/a", "/none/a.png", "/none/a.exr"};
   for (const char *name : names) {
     hsr_error err = {HSR_OK, ""};

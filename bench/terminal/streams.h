@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The name "-": standard input in the place of a file that is read, and standard
+ * output in the place of one that is written. Libraries read and write files, of
+ * which they know the format by the name. So the bytes pass through a file with
+ * such a name, in a folder of their own, which streams_end removes. */
+#ifndef HSR_BENCH_TERMINAL_STREAMS_H
+#define HSR_BENCH_TERMINAL_STREAMS_H
+
+#include "common/base/status.h"
+
+#include <stdbool.h>
+
+/* Whether a name stands for standard input or output: "-", or "-.png" with the
+ * suffix of a format. */
+bool is_stream(const char *name);
+
+/* Returns the path of a file with all that comes from standard input, and with
+ * this suffix: "obj" or ".obj". It is valid until streams_end. NULL: it cannot be
+ * read or written, and errno says why. */
+const char *stream_input(const char *suffix);
+
+/* Returns the path of a file to write, of which streams_end copies the bytes to
+ * standard output. Its suffix is that of `name`, or else `suffix`, ".png". From
+ * now on, all that the program prints goes to standard error. It is valid until
+ * streams_end. NULL: errno says why; EBUSY: another file goes there. */
+const char *stream_output(const char *name, const char *suffix);
+
+/* Ends the streams. If `status` is HSR_OK, the output is copied. A pipe that its
+ * reader has closed is no error. HSR_E_INPUT: standard output cannot be
+ * written. */
+enum hsr_status streams_end(enum hsr_status status, struct hsr_error *err);
+
+#endif
