@@ -103,7 +103,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp_option entries[] = {
     {"output", 'o', "FILE", 0,
      "the file, by suffix: .vtp and .vtu with all data; .obj with its "
-     "materials; .ply with colours; .stl; .glb, where instances stay instances",
+     "materials; .ply with colours; .stl; .glb, which hsr reads again as the "
+     "same scene",
      0},
     {"what", WHAT, "WHAT", 0,
      "faces (standard); octree, bsp (its cells in .vtu, its planes in .vtp), "

@@ -8,8 +8,9 @@
  *             their faces, 4 bytes each, perhaps their colours, and the corners
  *             of the triangles.
  * Flat        there are no normals: a viewer shades each triangle flat.
- * Offset      of an object whose coordinates are no floats and are far from the
- *             origin: a multiple of a power of two about 8 times its size */
+ * Offset      of an object whose coordinates are no floats and which is farther
+ *             from the origin than four times its size: a multiple of a power of
+ *             two, which is as large as the object */
 #include "common/files/gltf/glb_frame.h"
 #include "common/files/json/json.h"
 #include "common/files/whole_file.h"
@@ -71,9 +72,12 @@ static void find_offset(const struct hsr_object *object, bool plain,
     size = fmax(size, hi[k] - lo[k]);
   }
   int exponent;
-  frexp(8 * size, &exponent);
-  for (int k = 0; k < 3 && !are_floats && !plain; k++)
-    offset[k] = ldexp(rint(ldexp(lo[k] / 2 + hi[k] / 2, -exponent)), exponent);
+  frexp(size, &exponent);
+  for (int k = 0; k < 3 && !are_floats && !plain; k++) {
+    const double centre = lo[k] / 2 + hi[k] / 2;
+    if (fabs(centre) > 4 * size)
+      offset[k] = ldexp(rint(ldexp(centre, -exponent)), exponent);
+  }
   *change = 0;
   for (size_t v = 0; v < 3 * (size_t)object->n_vertices; v++) {
     const double x = object->xyz[v];
@@ -504,10 +508,9 @@ static enum hsr_status write_scene(struct glb *g, const char *path,
       add_camera(g, v);
     return write_file(g, path, err);
   }
-  json_t *const array[] = {g->meshes,    g->accessors, g->views,
-                           g->materials, g->nodes,     g->cameras,
-                           g->offsets,   g->same,      g->places,
-                           g->eyes};
+  json_t *const array[] = {g->meshes, g->accessors, g->views,   g->materials,
+                           g->nodes,  g->cameras,   g->offsets, g->same,
+                           g->places, g->eyes};
   for (size_t k = 0; k < sizeof array / sizeof *array; k++)
     json_decref(array[k]);
   return status;
