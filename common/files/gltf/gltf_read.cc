@@ -164,15 +164,19 @@ void Gltf_reader::visit(const std::vector<size_t> &roots) {
   const size_t n = gltf_.count(GLTF_NODES);
   std::vector<bool> is_seen(n);
   std::vector<Waiting> waiting;
+  const auto wait = [&](size_t node, const Matrix &parent) {
+    if (is_seen[node])
+      gltf_.element(GLTF_NODES, node)
+          .value.refuse("is below two nodes, or below itself");
+    is_seen[node] = true;
+    waiting.push_back({node, parent});
+  };
   for (size_t k = roots.size(); k-- > 0;)
-    waiting.push_back({roots[k], IDENTITY});
+    wait(roots[k], IDENTITY);
   while (!waiting.empty()) {
     const Waiting next = waiting.back();
     waiting.pop_back();
     const Gltf_element node = gltf_.element(GLTF_NODES, next.node);
-    if (is_seen[next.node])
-      node.value.refuse("is below two nodes, or below itself");
-    is_seen[next.node] = true;
     const Matrix m = place(node, next.parent);
     const Gltf_value mesh = node["mesh"], children = node["children"];
     if (mesh.is_there())
@@ -181,7 +185,7 @@ void Gltf_reader::visit(const std::vector<size_t> &roots) {
     if (node["camera"].is_there())
       add_view(node, m);
     for (size_t k = children.size(); k-- > 0;)
-      waiting.push_back({children[k].index(n, "node"), m});
+      wait(children[k].index(n, "node"), m);
   }
 }
 
