@@ -141,11 +141,11 @@ tap_scripts = \
   %D%/command/cluster.test \
   %D%/command/command.test \
   %D%/command/completion.test \
-  %D%/command/examples.test \
   %D%/command/densities.test \
+  %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/gltf.test \
-  %D%/command/gltf_models.test \
+  %D%/command/models.test \
   %D%/command/import.test \
   %D%/command/judge.test \
   %D%/command/outside.test \

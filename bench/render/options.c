@@ -325,7 +325,7 @@ static const struct argp argp = {
     "how long each phase "
     "took.\v"
     "SCENE is a built-in name with parameters (house, soup:1000:7), mesh:NAME, "
-    "a mesh file, or a .scene.json; see hsr scenes.\n\n"
+    "a mesh or volume file, or a .scene.json; see hsr scenes.\n\n"
     "  hsr render house -a watkins -o house.png\n"
     "  hsr render mesh:elephant -a zbuffer-fast -s 1024x1024 -o elephant.exr\n"
     "  hsr render harbor -a watkins --work work.png\n"

@@ -269,8 +269,11 @@ static enum hsr_status judge_drawing(const struct options *o,
     request.m = size[0];
     request.n = size[1];
   }
+  struct progress progress = progress_begin(stderr);
+  progress_tell(&progress, 0, 1, "right drawings", "judge");
   if (!status)
     status = lines_judge(scene, &request, &drawing, &verdict, err);
+  progress_end(&progress);
   hsr_drawing_free(&drawing);
   if (status)
     return status;

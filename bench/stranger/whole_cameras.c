@@ -119,7 +119,7 @@ enum hsr_status try_shifts(struct trial *t) {
   struct hsr_view view = now->view;
   uint64_t least = now->left;
   int best_x = 0, best_y = 0;
-  char words[140];
+  char words[200];
   bool out_of_memory = false;
   for (int dy = -MOST; dy <= MOST; dy++)
     for (int dx = -MOST; dx <= MOST; dx++) {

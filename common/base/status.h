@@ -18,8 +18,9 @@ enum hsr_status {
   HSR_E_INTERNAL = 5,   /* a fault of hsr, or of a library below it */
   HSR_E_REFUSED = 6,    /* the algorithm cannot take this scene; the command
                            then exits with 4, as for a limit */
-  HSR_E_STOPPED = 7     /* whoever asked for the work stopped it; no command
-                           does */
+  HSR_E_STOPPED = 7     /* whoever asked for the work stopped it, for the time
+                           that it took or for another reason; the command then
+                           exits with 4 */
 };
 
 /* One failure, as one line. The caller owns it, and may pass NULL wherever a

@@ -7,11 +7,10 @@
 #include <string.h>
 #include <strings.h>
 
-/* Whether the part of `path` from its last dot on is `suffix`, ".svg", in upper
- * or lower case. */
+/* Whether `path` ends in `suffix`, ".svg", in upper or lower case. */
 static inline bool hsr_ends_in(const char *path, const char *suffix) {
-  const char *dot = strrchr(path, '.');
-  return dot && !strcasecmp(dot, suffix);
+  size_t n = strlen(path), k = strlen(suffix);
+  return n >= k && !strcasecmp(path + n - k, suffix);
 }
 
 /* Whether a file of this name can hold a line drawing or polygons, but no

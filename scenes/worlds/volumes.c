@@ -324,7 +324,9 @@ enum hsr_status hsr_build_tubules(struct hsr_scene *scene,
 
 enum hsr_status hsr_build_brain(struct hsr_scene *scene,
                                 const long long *parameter) {
+  static const double stand[3][3] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
   char name[200];
+  memcpy(scene->stand, stand, sizeof stand); /* y runs from the crown down */
   snprintf(name, sizeof name,
            HSR_BRAIN_FILE ":size=128x128x84:offset=62:least=%lld",
            parameter[0]);

@@ -245,6 +245,14 @@ def test_picture():
     ok((p.shaded("ids") != p.colors).any(), "another shading")
 
 
+def test_summary():
+    p = house.render("watkins", SIZE)
+    covered = 100 * (p.ids != hsr.NO_FACE).mean()
+    ok(p.summary == f"{covered:.1f} % covered", p.summary)
+    lines = house.render("appel", SIZE)
+    ok(f"{len(lines.segments)} intervals" in lines.summary, lines.summary)
+
+
 def test_judge_ids():
     p = house.render("watkins", SIZE)
     ok(hsr.judge(house, p.ids).is_right, "ids are right")

@@ -150,6 +150,8 @@ public:
   explicit Colours(const Element &element) {
     for (const auto &names :
          {std::array<Word, 4>{"red", "green", "blue", "alpha"},
+          std::array<Word, 4>{"diffuse_red", "diffuse_green", "diffuse_blue",
+                              "diffuse_alpha"},
           std::array<Word, 4>{"r", "g", "b", "a"}}) {
       for (size_t k = 0; k < 4; k++)
         at_[k] = find_number(element, names[k]);
@@ -409,6 +411,11 @@ void ply_read(Mesh_file &file, Mesh_builder &builder) {
   make_plain(file);
   ply::Header header(file);
   header.read();
+  if (header.n_odd)
+    builder.note(std::to_string(header.n_odd) +
+                 (header.n_odd > 1 ? " lines" : " line") +
+                 " of the header passed over: '" + shown_word(header.odd) +
+                 "' has no place there");
   Text &text = header.text();
   if (ply::read_plain(header, text.at(), file.end, builder))
     return;

@@ -179,9 +179,10 @@ void Header::read() {
       element();
     else if (keyword == "property")
       property();
-    else if (keyword != "comment" && keyword != "obj_info")
-      text_.refuse("'%s' has no place in a header",
-                   shown_word(keyword).c_str());
+    else if (keyword != "comment" && keyword != "obj_info") {
+      n_odd++;
+      odd = keyword;
+    }
   }
   text_.pass_line();
   check_sizes();

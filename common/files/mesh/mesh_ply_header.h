@@ -48,6 +48,9 @@ public:
   size_t vertices = NONE, faces = NONE, strips = NONE;
   /* The lists of vertex numbers, of a face and of a strip, or NULL. */
   const Property *of_face = nullptr, *of_strip = nullptr;
+  /* Lines that have no place in a header, and the first word of the last. */
+  size_t n_odd = 0;
+  Word odd;
   /* The text, which is behind the header once that is read. */
   Text &text() { return text_; }
 

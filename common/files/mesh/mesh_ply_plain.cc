@@ -105,7 +105,9 @@ size_t plain_size(const Header &header) {
   if (header.format != Format::little_endian || elements.size() != 2 ||
       header.vertices != 0 || header.faces != 1 || elements[0].n > MOST ||
       elements[1].n > MOST || elements[1].properties.size() != 1 ||
-      find_property(elements[0], "red") || find_property(elements[0], "r"))
+      find_property(elements[0], "red") ||
+      find_property(elements[0], "diffuse_red") ||
+      find_property(elements[0], "r"))
     return 0;
   const Property &list = elements[1].properties[0];
   size_t size = 0;

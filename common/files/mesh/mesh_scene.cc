@@ -76,7 +76,7 @@ void Mesh_scene::deliver(struct hsr_scene *scene, struct hsr_import *import) {
   const Mesh_file file{path_, nullptr, nullptr, nullptr};
   if (!n_given_)
     file.refuse(0, "holds no face%s%.150s", notes_.empty() ? "" : ": ",
-                notes_.empty() ? "" : notes_[0].c_str());
+                notes_.empty() ? "" : notes_.back().c_str());
   if (!scene_->n_objects)
     file.refuse(0, "none of its %llu faces has an area",
                 static_cast<unsigned long long>(n_given_));

@@ -3,6 +3,7 @@ libcore_a_SOURCES += \
   %D%/volume.h
 libcore_a_SOURCES += \
   %D%/volume.c \
+  %D%/volume_bytes.c \
   %D%/volume_check.c \
   %D%/volume_check.h \
   %D%/volume_data.h \

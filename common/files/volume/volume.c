@@ -86,13 +86,15 @@ static void close_raw(void *data) {
   free(raw);
 }
 
-/* Even positions along each axis. */
-static bool set_positions(struct hsr_volume *volume, const double spacing[3]) {
+/* Positions ascend along each axis of the world. False for lack of memory. */
+static bool place_samples(struct hsr_volume *volume,
+                          const struct hsr_volume_place *place) {
   for (int a = 0; a < 3; a++) {
     double *at = malloc(volume->n[a] * sizeof *at);
     volume->position[a] = at;
     for (uint32_t k = 0; at && k < volume->n[a]; k++)
-      at[k] = spacing[a] * k;
+      at[k] = place->first[a] +
+              place->step[a] * (place->step[a] < 0 ? volume->n[a] - 1 - k : k);
   }
   return volume->position[0] && volume->position[1] && volume->position[2];
 }
@@ -128,8 +130,10 @@ static enum hsr_status open_raw(struct hsr_volume *volume, const char *path,
                     path, w->size[0], w->size[1], w->size[2], w->type.bytes,
                     (unsigned long long)w->offset);
   raw->bytes = malloc(raw->n * (size_t)w->type.bytes);
-  return raw->bytes && set_positions(volume, w->spacing) ? HSR_OK
-                                                         : hsr_fail_nomem(err);
+  struct hsr_volume_place place = {.first = {0, 0, 0}};
+  memcpy(place.step, w->spacing, sizeof place.step);
+  return raw->bytes && place_samples(volume, &place) ? HSR_OK
+                                                     : hsr_fail_nomem(err);
 }
 
 /* --- From a volume to a grid ---------------------------------------------- */
@@ -247,7 +251,10 @@ static enum hsr_status open_volume(struct hsr_volume *volume, const char *path,
                                  .path = path};
   enum hsr_status status = hsr_volume_check(&file, err);
   if (!status)
-    status = hsr_volume_open_vtk(volume, &file, err);
+    status = file.bytes.n ? hsr_volume_open_bytes(volume, &file, err)
+                          : hsr_volume_open_vtk(volume, &file, err);
+  if (!status && file.has_place && !place_samples(volume, &file.place))
+    status = hsr_fail_nomem(err);
   *space = file.space;
   take_notes(import, file.notes);
   hsr_volume_file_free(&file);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reading volumes and height maps as grid scenes.
  *
- * VTK reads .nii .nii.gz (NIfTI), .mhd .mha (MetaImage), .nrrd .nhdr (NRRD),
- * .vtk (structured points and rectilinear grids), .vti (images) and .vtr (rectilinear grids);
- * samples are their point data. OpenImageIO reads height maps: "heights-of:"
- * and the name of any picture that it reads. hsr itself reads bytes without a
- * header. A sample that is not a finite number is not kept.
+ * VTK reads .nii .nii.gz (NIfTI), .vtk (structured points and rectilinear
+ * grids), .vti (images) and .vtr (rectilinear grids); samples are their point
+ * data. OpenImageIO reads height maps: "heights-of:" and the name of any picture
+ * that it reads. hsr itself reads .mhd .mha (MetaImage), .nrrd .nhdr (NRRD) and
+ * bytes without a header. A sample that is not a finite number is not kept.
  *
  * Words may follow the name, each after a colon.
  *

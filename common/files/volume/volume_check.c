@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks of volume files before VTK reads them.
+/* Checks of volume files before they are read.
  *
  * Safety      VTK believes headers: it takes the memory that they ask for. So
  *             each is parsed here first. What a file claims must be there, and
@@ -131,10 +131,12 @@ enum hsr_status hsr_volume_add_numbered(struct hsr_volume_file *file,
   uint64_t size;
   if (!is_numbered(format) || first < 0 || first > most || last < 0 ||
       last > most || step == 0 || llabs(step) > most)
-    return hsr_volume_refuse(file, err,
-                             "its samples are in files of names that its "
-                             "header does not say well: '%.99s'",
-                             format);
+    return hsr_volume_refuse(
+        file, err,
+        "its header names files of samples by '%.99s' and three "
+        "numbers, which must be a name with one %%d, the "
+        "first, the last and the step",
+        format);
   enum hsr_status status = HSR_OK;
   for (; !status && (step > 0 ? first <= last : first >= last); first += step) {
     const char *at = strchr(format, '%'), *end = at + strcspn(at, "di");
@@ -354,9 +356,8 @@ static enum hsr_status check_xml(struct hsr_volume_file *file,
   return status ? status : hsr_volume_scan_xml(file, err);
 }
 
-enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
-                                 struct hsr_error *err) {
-  file->slope = 1;
+static enum hsr_status check_format(struct hsr_volume_file *file,
+                                    struct hsr_error *err) {
   switch (file->format) {
   case HSR_NIFTI:
     return hsr_volume_check_nifti(file, err);
@@ -371,6 +372,15 @@ enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
     return check_xml(file, err);
   }
   return hsr_fail(err, HSR_E_INTERNAL, "no such format");
+}
+
+enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
+                                 struct hsr_error *err) {
+  file->slope = 1;
+  enum hsr_status status = check_format(file, err);
+  if (!status)
+    hsr_volume_find_way(file);
+  return status;
 }
 
 void hsr_volume_file_free(struct hsr_volume_file *file) {

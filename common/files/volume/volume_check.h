@@ -5,6 +5,10 @@
 
 #include "common/files/volume/volume_data.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Fails with HSR_E_INPUT: the file's path, and why it is refused. */
 enum hsr_status hsr_volume_refuse(const struct hsr_volume_file *file,
                                   struct hsr_error *err, const char *why, ...)
@@ -41,6 +45,9 @@ enum hsr_status hsr_volume_settle(struct hsr_volume_file *file,
                                   const struct hsr_volume_frame *frame,
                                   struct hsr_error *err);
 
+/* Sets file->way, when the sizes and perhaps the place are set. */
+void hsr_volume_find_way(struct hsr_volume_file *file);
+
 /* Adds a file that has samples. `name` is beside the header if it is not
  * absolute. HSR_E_NOMEM. */
 enum hsr_status hsr_volume_add_part(struct hsr_volume_file *file,
@@ -67,4 +74,7 @@ enum hsr_status hsr_volume_check_meta(struct hsr_volume_file *file,
 enum hsr_status hsr_volume_check_nrrd(struct hsr_volume_file *file,
                                       struct hsr_error *err);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

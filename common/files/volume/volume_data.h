@@ -24,7 +24,7 @@ struct hsr_volume {
 
 enum { HSR_VOLUME_MOST = 1 << 20 }; /* most samples along an axis */
 
-/* A format that VTK reads. */
+/* A format of files. */
 enum hsr_volume_format {
   HSR_NIFTI,
   HSR_META_IMAGE,
@@ -70,16 +70,32 @@ struct hsr_volume_place {
   double first[3], step[3];
 };
 
-/* Samples that are plain bytes in files: all in one, or one slice in each. */
+/* The way through a file's samples along the axes of the world: there are n[a]
+ * along axis a, and from one to the next it is step[a] of them, from number
+ * `first` on. */
+struct hsr_volume_way {
+  uint32_t n[3];
+  ptrdiff_t first, step[3];
+};
+
+enum hsr_volume_encoding {
+  HSR_PLAIN,  /* numbers as they are */
+  HSR_PACKED, /* by zlib or gzip */
+  HSR_TEXT
+};
+
+/* Samples that hsr reads, in files: all in one, or, if they are plain, one
+ * slice in each. */
 struct hsr_volume_bytes {
-  char **path; /* `n` malloc'ed paths, malloc'ed; NULL: VTK reads the header */
+  char **path; /* `n` malloc'ed paths, malloc'ed; NULL: VTK reads the file */
   size_t n;
+  enum hsr_volume_encoding encoding;
   uint64_t offset; /* bytes before the first sample of each file */
   enum hsr_volume_type type;
   bool is_big_endian;
 };
 
-/* A file that is checked before VTK reads it. */
+/* A file that is checked before it is read. */
 struct hsr_volume_file {
   enum hsr_volume_format format;
   const char *path;    /* borrowed */
@@ -87,6 +103,7 @@ struct hsr_volume_file {
   bool is_rectilinear; /* a rectilinear grid, not an image */
   bool has_place;      /* `place` is set; else samples are where VTK says */
   struct hsr_volume_place place;
+  struct hsr_volume_way way;
   enum hsr_volume_space space;
   double slope, intercept; /* a density is slope times the number in the file,
                               plus intercept */
@@ -114,7 +131,14 @@ void hsr_volume_file_free(struct hsr_volume_file *file);
 enum hsr_status hsr_volume_scan_xml(struct hsr_volume_file *file,
                                     struct hsr_error *err);
 
-/* Opens a checked file through VTK. After a failure *volume is empty.
+/* Opens a checked file that has file->bytes; positions are not set. HSR_E_INPUT
+ * if the samples are not what the header claims; HSR_E_NOMEM. */
+enum hsr_status hsr_volume_open_bytes(struct hsr_volume *volume,
+                                      const struct hsr_volume_file *file,
+                                      struct hsr_error *err);
+
+/* Opens a checked file through VTK. Positions are set unless the file has a
+ * place. After a failure *volume is empty.
  * HSR_E_INPUT, also in a build without VTK; HSR_E_NOMEM; HSR_E_INTERNAL if VTK
  * fails. */
 enum hsr_status hsr_volume_open_vtk(struct hsr_volume *volume,

@@ -304,39 +304,26 @@ static enum hsr_status find_data(struct hsr_volume_file *file, struct meta *m,
                               : hsr_volume_add_part(file, m->data, err);
 }
 
-/* Samples that zlib has packed: VTK reads the header and unpacks them. A packed
- * byte holds at most 1,032. */
+/* Samples that zlib has packed. A packed byte holds at most 1,032. */
 static enum hsr_status check_packed(struct hsr_volume_file *file,
                                     const struct meta *m,
                                     struct hsr_error *err) {
-  uint64_t size = 0, before = file->bytes.offset;
-  enum hsr_status status =
-      file->bytes.n == 1 && m->header_size == 0
-          ? HSR_OK
-          : hsr_volume_refuse(file, err,
-                              "its header has packed samples in several files, "
-                              "or behind a header of their own, which are not "
-                              "read");
-  if (!status && strpbrk(m->data, "% "))
+  uint64_t size = 0;
+  file->bytes.encoding = HSR_PACKED;
+  if (file->bytes.n != 1 || m->header_size == -1)
     return hsr_volume_refuse(file, err,
-                             "its header names packed samples by '%.60s'; a "
-                             "name without spaces and %% can be read",
-                             m->data);
-  if (!status)
-    status = hsr_volume_size_of(file->bytes.path[0], &size, err);
+                             "its header has packed samples in several files, "
+                             "or at a file's end, which are not read");
+  enum hsr_status status = hsr_volume_size_of(file->bytes.path[0], &size, NULL);
   if (status)
-    return status;
-  double packed = (double)size - (double)before;
-  if (m->packed_size > 0 && (double)m->packed_size > packed)
-    return hsr_volume_refuse(file, err,
-                             "is too short for the packed samples that its "
-                             "header claims");
-  if (hsr_volume_samples(file) * hsr_volume_type_bytes(m->type) >
-      1032 * packed + 1032)
+    return hsr_volume_refuse(
+        file, err, "its samples are in a file that cannot be read: %.200s",
+        file->bytes.path[0]);
+  double packed = (double)size - (double)file->bytes.offset;
+  if ((double)m->packed_size > packed ||
+      hsr_volume_samples(file) * hsr_volume_type_bytes(m->type) > 1032 * packed)
     return hsr_volume_refuse(file, err,
                              "is too short for the samples that it claims");
-  free(file->bytes.path[0]);
-  file->bytes.n = 0;
   return HSR_OK;
 }
 

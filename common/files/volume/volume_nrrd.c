@@ -2,9 +2,7 @@
 /* NRRD: .nrrd, and .nhdr with the samples in other files.
  *
  * Source      G. Kindlmann, "Definition of NRRD File Format",
- *             teem.sourceforge.net/nrrd/format.html. VTK reads the samples. Teem
- *             reads more encodings, but VTK's reader has those that programs
- *             write, and is here already. */
+ *             teem.sourceforge.net/nrrd/format.html. */
 #include "common/files/volume/volume_check.h"
 
 #include <ctype.h>
@@ -17,14 +15,12 @@
 
 enum { MOST_LINE = 1024, MOST_FIELDS = 200 };
 
-enum encoding { NO_ENCODING, RAW, TEXT, GZIP };
-
 /* What a header says. */
 struct nrrd {
   long long axes, n[3];
   enum hsr_volume_type type;
-  enum encoding encoding;
-  bool has_order, is_big_endian;
+  enum hsr_volume_encoding encoding;
+  bool has_encoding, has_order, is_big_endian;
   bool has_spacings, has_directions, has_least, has_most;
   bool is_cell[3]; /* samples are in the middle of cells */
   double spacing[3], direction[3][3], origin[3], least[3], most[3];
@@ -135,14 +131,18 @@ static bool take_type(struct nrrd *h, const char *value) {
   return (h->type = type_of(value)) != HSR_NO_TYPE;
 }
 static bool take_encoding(struct nrrd *h, const char *value) {
-  h->encoding = !strcasecmp(value, "raw") ? RAW
-                : !strcasecmp(value, "txt") || !strcasecmp(value, "text") ||
-                        !strcasecmp(value, "ascii")
-                    ? TEXT
-                : !strcasecmp(value, "gz") || !strcasecmp(value, "gzip")
-                    ? GZIP
-                    : NO_ENCODING;
-  return h->encoding != NO_ENCODING;
+  static const struct {
+    const char *name;
+    enum hsr_volume_encoding encoding;
+  } encodings[] = {{"raw", HSR_PLAIN}, {"txt", HSR_TEXT},
+                   {"text", HSR_TEXT}, {"ascii", HSR_TEXT},
+                   {"gz", HSR_PACKED}, {"gzip", HSR_PACKED}};
+  for (size_t k = 0; k < sizeof encodings / sizeof *encodings; k++)
+    if (!strcasecmp(value, encodings[k].name)) {
+      h->encoding = encodings[k].encoding;
+      h->has_encoding = true;
+    }
+  return h->has_encoding;
 }
 static bool take_endian(struct nrrd *h, const char *value) {
   h->has_order = true;
@@ -312,13 +312,15 @@ static enum hsr_status read_header(struct hsr_volume_file *file, struct nrrd *h,
     if (!strncmp(h->data, "LIST", 4))
       break;
   }
-  if (!status && (!h->axes || !h->type || !h->n[0] || !h->encoding))
+  if (!status && (!h->axes || !h->type || !h->n[0] || !h->has_encoding))
     return hsr_volume_refuse(file, err,
                              "its header has not all of dimension, sizes, type "
                              "and encoding");
-  if (!status && !h->has_order && h->encoding != TEXT &&
+  if (!status && !h->has_order && h->encoding != HSR_TEXT &&
       hsr_volume_type_bytes(h->type) > 1)
-    return hsr_volume_refuse(file, err, "its header does not say the endian");
+    return hsr_volume_refuse(file, err,
+                             "its header has no endian, which numbers "
+                             "of several bytes need");
   return status;
 }
 
@@ -386,8 +388,7 @@ static enum hsr_status check_raw(struct hsr_volume_file *file,
   return hsr_volume_check_parts(file, h->byte_skip == -1, err);
 }
 
-/* Samples that VTK reads through the header: a packed byte holds at most 1,032,
- * and a number in a text takes two. */
+/* A packed byte holds at most 1,032, and a number in a text takes two. */
 static enum hsr_status check_coded(struct hsr_volume_file *file,
                                    const struct nrrd *h,
                                    struct hsr_error *err) {
@@ -396,16 +397,15 @@ static enum hsr_status check_coded(struct hsr_volume_file *file,
     return hsr_volume_refuse(file, err,
                              "its header has skips or several files of samples "
                              "that are not raw, which are not read");
-  enum hsr_status status = hsr_volume_size_of(file->bytes.path[0], &size, err);
-  if (status)
-    return status;
+  if (hsr_volume_size_of(file->bytes.path[0], &size, NULL))
+    return hsr_volume_refuse(
+        file, err, "its samples are in a file that cannot be read: %.200s",
+        file->bytes.path[0]);
   double left = (double)size - (double)file->bytes.offset,
          bytes = hsr_volume_type_bytes(h->type), n = hsr_volume_samples(file);
-  if (h->encoding == GZIP ? n * bytes > 1032 * left + 1032 : 2 * n > left + 1)
+  if (h->encoding == HSR_PACKED ? n * bytes > 1032 * left : 2 * n > left + 1)
     return hsr_volume_refuse(file, err,
                              "is too short for the samples that it claims");
-  free(file->bytes.path[0]);
-  file->bytes.n = 0;
   return HSR_OK;
 }
 
@@ -469,11 +469,12 @@ enum hsr_status hsr_volume_check_nrrd(struct hsr_volume_file *file,
                                "has a size that is not positive, or too large");
   file->bytes.type = h.type;
   file->bytes.is_big_endian = h.is_big_endian;
+  file->bytes.encoding = h.encoding;
   if (!status)
     status = find_data(file, &h, in, err);
   fclose(in);
   if (!status)
-    status = h.encoding == RAW ? check_raw(file, &h, err)
-                               : check_coded(file, &h, err);
+    status = h.encoding == HSR_PLAIN ? check_raw(file, &h, err)
+                                     : check_coded(file, &h, err);
   return status ? status : take_frame(file, &h, err);
 }

@@ -102,3 +102,16 @@ enum hsr_status hsr_volume_settle(struct hsr_volume_file *file,
   file->has_place = true;
   return HSR_OK;
 }
+
+void hsr_volume_find_way(struct hsr_volume_file *file) {
+  struct hsr_volume_way *way = &file->way;
+  const ptrdiff_t step[3] = {1, file->n[0], (ptrdiff_t)file->n[0] * file->n[1]};
+  way->first = 0;
+  for (int a = 0; a < 3; a++) {
+    int f = file->has_place ? file->place.axis[a] : a;
+    bool is_turned = file->has_place && file->place.step[a] < 0;
+    way->n[a] = file->n[f];
+    way->step[a] = is_turned ? -step[f] : step[f];
+    way->first += is_turned ? step[f] * (ptrdiff_t)(file->n[f] - 1) : 0;
+  }
+}

@@ -9,11 +9,10 @@
 //             elements and attributes but those named below, and no array but
 //             those of the samples and the coordinates, which are decoded and
 //             checked first. All else becomes spaces, and no byte moves.
-// Departures  one piece; zlib is the only compressor; axes are not turned;
-//             cell data, fields and time steps are not read (of several arrays
-//             of one name, the first is).
+// Departures  one piece; zlib is the only compressor; cell data, fields and time
+//             steps are not read (of several arrays of one name, the first is).
 #include "common/files/vtk/xml_scan.h"
-#include "common/files/volume/volume_data.h"
+#include "common/files/volume/volume_check.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -42,6 +41,8 @@ private:
   void scan_data(Tag &tag) override;
   void extent(Tag &tag);
   void frame(Tag &tag);
+  void turn(const char *place, const double origin[3], const double spacing[3],
+            const double direction[9]);
   void piece(Tag &tag);
   void coordinates(const Tag &tag);
   void samples(const Tag &tag);
@@ -108,18 +109,36 @@ void Grid_scan::extent(Tag &tag) {
 /* Where an image is, and how large. */
 void Grid_scan::frame(Tag &tag) {
   const char *place = tag.text.data();
-  double origin[3], spacing[3], direction[9];
+  double origin[3] = {0, 0, 0}, spacing[3] = {1, 1, 1}, direction[9];
   numbers(tag, "Origin", origin);
   if (numbers(tag, "Spacing", spacing))
     for (const double step : spacing)
       if (!(step > 0))
         markup_.refuse(place, "has a spacing of %g, which is not positive",
                        step);
-  if (numbers(tag, "Direction", direction))
-    for (size_t k = 0; k < 9; k++)
-      if (direction[k] != (k % 4 == 0 ? 1 : 0))
-        markup_.refuse(place, "has axes that are turned: its Direction is not "
-                              "1 0 0 0 1 0 0 0 1");
+  if (!numbers(tag, "Direction", direction))
+    return;
+  bool is_turned = false;
+  for (size_t k = 0; k < 9; k++)
+    is_turned = is_turned || direction[k] != (k % 4 == 0 ? 1 : 0);
+  if (is_turned)
+    turn(place, origin, spacing, direction);
+}
+
+/* Column f of the matrix is the direction of axis f. */
+void Grid_scan::turn(const char *place, const double origin[3],
+                     const double spacing[3], const double direction[9]) {
+  hsr_volume_frame frame;
+  for (size_t a = 0; a < 3; a++) {
+    frame.origin[a] = origin[a];
+    for (size_t f = 0; f < 3; f++) {
+      frame.step[f][a] = direction[3 * a + f] * spacing[f];
+      frame.origin[a] += frame.step[f][a] * static_cast<double>(extent_[2 * f]);
+    }
+  }
+  hsr_error why;
+  if (hsr_volume_settle(&volume_, &frame, &why))
+    markup_.refuse(place, "has a Direction whose axes are no frame");
 }
 
 void Grid_scan::scan_data(Tag &tag) {

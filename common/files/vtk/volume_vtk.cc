@@ -13,19 +13,15 @@
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
-#include <vtkImageReader2.h>
 #include <vtkLogger.h>
-#include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
-#include <vtkNrrdReader.h>
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkRectilinearGridReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredPoints.h>
-#include <vtkStringArray.h>
 #include <vtkStructuredPointsReader.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
@@ -83,13 +79,6 @@ template <class Reader> vtkSmartPointer<vtkDataSet> read(Reader *reader) {
   return read(reader, listener);
 }
 
-template <class Reader>
-vtkSmartPointer<vtkDataSet> read_image(const hsr_volume_file &file) {
-  vtkNew<Reader> reader;
-  reader->SetFileName(file.path);
-  return read(reader.Get());
-}
-
 /* VTK turns the slices of a left-handed frame round. */
 vtkSmartPointer<vtkDataSet> read_nifti(const hsr_volume_file &file,
                                        bool &slices_are_turned) {
@@ -98,60 +87,6 @@ vtkSmartPointer<vtkDataSet> read_nifti(const hsr_volume_file &file,
   vtkSmartPointer<vtkDataSet> data = read(reader.Get());
   slices_are_turned = reader->GetQFac() < 0;
   return data;
-}
-
-int vtk_type(enum hsr_volume_type type) {
-  switch (type) {
-  case HSR_U8:
-    return VTK_UNSIGNED_CHAR;
-  case HSR_I8:
-    return VTK_SIGNED_CHAR;
-  case HSR_U16:
-    return VTK_UNSIGNED_SHORT;
-  case HSR_I16:
-    return VTK_SHORT;
-  case HSR_U32:
-    return VTK_UNSIGNED_INT;
-  case HSR_I32:
-    return VTK_INT;
-  case HSR_U64:
-    return VTK_UNSIGNED_LONG_LONG;
-  case HSR_I64:
-    return VTK_LONG_LONG;
-  case HSR_F32:
-    return VTK_FLOAT;
-  case HSR_F64:
-    return VTK_DOUBLE;
-  case HSR_NO_TYPE:
-    break;
-  }
-  throw Failure{"has samples of no known type"};
-}
-
-/* Samples in files of plain bytes, of which the header says all that is needed:
- * so a file may have any name. */
-vtkSmartPointer<vtkDataSet> read_bytes(const hsr_volume_file &file) {
-  const hsr_volume_bytes &bytes = file.bytes;
-  vtkNew<vtkImageReader2> reader;
-  vtkNew<vtkStringArray> names;
-  for (size_t k = 0; k < bytes.n; k++)
-    names->InsertNextValue(bytes.path[k]);
-  if (bytes.n > 1)
-    reader->SetFileNames(names);
-  else
-    reader->SetFileName(bytes.path[0]);
-  reader->SetFileDimensionality(bytes.n > 1 ? 2 : 3);
-  reader->SetDataExtent(0, static_cast<int>(file.n[0]) - 1, 0,
-                        static_cast<int>(file.n[1]) - 1, 0,
-                        static_cast<int>(file.n[2]) - 1);
-  reader->SetFileLowerLeft(1);
-  reader->SetHeaderSize(bytes.offset);
-  reader->SetDataScalarType(vtk_type(bytes.type));
-  if (bytes.is_big_endian)
-    reader->SetDataByteOrderToBigEndian();
-  else
-    reader->SetDataByteOrderToLittleEndian();
-  return read(reader.Get());
 }
 
 template <class Reader>
@@ -174,19 +109,15 @@ vtkSmartPointer<vtkDataSet> read_xml(const hsr_volume_file &file) {
 
 vtkSmartPointer<vtkDataSet> read_file(const hsr_volume_file &file,
                                       bool &slices_are_turned) {
-  if (file.bytes.n)
-    return read_bytes(file);
   switch (file.format) {
   case HSR_NIFTI:
     return read_nifti(file, slices_are_turned);
-  case HSR_META_IMAGE:
-    return read_image<vtkMetaImageReader>(file);
-  case HSR_NRRD:
-    return read_image<vtkNrrdReader>(file);
   case HSR_VTK_IMAGE:
     return read_xml<vtkXMLImageDataReader>(file);
   case HSR_VTK_GRID:
     return read_xml<vtkXMLRectilinearGridReader>(file);
+  case HSR_META_IMAGE:
+  case HSR_NRRD:
   case HSR_VTK_LEGACY:
     break;
   }
@@ -221,36 +152,29 @@ double place(vtkDataSet *data, int axis, uint32_t k) {
   return k < from->GetNumberOfTuples() ? from->GetComponent(k, 0) : 0;
 }
 
-/* Where samples are along an axis of the world, ascending. */
-double *positions(vtkDataSet *data, const hsr_volume_file &file, int axis,
-                  uint32_t n) {
+double *positions(vtkDataSet *data, int axis, uint32_t n) {
   auto *at = static_cast<double *>(std::malloc(n * sizeof(double)));
   if (!at)
     throw std::bad_alloc();
-  const double first = file.place.first[axis], step = file.place.step[axis];
   for (uint32_t k = 0; k < n; k++)
-    at[k] = !file.has_place ? place(data, axis, k)
-            : step < 0      ? first + step * (n - 1 - k)
-                            : first + step * k;
+    at[k] = place(data, axis, k);
   return at;
 }
 
-/* The samples, and the way through them along the axes of the world: from one
- * to the next it is step[axis], from `first` on. */
 struct Open {
   Samples samples;
-  uint32_t n[3];
-  ptrdiff_t first, step[3];
+  hsr_volume_way way;
   double slope, intercept;
 };
 
 template <class T>
 void copy(const Open &open, uint32_t k, const T *from, float *to) {
-  from += open.first + ptrdiff_t(k) * open.step[2];
-  for (uint32_t j = 0; j < open.n[1]; j++, from += open.step[1])
-    for (uint32_t i = 0; i < open.n[0]; i++)
+  const hsr_volume_way &way = open.way;
+  from += way.first + ptrdiff_t(k) * way.step[2];
+  for (uint32_t j = 0; j < way.n[1]; j++, from += way.step[1])
+    for (uint32_t i = 0; i < way.n[0]; i++)
       *to++ = static_cast<float>(
-          open.slope * static_cast<double>(from[ptrdiff_t(i) * open.step[0]]) +
+          open.slope * static_cast<double>(from[ptrdiff_t(i) * way.step[0]]) +
           open.intercept);
 }
 
@@ -271,19 +195,13 @@ void close(void *data) {
   delete static_cast<Open *>(data);
 }
 
-/* Finds the way along an axis of the world. */
-void set_way(Open &open, const hsr_volume_file &file, int axis) {
-  const int f = file.has_place ? file.place.axis[axis] : axis;
-  ptrdiff_t step = f == 0   ? 1
-                   : f == 1 ? ptrdiff_t(file.n[0])
-                            : ptrdiff_t(file.n[0]) * ptrdiff_t(file.n[1]);
-  bool is_turned = file.has_place && file.place.step[axis] < 0;
-  if (f == 2 && open.samples.slices_are_turned)
-    is_turned = !is_turned;
-  open.n[axis] = file.n[f];
-  open.step[axis] = is_turned ? -step : step;
-  if (is_turned)
-    open.first += step * ptrdiff_t(file.n[f] - 1);
+/* Of samples whose slices VTK has turned round. */
+void turn_slices(hsr_volume_way &way, const hsr_volume_file &file) {
+  for (int a = 0; a < 3; a++)
+    if (file.place.axis[a] == 2) {
+      way.first += way.step[a] * ptrdiff_t(way.n[a] - 1);
+      way.step[a] = -way.step[a];
+    }
 }
 
 void open(hsr_volume *volume, const hsr_volume_file &file) {
@@ -302,10 +220,13 @@ void open(hsr_volume *volume, const hsr_volume_file &file) {
     throw Failure{"has not one number a sample"};
   made->slope = file.slope;
   made->intercept = file.intercept;
+  made->way = file.way;
+  if (samples.slices_are_turned)
+    turn_slices(made->way, file);
   for (int a = 0; a < 3; a++) {
-    set_way(*made, file, a);
-    volume->n[a] = made->n[a];
-    volume->position[a] = positions(samples.data, file, a, made->n[a]);
+    volume->n[a] = file.way.n[a];
+    if (!file.has_place)
+      volume->position[a] = positions(samples.data, a, file.n[a]);
   }
   volume->slice = slice;
   volume->close = close;

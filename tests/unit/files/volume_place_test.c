@@ -171,6 +171,22 @@ static void write_nrrd(const struct way *w, const char *path) {
   fclose(out);
 }
 
+static void write_vti(const struct way *w, const char *path) {
+  FILE *out = create(path);
+  fprintf(out, "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 4 0 3 "
+               "0 2\" Origin=\"10 -20 5\" Spacing=\"1 2 0.5\" Direction=\"");
+  for (int a = 0; a < 3; a++)
+    for (int f = 0; f < 3; f++)
+      fprintf(out, " %d", entry(w, f, a));
+  fprintf(out, "\">\n<Piece Extent=\"0 4 0 3 0 2\">\n<PointData>"
+               "<DataArray type=\"UInt8\" Name=\"d\">\n");
+  for (int k = 0; k < SAMPLES; k++)
+    fprintf(out, "%d\n", k * 37 % SAMPLES);
+  fprintf(out, "</DataArray></PointData>\n</Piece>\n</ImageData>\n"
+               "</VTKFile>\n");
+  fclose(out);
+}
+
 /* --- Reading -------------------------------------------------------------- */
 
 /* Index of a position along an axis of the world; -1: no sample is there. */
@@ -215,16 +231,20 @@ static bool is_so(const char *path, const struct way *w) {
   return good;
 }
 
-static void test_ways(struct tap *tap) {
+static void test_ways(struct tap *tap, bool has_vtk) {
   static const struct {
+    bool by_vtk;
     const char *path, *what;
     void (*write)(const struct way *w, const char *path);
-  } formats[] = {{"s.nii", "NIfTI's sform", write_sform},
-                 {"q.nii", "NIfTI's qform", write_qform},
-                 {"m.mha", "MetaImage's TransformMatrix", write_meta},
-                 {"n.nrrd", "NRRD's space directions", write_nrrd}};
+  } formats[] = {{true, "s.nii", "NIfTI's sform", write_sform},
+                 {true, "q.nii", "NIfTI's qform", write_qform},
+                 {false, "m.mha", "MetaImage's TransformMatrix", write_meta},
+                 {false, "n.nrrd", "NRRD's space directions", write_nrrd},
+                 {true, "v.vti", "VTK's Direction", write_vti}};
   for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
     int good = 0;
+    if (formats[k].by_vtk && !has_vtk)
+      continue;
     for (int way = 0; way < 48; way++) {
       struct way w = way_of(way);
       formats[k].write(&w, formats[k].path);
@@ -346,19 +366,70 @@ static void test_threshold(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+enum { MIXED = 4000 };
+
+/* Two hills that overlap, of 3 : 1. */
+static enum hsr_status mixed_slice(void *data, uint32_t k, float *density,
+                                   struct hsr_error *err) {
+  (void)data, (void)k, (void)err;
+  unsigned random = 7;
+  for (int c = 0; c < MIXED; c++) {
+    float sum = 0;
+    for (int n = 0; n < 4; n++) {
+      random = random * 1103515245u + 12345u;
+      sum += (float)(random >> 16 & 1023) / 1024;
+    }
+    density[c] = c % 4 ? 100 * sum : 180 + 60 * sum;
+  }
+  return HSR_OK;
+}
+
+/* The sum of the squares of bins from .. to - 1 about their mean. */
+static double spread(const struct hsr_densities *d, int from, int to) {
+  double n = 0, sum = 0, squares = 0;
+  for (int k = from; k < to; k++) {
+    n += (double)d->bin[k];
+    sum += k * (double)d->bin[k];
+  }
+  for (int k = from; k < to && n > 0; k++)
+    squares += (double)d->bin[k] * (k - sum / n) * (k - sum / n);
+  return squares;
+}
+
+/* Otsu's threshold is also the one within whose classes the spread is least. */
+static void test_otsu(struct tap *tap) {
+  struct hsr_densities d;
+  int best = 1;
+  double least = INFINITY;
+  bool measured = !hsr_densities_measure(&d, 1, MIXED, mixed_slice, NULL, NULL);
+  for (int k = 1; k < HSR_DENSITY_BINS; k++) {
+    double both = spread(&d, 0, k) + spread(&d, k, HSR_DENSITY_BINS);
+    if (both < least) {
+      least = both;
+      best = k;
+    }
+  }
+  double step = (d.high - d.low) / HSR_DENSITY_BINS;
+  ok(tap,
+     measured && fabs(d.threshold - (d.low + best * step)) < 1e-9 &&
+         best > 100 && best < 200,
+     "Otsu's threshold of two hills: %g, after bin %d", d.threshold, best);
+}
+
 int main(void) {
   char folder[] = "/tmp/hsr-places-XXXXXX";
   if (!mkdtemp(folder) || chdir(folder))
     abort();
   bool has_vtk = hsr_exchange_has_vtk();
-  struct tap tap = plan(has_vtk ? 13 : 2);
+  struct tap tap = plan(has_vtk ? 15 : 5);
+  test_ways(&tap, has_vtk);
   if (has_vtk) {
-    test_ways(&tap);
     test_oblique(&tap);
     test_upright(&tap);
     test_scales(&tap);
   }
   test_threshold(&tap);
+  test_otsu(&tap);
   char clean[80];
   snprintf(clean, sizeof clean, "rm -rf %s", folder);
   return finish(&tap) | (system(clean) != 0);
