@@ -162,6 +162,7 @@ tap_scripts = \
   %D%/example/example.test \
   %D%/export/export.test \
   %D%/export/polygons.test \
+  %D%/export/round_trips.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \

@@ -103,7 +103,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp_option entries[] = {
     {"output", 'o', "FILE", 0,
      "the file, by suffix: .vtp and .vtu with all data; .obj with its "
-     "materials; .ply with colours; .stl; .glb, where instances stay instances",
+     "materials; .ply with colours; .stl; .glb, which hsr reads again as the "
+     "same scene",
      0},
     {"what", WHAT, "WHAT", 0,
      "faces (standard); octree, bsp (its cells in .vtu, its planes in .vtp), "
@@ -440,7 +441,9 @@ static void print_counts(const struct export *e) {
          terminal_number(e->scene->n_objects, "objects", objects),
          terminal_number(e->scene->n_instances, "instances", instances));
   if (hsr_ends_in(path, ".ply") && !are_bytes(e->scene))
-    printf("; colours rounded to bytes");
+    printf("; %s rounded to bytes", hsr_scene_is_transparent(e->scene)
+                                        ? "colours and opacities"
+                                        : "colours");
   const char *before = "; without its ";
   for (int part = 0; part < N_PARTS; part++)
     if (lost & 1u << part) {

@@ -17,6 +17,18 @@ static inline float hsr_srgb_encode(float linear) {
                               : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
 }
 
+/* The same in doubles: texts have room for them, and then any float comes back
+ * as it was. */
+static inline double hsr_srgb_decode_real(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92
+                            : pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+static inline double hsr_srgb_encode_real(double linear) {
+  return linear <= 0.0031308 ? linear * 12.92
+                             : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
 /* A linear channel as a byte. */
 static inline unsigned char hsr_srgb_byte(float linear) {
   return (unsigned char)lrintf(255 *

@@ -4,9 +4,11 @@
  * and views, each "n" if it is kept and "n>m" if not; then, of the faces in
  * their order, "same", or the number of those that differ in the number of their
  * corners, in their names, colours, opacities, and sides; then the largest
- * change of a coordinate of a corner and of the box. "-": the faces are others,
- * so that they cannot be compared one by one. */
-#include "common/scene/world.h"
+ * change of a coordinate of a corner and of the box. If there are more faces than
+ * before, they are compared with the triangles of those. "-": they are others even
+ * so. */
+#include "common/files/cells/cells.h"
+#include "common/scene/pieces.h"
 #include "scenes/scenes.h"
 
 #include <math.h>
@@ -70,8 +72,10 @@ static void print_differing(const struct hsr_world *a,
     return;
   }
   for (uint32_t f = 0; f < a->n_faces; f++)
-    n += differs(
-        &(struct pair){{a, b}, {hsr_place_of(a, f), hsr_place_of(b, f)}, f});
+    n += differs(&(struct pair){
+        {a, b},
+        {hsr_place_of(a, hsr_world_parent(a, f)), hsr_place_of(b, f)},
+        f});
   if (n)
     printf("%u ", n);
   else
@@ -129,7 +133,8 @@ static void print_views(const struct hsr_scene *a, const struct hsr_scene *b) {
 }
 
 int main(int argc, char **argv) {
-  struct hsr_world a, b;
+  struct hsr_world a, b, triangles;
+  bool divided = false;
   if (argc != 3)
     return 2;
   struct hsr_scene *from = open_scene(argv[1], &a);
@@ -138,12 +143,18 @@ int main(int argc, char **argv) {
   print_count(from->n_objects, to->n_objects);
   print_count(from->n_instances, to->n_instances);
   print_views(from, to);
+  if (a.n_faces < b.n_faces &&
+      hsr_world_triangulate(&a, &triangles, &divided, NULL))
+    return 1;
+  const struct hsr_world *faces = divided ? &triangles : &a;
   differ *const all[] = {ring_differs, name_differs, colour_differs,
                          opacity_differs, side_differs};
   for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-    print_differing(&a, &b, all[k]);
-  print_change(&a, &b);
+    print_differing(faces, &b, all[k]);
+  print_change(faces, &b);
   print_box(&a, &b);
+  if (divided)
+    hsr_world_free(&triangles);
   hsr_world_free(&a);
   hsr_world_free(&b);
   hsr_scene_delete(from);

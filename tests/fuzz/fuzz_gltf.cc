@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target for .gltf and .glb files: what a file begins with tells which
-// it is. A scene has only faces and places that hsr can lay out; reading it
-// strictly gives no more.
+// it is. What is read is one scene, and a failure leaves nothing.
 #include "common/files/mesh/exchange.h"
 #include "tests/fuzz/fuzz_reader.h"
 
@@ -24,9 +23,11 @@ void check_scene(const struct hsr_scene &scene) {
       std::abort();
 }
 
-uint64_t read(const std::string &path, const uint8_t *data, size_t size,
-              bool strict) {
-  uint64_t n_faces = 0;
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  static const std::string path = fuzz_path("mesh.gltf");
+  const bool strict = size && data[size / 2] % 4 == 0;
   fuzz_reader(
       path, data, size,
       [&](struct hsr_scene *scene, const char *name, struct hsr_error *err) {
@@ -36,17 +37,7 @@ uint64_t read(const std::string &path, const uint8_t *data, size_t size,
         if (status && (scene->n_objects || scene->n_instances))
           std::abort();
         check_scene(*scene);
-        n_faces = hsr_scene_faces(scene);
         return status;
       });
-  return n_faces;
-}
-
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static const std::string path = fuzz_path("mesh.gltf");
-  if (read(path, data, size, true) > read(path, data, size, false))
-    std::abort();
   return 0;
 }

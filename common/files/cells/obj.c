@@ -23,12 +23,13 @@ static void print_real(double x, FILE *out) {
 
 /* A linear colour in sRGB, in the fewest digits that read back as the same. */
 static void print_colour(float linear, FILE *out) {
-  const double encoded = (double)hsr_srgb_encode(linear);
+  const double encoded = hsr_srgb_encode_real((double)linear);
   char text[40];
   int digits = 1;
   do
     snprintf(text, sizeof text, "%.*g", digits++, encoded);
-  while (digits <= 9 && hsr_srgb_decode((float)strtod(text, NULL)) != linear);
+  while (digits <= 17 &&
+         (float)hsr_srgb_decode_real(strtod(text, NULL)) != linear);
   fprintf(out, " %s", text);
 }
 

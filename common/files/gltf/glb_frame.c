@@ -33,6 +33,13 @@ void hsr_glb_place(const struct hsr_glb_frame *frame, const double m[12],
   by_columns(placed, matrix);
 }
 
+bool hsr_glb_mirrors(const double m[12]) {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) -
+             m[1] * (m[4] * m[10] - m[6] * m[8]) +
+             m[2] * (m[4] * m[9] - m[5] * m[8]) <
+         0;
+}
+
 bool hsr_glb_find_camera(const struct hsr_glb_frame *frame,
                          const struct hsr_camera *camera,
                          struct hsr_glb_camera *out) {

@@ -22,6 +22,9 @@ enum { HSR_GLB_VIEW = 16 };
 void hsr_glb_place(const struct hsr_glb_frame *frame, const double m[12],
                    const double offset[3], double matrix[16]);
 
+/* Whether a place mirrors: its determinant is negative. */
+bool hsr_glb_mirrors(const double m[12]);
+
 /* A camera of glTF and the matrix of its node, by columns. It looks along -z,
  * with y up. */
 struct hsr_glb_camera {

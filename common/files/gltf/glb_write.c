@@ -8,8 +8,9 @@
  *             their faces, 4 bytes each, perhaps their colours, and the corners
  *             of the triangles.
  * Flat        there are no normals: a viewer shades each triangle flat.
- * Offset      of an object whose coordinates are no floats and are far from the
- *             origin: a multiple of a power of two about 8 times its size */
+ * Offset      of an object whose coordinates are no floats and which is farther
+ *             from the origin than four times its size: a multiple of a power of
+ *             two, which is as large as the object */
 #include "common/files/gltf/glb_frame.h"
 #include "common/files/json/json.h"
 #include "common/files/whole_file.h"
@@ -22,13 +23,17 @@
 
 enum { UNSIGNED = 5125, FLOAT = 5126 };
 enum { ARRAY_BUFFER = 34962, INDEX_BUFFER = 34963 };
+enum { NO_MESH = -1 };
 
 struct glb {
   struct hsr_scene *scene;
   struct hsr_glb_frame frame;
   json_t *meshes, *accessors, *views, *materials, *nodes, *cameras;
-  json_t *offsets, *places, *eyes; /* for hsr itself: of meshes, instances and
-                                      cameras */
+  /* For hsr itself: of meshes the offset and the one that is the same, of
+   * instances the place, and of cameras the view. */
+  json_t *offsets, *same, *places, *eyes;
+  json_int_t (*mesh)[2]; /* of each object, as it is and turned; or NO_MESH */
+  json_int_t n_meshes;
   size_t n_accessors, n_views, n_materials;
   double (*offset)[3]; /* of each object */
   double *change;      /* of each object: the most, in its own frame */
@@ -53,7 +58,7 @@ static double round_to_float(double x, double offset) {
 /* Axis by axis. Where all coordinates are floats, nothing is gained. */
 static void find_offset(const struct hsr_object *object, bool plain,
                         double offset[3], double *change) {
-  double lo[3], hi[3], size = 0;
+  double lo[3] = {0}, hi[3] = {0}, size = 0;
   bool are_floats = true;
   for (size_t v = 0; v < object->n_vertices; v++)
     for (size_t k = 0; k < 3; k++) {
@@ -67,9 +72,12 @@ static void find_offset(const struct hsr_object *object, bool plain,
     size = fmax(size, hi[k] - lo[k]);
   }
   int exponent;
-  frexp(8 * size, &exponent);
-  for (int k = 0; k < 3 && !are_floats && !plain; k++)
-    offset[k] = ldexp(rint(ldexp(lo[k] / 2 + hi[k] / 2, -exponent)), exponent);
+  frexp(size, &exponent);
+  for (int k = 0; k < 3 && !are_floats && !plain; k++) {
+    const double centre = lo[k] / 2 + hi[k] / 2;
+    if (fabs(centre) > 4 * size)
+      offset[k] = ldexp(rint(ldexp(centre, -exponent)), exponent);
+  }
   *change = 0;
   for (size_t v = 0; v < 3 * (size_t)object->n_vertices; v++) {
     const double x = object->xyz[v];
@@ -296,7 +304,7 @@ static json_t *add_primitives(struct glb *g, const struct hsr_object *object,
 }
 
 /* An object, from its world and that of its triangles. */
-static enum hsr_status add_world(struct glb *g, uint32_t number,
+static enum hsr_status add_world(struct glb *g, uint32_t number, bool is_turned,
                                  const struct hsr_world *world,
                                  const struct hsr_world *triangles,
                                  struct hsr_error *err) {
@@ -306,18 +314,21 @@ static enum hsr_status add_world(struct glb *g, uint32_t number,
   const struct faces faces = {.world = world,
                               .triangles = triangles,
                               .colours = &colours,
-                              .offset = g->offset[number]};
+                              .offset = g->offset[number],
+                              .is_turned = is_turned};
   if (!status)
     hsr_json_append(&g->meshes,
                     json_pack("{so so}", "name", name_of(object), "primitives",
                               add_primitives(g, object, faces)));
+  g->mesh[number][is_turned] = g->n_meshes++;
   hsr_json_append(&g->offsets, numbers(g->offset[number], 3));
+  hsr_json_append(&g->same, json_integer(g->mesh[number][0]));
   hsr_colours_free(&colours);
   return status;
 }
 
 /* An object by itself as a world, in its own frame. */
-static enum hsr_status add_mesh(struct glb *g, uint32_t number,
+static enum hsr_status add_mesh(struct glb *g, uint32_t number, bool is_turned,
                                 struct hsr_error *err) {
   struct hsr_instance here = {0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
   struct hsr_object *object = &g->scene->objects[number];
@@ -335,7 +346,8 @@ static enum hsr_status add_mesh(struct glb *g, uint32_t number,
   if (!status)
     status = hsr_world_triangulate(&world, &triangles, &changed, err);
   if (!status)
-    status = add_world(g, number, &world, changed ? &triangles : &world, err);
+    status = add_world(g, number, is_turned, &world,
+                       changed ? &triangles : &world, err);
   if (changed)
     hsr_world_free(&triangles);
   hsr_world_free(&world);
@@ -344,25 +356,47 @@ static enum hsr_status add_mesh(struct glb *g, uint32_t number,
 
 /* --- Nodes ---------------------------------------------------------------- */
 
+/* Whether an instance shows the backs of triangles in glTF, where a mirror turns
+ * the winding: there the front stays the front. In hsr the corners tell. */
+static bool is_turned(const struct hsr_scene *scene, uint32_t instance) {
+  const struct hsr_instance *i = &scene->instances[instance];
+  return scene->objects[i->object].one_sided && hsr_glb_mirrors(i->m);
+}
+
+/* The meshes of all objects, and then the turned ones. */
+static enum hsr_status add_meshes(struct glb *g, struct hsr_error *err) {
+  const struct hsr_scene *scene = g->scene;
+  enum hsr_status status = HSR_OK;
+  for (uint32_t o = 0; o < scene->n_objects && !status; o++) {
+    g->mesh[o][0] = g->mesh[o][1] = NO_MESH;
+    if (scene->objects[o].n_faces) /* a mesh must have something */
+      status = add_mesh(g, o, false, err);
+  }
+  for (uint32_t i = 0; i < scene->n_instances && !status; i++) {
+    const uint32_t o = scene->instances[i].object;
+    if (is_turned(scene, i) && g->mesh[o][0] != NO_MESH &&
+        g->mesh[o][1] == NO_MESH)
+      status = add_mesh(g, o, true, err);
+  }
+  return status;
+}
+
 static void add_instances(struct glb *g) {
   const struct hsr_scene *scene = g->scene;
-  json_int_t first = 0, mesh = 0;
-  for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
-    const uint32_t n_faces = scene->objects[o].n_faces;
-    for (; i < scene->n_instances && scene->instances[i].object == o; i++) {
-      const double *m = scene->instances[i].m;
-      double matrix[16];
-      if (n_faces) {
-        hsr_glb_place(&g->frame, m, g->offset[o], matrix);
-        hsr_json_append(&g->nodes,
-                        json_pack("{sI so s{sI sI}}", "mesh", mesh, "matrix",
-                                  numbers(matrix, 16), "extras", "instance",
-                                  (json_int_t)i, "first_face", first));
-      }
-      hsr_json_append(&g->places, numbers(m, 12));
-      first += n_faces;
-    }
-    mesh += n_faces > 0;
+  json_int_t first = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const uint32_t o = scene->instances[i].object;
+    const double *m = scene->instances[i].m;
+    double matrix[16];
+    hsr_glb_place(&g->frame, m, g->offset[o], matrix);
+    if (scene->objects[o].n_faces)
+      hsr_json_append(&g->nodes,
+                      json_pack("{sI so s{sI sI}}", "mesh",
+                                g->mesh[o][is_turned(scene, i)], "matrix",
+                                numbers(matrix, 16), "extras", "instance",
+                                (json_int_t)i, "first_face", first));
+    hsr_json_append(&g->places, numbers(m, 12));
+    first += scene->objects[o].n_faces;
   }
 }
 
@@ -412,13 +446,14 @@ static char *describe(struct glb *g) {
   for (size_t k = 0; k < json_array_size(g->nodes); k++)
     hsr_json_append(&roots, json_integer((json_int_t)k));
   json_t *all = json_pack(
-      "{s{ss ss} s{sf sb so so so} si s[{so}] so so so so so so s[{sI}]}",
+      "{s{ss ss} s{sf sb so so so so} si s[{so}] so so so so so so s[{sI}]}",
       "asset", "version", "2.0", "generator", HSR_GLB_GENERATOR, "extras",
       "metres", g->frame.metres, "z_up", g->frame.z_up, "offsets", g->offsets,
-      "instances", g->places, "views", g->eyes, "scene", 0, "scenes", "nodes",
-      roots, "nodes", g->nodes, "meshes", g->meshes, "materials", g->materials,
-      "cameras", g->cameras, "accessors", g->accessors, "bufferViews", g->views,
-      "buffers", "byteLength", (json_int_t)g->bytes);
+      "same_mesh", g->same, "instances", g->places, "views", g->eyes, "scene",
+      0, "scenes", "nodes", roots, "nodes", g->nodes, "meshes", g->meshes,
+      "materials", g->materials, "cameras", g->cameras, "accessors",
+      g->accessors, "bufferViews", g->views, "buffers", "byteLength",
+      (json_int_t)g->bytes);
   char *text =
       all ? json_dumps(all, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
   json_decref(all);
@@ -466,19 +501,16 @@ static enum hsr_status write_file(struct glb *g, const char *path,
 static enum hsr_status write_scene(struct glb *g, const char *path,
                                    struct hsr_error *err) {
   struct hsr_scene *scene = g->scene;
-  enum hsr_status status = HSR_OK;
-  for (uint32_t o = 0; o < scene->n_objects && !status; o++)
-    if (scene->objects[o].n_faces) /* a mesh must have something */
-      status = add_mesh(g, o, err);
+  enum hsr_status status = add_meshes(g, err);
   if (!status) {
     add_instances(g);
     for (uint32_t v = 0; v < scene->n_views; v++)
       add_camera(g, v);
     return write_file(g, path, err);
   }
-  json_t *const array[] = {g->meshes,    g->accessors, g->views,
-                           g->materials, g->nodes,     g->cameras,
-                           g->offsets,   g->places,    g->eyes};
+  json_t *const array[] = {g->meshes, g->accessors, g->views,   g->materials,
+                           g->nodes,  g->cameras,   g->offsets, g->same,
+                           g->places, g->eyes};
   for (size_t k = 0; k < sizeof array / sizeof *array; k++)
     json_decref(array[k]);
   return status;
@@ -495,8 +527,9 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
                   .frame = frame,
                   .offset = calloc(scene->n_objects + 1u, sizeof *g.offset),
                   .change = calloc(scene->n_objects + 1u, sizeof *g.change),
+                  .mesh = calloc(scene->n_objects + 1u, sizeof *g.mesh),
                   .bin = tmpfile()};
-  if (!g.offset || !g.change || (!g.bin && errno == ENOMEM))
+  if (!g.offset || !g.change || !g.mesh || (!g.bin && errno == ENOMEM))
     status = hsr_fail_nomem(err);
   else if (!g.bin)
     status =
@@ -509,6 +542,7 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
     g.nodes = json_array();
     g.cameras = json_array();
     g.offsets = json_array();
+    g.same = json_array();
     g.places = json_array();
     g.eyes = json_array();
     status = write_scene(&g, path, err);
@@ -519,5 +553,6 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
     fclose(g.bin);
   free(g.offset);
   free(g.change);
+  free(g.mesh);
   return status;
 }

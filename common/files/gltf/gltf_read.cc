@@ -51,6 +51,7 @@ private:
   bool read_camera(const Gltf_element &node, const Matrix &m,
                    struct hsr_camera *camera);
   bool is_as_written(const std::vector<size_t> &nodes);
+  size_t mesh_of(const Gltf_value &reference) const;
   bool written_place(const Gltf_element &node, Matrix &m) const;
   bool written_view(const Gltf_element &node, struct hsr_camera *camera) const;
   bool is_written_mesh(const Gltf_element &node) const;
@@ -130,15 +131,12 @@ Matrix Gltf_reader::local(const Gltf_element &node) const {
   const double n = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
   if (!(n > 0) || !std::isfinite(n))
     node["rotation"].refuse("is no rotation");
-  for (size_t row = 0; row < 3; row++)
-    for (size_t c = 0; c < 3; c++) {
-      const size_t third = 3 - row - c; /* of the axes, if row != c */
-      const size_t a = (row + 1) % 3, b = (row + 2) % 3;
-      const double turn = c == a ? -q[third] * q[3] : q[third] * q[3];
-      const double r = row == c ? 1 - 2 * (q[a] * q[a] + q[b] * q[b]) / n
-                                : 2 * (q[row] * q[c] + turn) / n;
-      m[4 * row + c] = r * s[c];
-    }
+  for (size_t row = 0; row < 3; row++) {
+    const size_t a = (row + 1) % 3, b = (row + 2) % 3;
+    m[5 * row] = (1 - 2 * (q[a] * q[a] + q[b] * q[b]) / n) * s[row];
+    m[4 * row + a] = 2 * (q[row] * q[a] - q[b] * q[3]) / n * s[a];
+    m[4 * row + b] = 2 * (q[row] * q[b] + q[a] * q[3]) / n * s[b];
+  }
   for (size_t k = 0; k < 3; k++)
     m[4 * k + 3] = t[k];
   return m;
@@ -153,30 +151,41 @@ Matrix Gltf_reader::place(const Gltf_element &node,
   return m;
 }
 
+/* Which mesh a node has. hsr writes some twice, wound the other way round. */
+size_t Gltf_reader::mesh_of(const Gltf_value &reference) const {
+  const size_t n = gltf_.count(GLTF_MESHES);
+  const size_t mesh = reference.index(n, "mesh");
+  const Gltf_value same = gltf_.root()["extras"]["same_mesh"];
+  return as_written_ && mesh < same.size() ? same[mesh].index(n, "mesh") : mesh;
+}
+
 /* Finds what the nodes below the roots place. No node may be there twice. */
 void Gltf_reader::visit(const std::vector<size_t> &roots) {
   const size_t n = gltf_.count(GLTF_NODES);
   std::vector<bool> is_seen(n);
   std::vector<Waiting> waiting;
+  const auto wait = [&](size_t node, const Matrix &parent) {
+    if (is_seen[node])
+      gltf_.element(GLTF_NODES, node)
+          .value.refuse("is below two nodes, or below itself");
+    is_seen[node] = true;
+    waiting.push_back({node, parent});
+  };
   for (size_t k = roots.size(); k-- > 0;)
-    waiting.push_back({roots[k], IDENTITY});
+    wait(roots[k], IDENTITY);
   while (!waiting.empty()) {
     const Waiting next = waiting.back();
     waiting.pop_back();
     const Gltf_element node = gltf_.element(GLTF_NODES, next.node);
-    if (is_seen[next.node])
-      node.value.refuse("is below two nodes, or below itself");
-    is_seen[next.node] = true;
     const Matrix m = place(node, next.parent);
     const Gltf_value mesh = node["mesh"], children = node["children"];
     if (mesh.is_there())
-      placed_.push_back(
-          {mesh.index(gltf_.count(GLTF_MESHES), "mesh"), next.node, m});
+      placed_.push_back({mesh_of(mesh), next.node, m});
     n_skinned_ += mesh.is_there() && node["skin"].is_there();
     if (node["camera"].is_there())
       add_view(node, m);
     for (size_t k = children.size(); k-- > 0;)
-      waiting.push_back({children[k].index(n, "node"), m});
+      wait(children[k].index(n, "node"), m);
   }
 }
 
@@ -303,20 +312,12 @@ bool Gltf_reader::is_as_written(const std::vector<size_t> &nodes) {
 
 /* ---- Objects ---- */
 
-/* The sign of the determinant is that of the winding; 3.7.4. */
-bool is_mirror(const Matrix &m) {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) -
-             m[1] * (m[4] * m[10] - m[6] * m[8]) +
-             m[2] * (m[4] * m[9] - m[5] * m[8]) <
-         0;
-}
-
 /* One object, and an instance of it for each node that places it. */
 void Gltf_reader::add_object(Gltf_meshes &meshes, const Placed *from,
                              const Placed *to, Gltf_part part) {
   const auto is_of_part = [&](const Placed &placed) {
     return as_written_ || part.is_double_sided ||
-           is_mirror(placed.m) == part.is_mirrored;
+           hsr_glb_mirrors(placed.m.data()) == part.is_mirrored;
   };
   if (std::none_of(from, to, is_of_part))
     return;
@@ -352,7 +353,7 @@ void Gltf_reader::add_objects() {
     n_placed++;
   }
   meshes.add_notes();
-  add_notes(gltf_.count(GLTF_MESHES) - n_placed);
+  add_notes(as_written_ ? 0 : gltf_.count(GLTF_MESHES) - n_placed);
 }
 
 void Gltf_reader::add_notes(size_t n_unplaced) {

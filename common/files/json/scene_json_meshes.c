@@ -165,9 +165,10 @@ enum hsr_status hsr_scene_take_mesh(const struct hsr_json_node *at, void *to) {
     status = read_new_mesh(reader, path);
     mesh = reader->mesh;
   }
+  if (status)
+    return status;
   entry->mesh = mesh;
   entry->n = mesh->n;
-  if (!status)
-    reader->import.n_dropped += mesh->n_dropped;
-  return status;
+  reader->import.n_dropped += mesh->n_dropped;
+  return HSR_OK;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/mesh/mesh_materials.h"
+#include "common/files/srgb.h"
 #include "common/files/mesh/mesh_text.h"
 
 #include <algorithm>
@@ -28,10 +29,9 @@ bool read_diffuse(Text &text, size_t number, Rgba &look) {
     text.refuse("Kd has %zu numbers, not 3", n);
   if (n == 1)
     value[1] = value[2] = value[0];
-  const float opacity = look[3];
-  look = rgba_of_file(
-      {float(value[0]), float(value[1]), float(value[2]), NO_OPACITY});
-  look[3] = opacity;
+  for (size_t k = 0; k < 3; k++)
+    look[k] = static_cast<float>(
+        hsr_srgb_decode_real(std::min(std::max(value[k], 0.0), 1.0)));
   return true;
 }
 
