@@ -6,7 +6,7 @@
 #include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
-#include "bench/terminal/streams.h"
+#include "bench/options/streams.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
 

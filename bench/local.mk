@@ -73,6 +73,8 @@ libbench_a_SOURCES = \
   %D%/options/place.h \
   %D%/options/scene.c \
   %D%/options/scene.h \
+  %D%/options/streams.c \
+  %D%/options/streams.h \
   %D%/options/view.c \
   %D%/options/view.h \
   %D%/options/words.c \
@@ -176,8 +178,6 @@ libbench_a_SOURCES = \
   %D%/tables/text.c \
   %D%/terminal/interrupt.c \
   %D%/terminal/interrupt.h \
-  %D%/terminal/streams.c \
-  %D%/terminal/streams.h \
   %D%/terminal/terminal.c \
   %D%/terminal/terminal.h \
   %D%/times/command.c \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/scene.h"
 #include "bench/options/words.h"
-#include "bench/terminal/streams.h"
+#include "bench/options/streams.h"
 
 #include <errno.h>
 #include <stdio.h>

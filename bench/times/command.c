@@ -4,7 +4,7 @@
 #include "bench/options/command.h"
 #include "bench/options/parser.h"
 #include "bench/options/scene.h"
-#include "bench/terminal/streams.h"
+#include "bench/options/streams.h"
 #include "bench/times/rows.h"
 
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/terminal/streams.h"
+#include "bench/options/streams.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -3,8 +3,8 @@
  * output in the place of one that is written. Libraries read and write files, of
  * which they know the format by the name. So the bytes pass through a file with
  * such a name, in a folder of their own, which streams_end removes. */
-#ifndef HSR_BENCH_TERMINAL_STREAMS_H
-#define HSR_BENCH_TERMINAL_STREAMS_H
+#ifndef HSR_BENCH_OPTIONS_STREAMS_H
+#define HSR_BENCH_OPTIONS_STREAMS_H
 
 #include "common/base/status.h"
 
