@@ -206,14 +206,14 @@ struct hsr_scene;
 /* How a scene is made. NULL: all is standard. */
 struct hsr_open_options {
   size_t size;
-  int threads;   /* that import it, lay it out and prepare it for
+  int threads;      /* that import it, lay it out and prepare it for
                           algorithms, 1 to 64; 0: 1 */
-  int strict;    /* not 0: a file with faces that have no area is
+  int strict;       /* not 0: a file with faces that have no area is
                           refused; 0: they are left out and counted, since they
                           cover no sample */
-  int two_sided; /* not 0: all faces are seen from both sides; 0: those of
+  int two_sided;    /* not 0: all faces are seen from both sides; 0: those of
                           a closed mesh are seen from outside only */
-  double weld;   /* vertices of a mesh file that are no farther apart are
+  double weld;      /* vertices of a mesh file that are no farther apart are
                           joined, in its unit; 0: none are */
   const char *path; /* where the file is, if the name is not its path, but what
                           the scene is called, with the suffix; NULL: it is */

@@ -51,8 +51,8 @@ enum hsr_status lib_open_options(const struct hsr_open_options *from,
     status = hsr_fail(err, HSR_E_USAGE, "options: threads must be 0 to %d",
                       MOST_THREADS);
   if (!status && !(options->weld >= 0 && options->weld <= DBL_MAX))
-    status = hsr_fail(err, HSR_E_USAGE,
-                      "options: weld must be a distance, or 0");
+    status =
+        hsr_fail(err, HSR_E_USAGE, "options: weld must be a distance, or 0");
   return status;
 }
 
