@@ -138,20 +138,27 @@ static void print_report(const struct render *r,
 }
 
 /* What to leave out of a drawing of faces that are divided: an edge within a
- * plane shows nothing. */
+ * plane shows nothing. And what to do if most edges are borders: then vertices
+ * may nearly meet, as in files of many programs. */
 static enum hsr_status say_seams(const struct render *r,
                                  struct hsr_error *err) {
   const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
-  size_t seams = 0, edges = 0;
+  struct hsr_edge_counts n;
   if (!drawing || r->options->crease >= 0 || !r->options->n_outputs)
     return HSR_OK;
-  enum hsr_status status = hsr_drawing_count_seams(drawing, &r->world, &r->view,
-                                                   1, &seams, &edges, err);
-  if (!status && seams)
+  enum hsr_status status =
+      hsr_drawing_count_edges(drawing, &r->world, &r->view, 1, &n, err);
+  if (!status && n.seams)
     fprintf(stderr,
             "hsr: %zu of %zu edges lie between faces of one plane; --crease=1 "
             "leaves them out\n",
-            seams, edges);
+            n.seams, n.edges);
+  if (!status && n.borders > n.edges / 2 && hsr_is_mesh_name(r->scene->name) &&
+      !r->options->scene.import.weld)
+    fprintf(stderr,
+            "hsr: %zu of %zu edges have one face only; if faces ought to meet "
+            "there, --weld=DISTANCE joins them\n",
+            n.borders, n.edges);
   return status;
 }
 

@@ -119,17 +119,25 @@ static enum hsr_status walk_begin(struct walk *walk,
   return find_sides(&walk->sides, world, view, err);
 }
 
-static bool is_seam(struct walk *walk, const struct hsr_world *world,
-                    struct hsr_edge_name edge) {
+/* The sides of an edge, which are n. */
+static const struct side *sides_of(struct walk *walk, struct hsr_edge_name edge,
+                                   size_t *n) {
   const struct sides *sides = &walk->sides;
-  size_t n = 0;
-  if (edge.implied)
-    return false;
+  *n = 0;
   while (walk->next < sides->n && is_before(&sides->side[walk->next], edge))
     walk->next++;
   const struct side *side = sides->side + walk->next;
-  while (walk->next + n < sides->n && is_of(&side[n], edge))
-    n++;
+  while (walk->next + *n < sides->n && is_of(&side[*n], edge))
+    ++*n;
+  return side;
+}
+
+static bool is_seam(struct walk *walk, const struct hsr_world *world,
+                    struct hsr_edge_name edge) {
+  size_t n;
+  if (edge.implied)
+    return false;
+  const struct side *side = sides_of(walk, edge, &n);
   return !is_shown(world, side, n, walk->least_cosine);
 }
 
@@ -149,20 +157,26 @@ enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
   return status;
 }
 
-enum hsr_status hsr_drawing_count_seams(const struct hsr_drawing *drawing,
+enum hsr_status hsr_drawing_count_edges(const struct hsr_drawing *drawing,
                                         const struct hsr_world *world,
                                         const struct hsr_view *view,
-                                        double degrees, size_t *seams,
-                                        size_t *edges, struct hsr_error *err) {
+                                        double degrees,
+                                        struct hsr_edge_counts *counts,
+                                        struct hsr_error *err) {
   struct walk walk;
   enum hsr_status status = walk_begin(&walk, world, view, degrees, err);
-  *seams = *edges = 0;
+  *counts = (struct hsr_edge_counts){.edges = 0};
   for (size_t k = 0; k < drawing->n && !status; k++) {
     const struct hsr_edge_name *edge = &drawing->segment[k].edge;
+    size_t n;
     if (k && !hsr_edge_name_compare(edge, &drawing->segment[k - 1].edge))
       continue;
-    ++*edges;
-    *seams += is_seam(&walk, world, *edge);
+    counts->edges++;
+    if (edge->implied)
+      continue;
+    const struct side *side = sides_of(&walk, *edge, &n);
+    counts->seams += !is_shown(world, side, n, walk.least_cosine);
+    counts->borders += n == 1;
   }
   free(walk.sides.side);
   return status;

@@ -24,12 +24,18 @@ enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
                                    const struct hsr_view *view, double degrees,
                                    struct hsr_error *err);
 
-/* Counts the edges of a drawing, and the seams among them. HSR_E_NOMEM. */
-enum hsr_status hsr_drawing_count_seams(const struct hsr_drawing *drawing,
+/* The edges of a drawing: all, the seams, and the borders, which one face has. */
+struct hsr_edge_counts {
+  size_t edges, seams, borders;
+};
+
+/* Counts them. *counts is written in full. HSR_E_NOMEM. */
+enum hsr_status hsr_drawing_count_edges(const struct hsr_drawing *drawing,
                                         const struct hsr_world *world,
                                         const struct hsr_view *view,
-                                        double degrees, size_t *seams,
-                                        size_t *edges, struct hsr_error *err);
+                                        double degrees,
+                                        struct hsr_edge_counts *counts,
+                                        struct hsr_error *err);
 
 #ifdef __cplusplus
 }

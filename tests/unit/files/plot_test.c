@@ -341,17 +341,20 @@ static void try_count(struct tap *t) {
   const double xyz[4][3] = {{0, 0, -5}, {0, 1, -5}, {-1, 0, -5}, {1, 0, -5}};
   const uint32_t triangle[2][3] = {{0, 1, 2}, {1, 0, 3}};
   struct setting s = {.scene = hsr_scene_new("flat")};
-  size_t seams, edges;
+  struct hsr_edge_counts counts;
   must(s.scene);
   add_object(&s, "flat", 4, xyz, 2, triangle, false);
   complete(&s);
   add(&s, (struct hsr_edge_name){false, 0, 1, 0}, 0, 1, 1, 2, 2);
   add(&s, (struct hsr_edge_name){false, 0, 1, 0}, 1, 2, 2, 3, 3);
   add(&s, (struct hsr_edge_name){false, 1, 2, 0}, 0, 2, 2, 3, 3);
-  must(!hsr_drawing_count_seams(&s.drawing, &s.world, &s.view, 1, &seams,
-                                &edges, NULL));
-  ok(t, seams == 1 && edges == 2 && s.drawing.n == 3,
-     "%zu of %zu edges would be left out", seams, edges);
+  must(!hsr_drawing_count_edges(&s.drawing, &s.world, &s.view, 1, &counts,
+                                NULL));
+  ok(t,
+     counts.seams == 1 && counts.edges == 2 && counts.borders == 1 &&
+         s.drawing.n == 3,
+     "%zu of %zu edges would be left out; %zu is a border", counts.seams,
+     counts.edges, counts.borders);
   free_setting(&s);
 }
 
