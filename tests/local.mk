@@ -145,9 +145,9 @@ tap_scripts = \
   %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/gltf.test \
-  %D%/command/models.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/models.test \
   %D%/command/outside.test \
   %D%/command/peers.test \
   %D%/command/pictures.test \
