@@ -1,32 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/gltf/gltf_file.h"
+#include "common/files/json/json_file.h"
 
 #include <cmath>
 #include <cstdio>
 
 namespace hsr {
-namespace {
-
-const char *kind_of(const json_t *value) {
-  switch (json_typeof(value)) {
-  case JSON_OBJECT:
-    return "an object";
-  case JSON_ARRAY:
-    return "an array";
-  case JSON_STRING:
-    return "a string";
-  case JSON_TRUE:
-  case JSON_FALSE:
-    return "a truth value";
-  case JSON_NULL:
-    return "null";
-  default:
-    return "a number";
-  }
-}
-
-} // namespace
-
 void Gltf_value::refuse(const char *format, ...) const {
   char text[200];
   va_list args;
@@ -41,7 +20,7 @@ void Gltf_value::refuse(const char *format, ...) const {
 void Gltf_value::refuse_kind(const char *expected) const {
   if (!value_)
     refuse("is missing");
-  refuse("must be %s, not %s", expected, kind_of(value_));
+  refuse("must be %s, not %s", expected, hsr_json_kind(value_));
 }
 
 Gltf_value Gltf_value::operator[](const char *key) const {

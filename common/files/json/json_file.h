@@ -9,6 +9,10 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Reads a regular file. *text must be NULL before the call. It becomes a
  * malloc'ed array with the *length bytes of the file, without a NUL at the end.
  * The caller frees it, also after a failure. HSR_E_INPUT if the file cannot be
@@ -20,4 +24,7 @@ enum hsr_status hsr_json_load(const char *path, char **text, size_t *length,
 /* Returns the kind of a value, for messages: "an object", "a number", ... */
 const char *hsr_json_kind(const json_t *value);
 
+#ifdef __cplusplus
+}
+#endif
 #endif
