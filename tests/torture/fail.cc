@@ -165,6 +165,7 @@ int __wrap_main(int argc, char **argv) {
 
 } // extern "C"
 
+/* new[] and delete[] are those of common/base/number_memory.cc. */
 void *operator new(size_t size) {
   void *p = fails() ? nullptr : __real_malloc(size ? size : 1);
   if (!p)
@@ -177,13 +178,7 @@ void *operator new(size_t size, const std::nothrow_t &) noexcept {
 void operator delete(void *p) noexcept {
   std::free(p);
 }
-void operator delete[](void *p) noexcept {
-  std::free(p);
-}
 void operator delete(void *p, size_t) noexcept {
-  std::free(p);
-}
-void operator delete[](void *p, size_t) noexcept {
   std::free(p);
 }
 void operator delete(void *p, const std::nothrow_t &) noexcept {
