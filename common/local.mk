@@ -17,6 +17,7 @@ include %D%/answers/kinds/local.mk
 include %D%/files/local.mk
 include %D%/files/json/local.mk
 include %D%/files/cells/local.mk
+include %D%/files/formats/local.mk
 include %D%/files/gltf/local.mk
 include %D%/files/mesh/local.mk
 include %D%/files/volume/local.mk

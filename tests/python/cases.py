@@ -119,6 +119,17 @@ def test_scene():
     ok("closed" in repr(soup), repr(soup))
 
 
+def test_weld():
+    with open("near.obj", "w") as near:
+        near.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0.001 0\nv 0 1 0.001\nv 1 1 0\n")
+        near.write("f 1 2 3\nf 4 6 5\n")
+    with hsr.scene("near.obj", weld=0.01) as joined:
+        ok("2 vertices joined" in joined.info.notes, joined.info.notes)
+    with hsr.scene("near.obj") as apart:
+        ok(not apart.info.notes, apart.info.notes)
+    raises(hsr.UsageError, "weld must be", lambda: hsr.scene("house", weld=-1))
+
+
 TETRAHEDRON = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
 SIDES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
 COLORS = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0]]

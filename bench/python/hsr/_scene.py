@@ -425,23 +425,27 @@ def scene(
     threads: int = 1,
     strict: bool = False,
     two_sided: bool = False,
+    weld: float = 0,
 ) -> Scene:
     """Opens a scene.
 
     name       a built-in one with its parameters ("house", "soup:1000:7"), or a
-               file (.obj .off .ply .stl .vtp .scene.json, volumes and height
-               fields), each as the command hsr names it
+               file (.obj .off .ply .stl .vtp .gltf .glb .scene.json, volumes and
+               height fields), each as the command hsr names it
     threads    that import it, lay it out and prepare it, 1 to 64
     strict     a file with faces that have no area is refused; else they are left
                out and counted
     two_sided  all faces are seen from both sides; else those of a closed mesh are
                seen from outside only
+    weld       vertices of a mesh file that are no farther apart are joined, in its
+               unit; 0: none are
     """
     options = struct(
         "hsr_open_options",
         threads=threads,
         strict=bool(strict),
         two_sided=bool(two_sided),
+        weld=weld,
     )
     return _opened(lib.hsr_open, string("name", name), options)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files, by their suffixes. Each format has its reader, mesh_*.cc;
+// Mesh files, by their suffixes. The readers are in common/files/formats and gltf;
 // common/files/vtk has that of .vtp.
 //
 // Memory      the file and its objects at once; what else a reader takes, it

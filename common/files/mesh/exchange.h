@@ -46,15 +46,16 @@ bool hsr_is_mesh_name(const char *path);
 /* Appends what is in `path` to the scene. A .gltf or .glb file has objects with
  * their instances, and may have views. Any other file is one object, named
  * after the file, without an instance. The format is that of the suffix, in
- * upper or lower case. Memory is at most a small multiple of the file's size, whatever counts
- * the file claims; for a compressed .vtp file, of the size of its inflated
- * data. `import` may be NULL: all is standard. A vertex of a face that is the
- * same as the one before it is left out. After a failure the scene is as it was,
- * and *err names the file, the line or element, and the fault.
- * HSR_E_INPUT: the file is unreadable, malformed or truncated, or has an unknown
- * suffix; a coordinate is not finite; an index is out of range; no face has an
- * area. If it is strict, also if a face has fewer
- * than 3 vertices, the same vertex twice in succession, or no area. HSR_E_NOMEM. */
+ * upper or lower case; docs/files.md tells what is read of each. Behind it may be
+ * .gz. Memory is at most a small multiple of the file's size, whatever counts it
+ * claims; of a compressed file, of the size of what was compressed. `import` may
+ * be NULL: all is standard. A vertex of a face that is the same as the one before
+ * it is left out. After a failure the scene is as it was, and *err names the
+ * file, the line or element, and the fault. HSR_E_INPUT: the file is unreadable,
+ * malformed or truncated, or has an unknown suffix; a coordinate is not finite;
+ * an index is out of range; no face has an area. If it is strict, also if a face
+ * has fewer than 3 vertices, the same vertex twice in succession, or no area.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import, struct hsr_error *err);
 

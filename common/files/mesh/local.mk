@@ -10,18 +10,9 @@ libcore_a_SOURCES += \
   %D%/mesh_corners.h \
   %D%/mesh_file.cc \
   %D%/mesh_file.h \
-  %D%/mesh_materials.cc \
-  %D%/mesh_materials.h \
-  %D%/mesh_obj.cc \
-  %D%/mesh_off.cc \
-  %D%/mesh_ply.cc \
-  %D%/mesh_ply_header.cc \
-  %D%/mesh_ply_header.h \
-  %D%/mesh_ply_plain.cc \
   %D%/mesh_scene.cc \
   %D%/mesh_scene.h \
   %D%/mesh_solid.cc \
-  %D%/mesh_stl.cc \
   %D%/mesh_text.cc \
   %D%/mesh_text.h \
   %D%/mesh_weld.cc

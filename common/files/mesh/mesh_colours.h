@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours of mesh files; only for the readers of common/files/mesh.
+// Colours of mesh files; only for common/files/mesh and
+// common/files/formats.
 #ifndef HSR_COMMON_MESH_COLOURS_H
 #define HSR_COMMON_MESH_COLOURS_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Code that the importers of mesh files share; only for common/files/mesh and
-// common/files/vtk.
+// Code that the importers of mesh files share; only for common/files/mesh,
+// formats, gltf and vtk.
 //
 // A file is read into memory once. Each format has one reader, which checks
 // every byte that it reads. A failure is thrown as hsr::Refused and caught in

@@ -10,7 +10,7 @@
 // Departures  a text has one element a line
 // Cost        each value is read once
 #include "common/files/mesh/mesh_colours.h"
-#include "common/files/mesh/mesh_ply_header.h"
+#include "common/files/formats/mesh_ply_header.h"
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@
 // Memory      4 bytes a corner and a face, beside the file and the object
 #include "common/files/mesh/mesh_blocks.h"
 #include "common/files/mesh/mesh_colours.h"
-#include "common/files/mesh/mesh_materials.h"
+#include "common/files/formats/mesh_materials.h"
 #include "common/files/mesh/mesh_text.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/files/mesh/mesh_ply_header.h"
+#include "common/files/formats/mesh_ply_header.h"
 
 #include <cstdint>
 

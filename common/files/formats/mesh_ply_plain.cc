@@ -4,7 +4,7 @@
 // among them, and triangles with nothing but their vertex numbers. All records of an element have one
 // size, so threads share them.
 #include "common/base/share.h"
-#include "common/files/mesh/mesh_ply_header.h"
+#include "common/files/formats/mesh_ply_header.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/files/mesh/mesh_materials.h"
+#include "common/files/formats/mesh_materials.h"
 #include "common/files/srgb.h"
 #include "common/files/mesh/mesh_text.h"
 
