@@ -100,6 +100,21 @@ enum hsr_status hsr_volume_add_part(struct hsr_volume_file *file,
   return HSR_OK;
 }
 
+enum hsr_status hsr_volume_add_list(struct hsr_volume_file *file, FILE *in,
+                                    struct hsr_error *err) {
+  char line[1024];
+  enum hsr_status status = HSR_OK;
+  while (!status && file->bytes.n <= file->n[2] &&
+         fgets(line, sizeof line, in)) {
+    char *name = line + strspn(line, " \t"), *end = name + strlen(name);
+    while (end > name && isspace((unsigned char)end[-1]))
+      *--end = '\0';
+    if (*name)
+      status = hsr_volume_add_part(file, name, err);
+  }
+  return status;
+}
+
 /* Finds the size of part k. */
 static enum hsr_status find_part(const struct hsr_volume_file *file, size_t k,
                                  uint64_t *size, struct hsr_error *err) {

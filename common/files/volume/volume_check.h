@@ -5,6 +5,8 @@
 
 #include "common/files/volume/volume_data.h"
 
+#include <stdio.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -52,6 +54,11 @@ void hsr_volume_find_way(struct hsr_volume_file *file);
  * absolute. HSR_E_NOMEM. */
 enum hsr_status hsr_volume_add_part(struct hsr_volume_file *file,
                                     const char *name, struct hsr_error *err);
+
+/* Adds the files that the rest of a header names, one a line. No more are read
+ * than there are slices, and one. HSR_E_NOMEM. */
+enum hsr_status hsr_volume_add_list(struct hsr_volume_file *file, FILE *in,
+                                    struct hsr_error *err);
 
 /* Adds one file for each slice: `format` has one %d, perhaps with a width, for
  * the numbers first, first + step, ... last. HSR_E_INPUT, HSR_E_NOMEM. */

@@ -249,22 +249,6 @@ static enum hsr_status read_header(const struct hsr_volume_file *file,
 
 /* --- Files ---------------------------------------------------------------- */
 
-/* The rest of a header: one file a line. */
-static enum hsr_status read_list(struct hsr_volume_file *file, FILE *in,
-                                 struct hsr_error *err) {
-  char line[MOST_LINE];
-  enum hsr_status status = HSR_OK;
-  while (!status && file->bytes.n <= file->n[2] &&
-         fgets(line, sizeof line, in)) {
-    char *name = line + strspn(line, " \t"), *end = line + strlen(line);
-    while (end > name && isspace((unsigned char)end[-1]))
-      *--end = '\0';
-    if (*name)
-      status = hsr_volume_add_part(file, name, err);
-  }
-  return status;
-}
-
 /* "name%03d.raw FIRST LAST STEP". A file of just that name comes first. */
 static enum hsr_status read_pattern(struct hsr_volume_file *file,
                                     const char *data, struct hsr_error *err) {
@@ -298,7 +282,7 @@ static enum hsr_status find_data(struct hsr_volume_file *file, struct meta *m,
                                "its header's ElementDataFile = %.20s cannot be "
                                "read: each file must be a slice",
                                m->data);
-    return read_list(file, in, err);
+    return hsr_volume_add_list(file, in, err);
   }
   return strchr(m->data, '%') ? read_pattern(file, m->data, err)
                               : hsr_volume_add_part(file, m->data, err);

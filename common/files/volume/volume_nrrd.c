@@ -326,21 +326,6 @@ static enum hsr_status read_header(struct hsr_volume_file *file, struct nrrd *h,
 
 /* --- Files ---------------------------------------------------------------- */
 
-static enum hsr_status read_list(struct hsr_volume_file *file, FILE *in,
-                                 struct hsr_error *err) {
-  char line[MOST_LINE];
-  enum hsr_status status = HSR_OK;
-  while (!status && file->bytes.n <= file->n[2] &&
-         fgets(line, sizeof line, in)) {
-    size_t n = strlen(line);
-    while (n && isspace((unsigned char)line[n - 1]))
-      line[--n] = '\0';
-    if (n)
-      status = hsr_volume_add_part(file, line, err);
-  }
-  return status;
-}
-
 static enum hsr_status find_data(struct hsr_volume_file *file,
                                  const struct nrrd *h, FILE *in,
                                  struct hsr_error *err) {
@@ -352,7 +337,7 @@ static enum hsr_status find_data(struct hsr_volume_file *file,
     return hsr_volume_add_part(file, slash ? slash + 1 : file->path, err);
   }
   if (!strcmp(h->data, "LIST") || !strcmp(h->data, "LIST 2"))
-    return read_list(file, in, err);
+    return hsr_volume_add_list(file, in, err);
   if (sscanf(h->data, "%1023s %18lld %18lld %18lld", format, &first, &last,
              &step) == 4 &&
       strchr(format, '%'))
