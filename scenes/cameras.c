@@ -36,7 +36,7 @@ enum {
   SUN
 };
 
-static const char PALETTE[] = "palette";
+static const char PALETTE[] = "palette", AXIS[] = "up-axis";
 
 static bool is_file(const char *name, size_t n) {
   char *path = strndup(name, n);
@@ -83,6 +83,40 @@ static double fitting_height(const struct hsr_camera *c) {
   return 2 * tan(c->fov / 2 * degree) * distance;
 }
 
+/* Turns what stands on the y axis so that it stands on another. */
+static void turn_to_axis(int axis, double v[3]) {
+  double x = v[0], y = v[1], z = v[2];
+  v[0] = axis ? x : y;
+  v[1] = 0 - (axis ? z : x); /* never -0 */
+  v[2] = axis ? y : z;
+}
+
+/* up-axis=z: a view that stands on the y axis, as those that are made up do, is
+ * turned about its point `at`. One that stands on the axis stays. */
+static enum hsr_status stand_on(const char *word, size_t length,
+                                struct hsr_camera *c, struct hsr_error *err) {
+  const double *up = c->up;
+  int axis = length == 1 ? *word - 'x' : -1, l = (axis + 1) % 3,
+      m = (axis + 2) % 3;
+  double from[3];
+  if (axis < 0 || axis > 2)
+    return hsr_fail(err, HSR_E_USAGE, "up-axis: '%.*s' must be x, y or z",
+                    (int)length, word);
+  if (up[axis] > 0 && up[l] == 0 && up[m] == 0)
+    return HSR_OK;
+  if (!(up[0] == 0 && up[1] > 0 && up[2] == 0))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "up-axis: the view stands on no axis; up=X,Y,Z tells what "
+                    "is up");
+  for (int k = 0; k < 3; k++)
+    from[k] = c->eye[k] - c->at[k];
+  turn_to_axis(axis, from);
+  turn_to_axis(axis, c->up);
+  for (int k = 0; k < 3; k++)
+    c->eye[k] = c->at[k] + from[k];
+  return HSR_OK;
+}
+
 static enum hsr_status read_word(const char *word, size_t length,
                                  struct hsr_camera *camera,
                                  struct hsr_error *err) {
@@ -90,6 +124,8 @@ static enum hsr_status read_word(const char *word, size_t length,
     camera->parallel = fitting_height(camera);
     return HSR_OK;
   }
+  if (is_key(word, AXIS))
+    return stand_on(word + sizeof AXIS, length - sizeof AXIS, camera, err);
   for (int k = 0; k < N_WORDS; k++) {
     if (!is_key(word, words[k].key))
       continue;
@@ -108,9 +144,9 @@ static enum hsr_status read_word(const char *word, size_t length,
     return HSR_OK;
   }
   return hsr_fail(err, HSR_E_USAGE,
-                  "'%.*s' says nothing of a camera: view=K, eye=X,Y,Z, "
-                  "at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T, parallel=HEIGHT, "
-                  "light=X,Y,Z or sun=X,Y,Z",
+                  "'%.*s' says nothing of a camera: view=K, up-axis=A, "
+                  "eye=X,Y,Z, at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T, "
+                  "parallel=HEIGHT, light=X,Y,Z or sun=X,Y,Z",
                   (int)length, word);
 }
 
@@ -241,7 +277,7 @@ enum hsr_status hsr_scene_expect(struct hsr_scene *scene, const char *cameras,
 }
 
 static bool has_words(const char *text) {
-  bool found = is_key(text, "view");
+  bool found = is_key(text, "view") || is_key(text, AXIS);
   for (int k = 0; k < N_WORDS; k++)
     found |= is_key(text, words[k].key);
   return found;

@@ -22,9 +22,12 @@ size_t hsr_name_before_cameras(const char *name);
 /* Replaces the views of a finished scene by those that the name's cameras
  * describe, and the palette of its grid. `cameras` is "", or starts with '@'.
  * After the '@' stands a file (common/files/json/scene_json.h), or words
- * KEY=VALUE with colons between them: view (a number from 1; standard: 1), eye, at, up (X,Y,Z), fov (degrees),
- * near, parallel (a height, or `fit`: as high as what was in perspective around
- * the point `at`; fov makes it perspective again), light (X,Y,Z, a point), sun
+ * KEY=VALUE with colons between them: view (a number from 1; standard: 1),
+ * up-axis (x, y or z: a view that stands on the y axis is turned about the point
+ * that it looks at, so that it stands on this one), eye, at, up (X,Y,Z), fov
+ * (degrees), near, parallel (a height, or `fit`: as high as what was in
+ * perspective around the point `at`; fov makes it perspective again), light
+ * (X,Y,Z, a point), sun
  * (X,Y,Z, a direction). Words without a place to
  * look from, to or up, and without view, change all views of the scene; others
  * leave one. Or palette=NAME, NAME being what hsr_palette_open takes, up to the

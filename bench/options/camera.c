@@ -8,8 +8,8 @@
 #include <string.h>
 
 static const char *const camera_keys[CAMERA_WORDS] = {
-    "eye", "at", "up", "fov", "near", "parallel", "light", "sun"};
-enum { PARALLEL = 5, LIGHT };
+    "eye", "at", "up", "fov", "near", "parallel", "light", "sun", "up-axis"};
+enum { PARALLEL = 5, LIGHT, SUN, AXIS };
 
 error_t parse_camera_option(struct camera_options *o, int key, char *arg,
                             struct option_base *base) {
@@ -24,10 +24,12 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
   int k = key - CAMERA_EYE;
   if (k < 0 || k >= CAMERA_WORDS)
     return ARGP_ERR_UNKNOWN;
+  if (k == AXIS && (arg[0] < 'x' || arg[0] > 'z' || arg[1]))
+    return option_fail(base, "--up-axis %s: must be x, y or z", arg);
   double number[3];
   bool is_fit = k == PARALLEL && !strcmp(arg, "fit");
   bool is_point = k < CAMERA_PLACES || k >= LIGHT;
-  if (!is_fit &&
+  if (!is_fit && k != AXIS &&
       (is_point ? !parse_point(arg, number) : !parse_number(arg, number)))
     return option_fail(base, "--%s %s: must be %s", camera_keys[k], arg,
                        is_point        ? "a point, X,Y,Z"
@@ -38,7 +40,7 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
 }
 
 const char *light_option(const struct camera_options *o) {
-  return o->word[LIGHT] ? "--light" : o->word[LIGHT + 1] ? "--sun" : NULL;
+  return o->word[LIGHT] ? "--light" : o->word[SUN] ? "--sun" : NULL;
 }
 
 static bool has_any(const struct camera_options *o, int n) {
@@ -96,7 +98,8 @@ enum hsr_status aim_name(const struct camera_options *o, long view,
     n += (size_t)snprintf(aimed + n, size - n, "@view=%ld", view);
     between = ':';
   }
-  for (int k = 0; k < CAMERA_WORDS && n < size; k++) {
+  for (int place = 0; place < CAMERA_WORDS && n < size; place++) {
+    int k = place ? place - 1 : AXIS; /* the axis comes before all others */
     if (!o->word[k])
       continue;
     n += (size_t)snprintf(aimed + n, size - n, "%c%s=%s", between,

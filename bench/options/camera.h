@@ -8,11 +8,11 @@
 /* The cameras that the options describe, and the palette. They become a part of
  * the scene's name (scenes/cameras.h), so that whoever gets the name looks from
  * there, and sees samples as splats like that. */
-enum { CAMERA_WORDS = 8, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
+enum { CAMERA_WORDS = 9, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
 struct camera_options {
   const char *file;               /* of --camera, or NULL */
   const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near,
-                                     --parallel, --light, --sun */
+                                     --parallel, --light, --sun, --up-axis */
   const char *palette;            /* of --palette, or NULL */
 };
 
@@ -45,6 +45,12 @@ enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS, PALETTE };
        "X,Y,Z",                                                                 \
        0,                                                                       \
        "shadows are cast by a sun in this direction",                           \
+       10},                                                                     \
+      {"up-axis",                                                               \
+       CAMERA_EYE + 8,                                                          \
+       "A",                                                                     \
+       0,                                                                       \
+       "x, y or z is up: views that stand on y are turned to stand on it",      \
        10},                                                                     \
       {"camera",                                                                \
        CAMERA_FILE,                                                             \
