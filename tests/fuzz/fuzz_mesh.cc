@@ -121,7 +121,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   compare(Mesh(path, drop, 1), mesh);
   if (!std::strcmp(HSR_FUZZ_SUFFIX, ".ply") && !drop) {
     const Mesh general(path, true, 1);
-    if (!general.error.status && !general.n_dropped)
+    /* A vertex that follows itself is taken once, but not strictly. */
+    if (!general.error.status && !general.n_dropped &&
+        !std::strstr(mesh.error.text, "has the same vertex twice"))
       compare(general, mesh);
   }
   if (!std::strcmp(HSR_FUZZ_SUFFIX, ".stl") && !drop) {
