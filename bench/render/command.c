@@ -154,7 +154,7 @@ static enum hsr_status say_seams(const struct render *r,
             "leaves them out\n",
             n.seams, n.edges);
   if (!status && n.borders > n.edges / 2 && hsr_is_mesh_name(r->scene->name) &&
-      !r->options->scene.import.weld)
+      !(r->options->scene.import.weld > 0))
     fprintf(stderr,
             "hsr: %zu of %zu edges have one face only; if faces ought to meet "
             "there, --weld=DISTANCE joins them\n",
