@@ -190,7 +190,8 @@ static void open_name(struct fuzz *f) {
   ROOMY(hsr_open_options, options);
   FILL(options, (struct hsr_open_options){.threads = whole(f, 3),
                                           .strict = (int)below(f, 2),
-                                          .two_sided = (int)below(f, 2)});
+                                          .two_sided = (int)below(f, 2),
+                                          .weld = real(f)});
   struct hsr_scene *scene = NULL;
   struct hsr_error *err = error_of(f);
   enum hsr_status status =

@@ -227,6 +227,22 @@ static void test_files(struct tap *tap) {
   ok(tap, hsr_open("library-lists.off", &options, &scene, &err) == HSR_E_INPUT,
      "or refused: %s", err.text);
   hsr_close(scene);
+  options = (struct hsr_open_options){.size = sizeof options,
+                                      .path = "library-lists.off"};
+  ok(tap,
+     !hsr_open("-.off", &options, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.n_faces == 1 &&
+         !strcmp(info.name, "-.off"),
+     "a scene may have another name than its file");
+  hsr_close(scene);
+  options.weld = 1.5;
+  ok(tap, hsr_open("-.off", &options, &scene, &err) == HSR_E_INPUT,
+     "all vertices are joined, so no face is left: %s", err.text);
+  hsr_close(scene);
+  options.weld = -1;
+  ok(tap, hsr_open("-.off", &options, &scene, &err) == HSR_E_USAGE,
+     "no distance: %s", err.text);
+  hsr_close(scene);
   remove("library-lists.off");
 }
 
@@ -553,7 +569,7 @@ static void test_wrong_contents(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(52);
+  struct tap tap = plan(55);
   test_lists(&tap);
   test_algorithms(&tap);
   test_sizes(&tap);
