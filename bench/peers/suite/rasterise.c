@@ -85,18 +85,24 @@ static const json_t *item(const json_t *all, const char *list, size_t k) {
   return json_array_get(json_object_get(all, list), k);
 }
 
+/* The elements of an accessor, which are *n. */
+static const void *elements(const json_t *glb, const unsigned char *bin,
+                            size_t accessor, size_t *n) {
+  const json_t *a = item(glb, "accessors", accessor);
+  *n = number(a, "count");
+  return bin + number(item(glb, "bufferViews", number(a, "bufferView")),
+                      "byteOffset");
+}
+
 /* One primitive, whose first triangle has this number. */
 static size_t add_primitive(struct scene *scene, const json_t *glb,
                             const unsigned char *bin, const json_t *primitive,
                             const uint32_t *face) {
-  const json_t *positions =
-      item(glb, "accessors",
-           number(json_object_get(primitive, "attributes"), "POSITION"));
-  const json_t *view =
-      item(glb, "bufferViews", number(positions, "bufferView"));
-  const size_t n = number(positions, "count");
-  const float *xyz =
-      (const float *)(const void *)(bin + number(view, "byteOffset"));
+  size_t n_places, n;
+  const float *xyz = elements(
+      glb, bin, number(json_object_get(primitive, "attributes"), "POSITION"),
+      &n_places);
+  const uint32_t *corner = elements(glb, bin, number(primitive, "indices"), &n);
   const int side = !json_is_true(json_object_get(
       item(glb, "materials", number(primitive, "material")), "doubleSided"));
   const size_t old = (size_t)scene->n[side];
@@ -106,7 +112,9 @@ static size_t add_primitive(struct scene *scene, const json_t *glb,
     fail("out of memory", "");
   for (size_t k = 0; k < n; k++) {
     struct vertex *v = &scene->vertex[side][old + k];
-    memcpy(v->xyz, xyz + 3 * k, sizeof v->xyz);
+    if (corner[k] >= n_places)
+      fail(": names a vertex that is not there", scene->name);
+    memcpy(v->xyz, xyz + 3 * corner[k], sizeof v->xyz);
     v->id = face[k / 3];
   }
   scene->n[side] += (GLsizei)n;
