@@ -31,6 +31,16 @@ skip_all() {
   exit 0
 }
 
+# find_numpy: puts a python3 that has numpy first in PATH. False: there is none.
+find_numpy() {
+  for tap_path in "$PATH" "/usr/bin:$PATH"; do
+    PATH=$tap_path python3 -c 'import numpy' 2>/dev/null || continue
+    PATH=$tap_path
+    return 0
+  done
+  return 1
+}
+
 # none NUMBER DESCRIPTION: holds if there is no input, each line of which is a fault
 none() {
   wrong=$(cat)
