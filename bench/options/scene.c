@@ -28,6 +28,17 @@ error_t parse_import_option(struct hsr_import *import, int key, const char *arg,
   }
 }
 
+error_t parse_input(const char *suffix, const char *command,
+                    struct option_base *base, const char **path) {
+  *path = stream_input(suffix);
+  if (!*path && errno == EBUSY)
+    return option_fail(base, "%s: standard input can be read only once",
+                       command);
+  return *path ? 0
+               : option_fail(base, "standard input: cannot be read: %s",
+                             strerror(errno));
+}
+
 /* Reads standard input, if the scene is that. */
 static error_t take_input(struct scene_options *o, const char *command,
                           struct option_base *base) {
@@ -41,10 +52,9 @@ static error_t take_input(struct scene_options *o, const char *command,
                        "%s: --format says what standard input holds: obj, ply, "
                        "...",
                        command);
-  o->import.path = stream_input(o->format);
-  if (!o->import.path)
-    return option_fail(base, "standard input: cannot be read: %s",
-                       strerror(errno));
+  error_t error = parse_input(o->format, command, base, &o->import.path);
+  if (error)
+    return error;
   snprintf(o->of_input, sizeof o->of_input, "-.%s",
            o->format + (*o->format == '.'));
   o->name = o->of_input;
@@ -76,11 +86,6 @@ error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                          command, arg);
     o->name = arg;
     return 0;
-  case WELD:
-    return parse_number(arg, &o->import.weld) && o->import.weld > 0
-               ? 0
-               : option_fail(base, "--weld %s: must be a distance above 0",
-                             arg);
   case FORMAT:
     o->format = arg;
     return 0;

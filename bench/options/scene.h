@@ -57,6 +57,11 @@ error_t parse_import_option(struct hsr_import *import, int key, const char *arg,
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 
+/* Sets *path to a file with what comes from standard input, which has this
+ * suffix. */
+error_t parse_input(const char *suffix, const char *command,
+                    struct option_base *base, const char **path);
+
 /* Sets *path to the file that an option -o names. "-.png" is standard output as
  * .png, and "-" is it with the suffix `suffix`, unless that is NULL. */
 error_t parse_output(const char *arg, const char *suffix, const char *command,

@@ -96,6 +96,10 @@ static bool copy(FILE *from, FILE *to) {
 }
 
 const char *stream_input(const char *suffix) {
+  if (*streams.input) {
+    errno = EBUSY;
+    return NULL;
+  }
   if (!name_file(streams.input, "stdin", suffix))
     return NULL;
   FILE *file = fopen(streams.input, "wb");
@@ -123,8 +127,10 @@ const char *stream_output(const char *name, const char *suffix) {
   return good ? streams.output : NULL;
 }
 
-/* Copies the output that was asked for. */
+/* Copies the output that was asked for. A pipe that is closed is told by errno,
+ * not by a signal, which would leave the files. */
 static bool deliver(void) {
+  signal(SIGPIPE, SIG_IGN);
   FILE *file = fopen(streams.output, "rb"),
        *to = fdopen(streams.standard_output, "wb");
   bool good = file && to && copy(file, to);
@@ -138,7 +144,6 @@ static bool deliver(void) {
 }
 
 enum hsr_status streams_end(enum hsr_status status, struct hsr_error *err) {
-  signal(SIGPIPE, SIG_IGN);
   bool good = status || !*streams.output || deliver() || errno == EPIPE;
   int why = errno;
   leave_out_others();

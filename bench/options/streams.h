@@ -16,7 +16,7 @@ bool is_stream(const char *name);
 
 /* Returns the path of a file with all that comes from standard input, and with
  * this suffix: "obj" or ".obj". It is valid until streams_end. NULL: it cannot be
- * read or written, and errno says why. */
+ * read or written, and errno says why; EBUSY: it was read already. */
 const char *stream_input(const char *suffix);
 
 /* Returns the path of a file to write, of which streams_end copies the bytes to

@@ -47,11 +47,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_ARG:
     if (o->n_files == MOST_FILES)
       return option_fail(&o->base, "times: at most %d files", (int)MOST_FILES);
-    o->file[o->n_files] = is_stream(arg) ? stream_input("ndjson") : arg;
-    return o->file[o->n_files++]
-               ? 0
-               : option_fail(&o->base, "standard input: cannot be read: %s",
-                             strerror(errno));
+    o->file[o->n_files++] = arg;
+    return is_stream(arg) ? parse_input("ndjson", "times", &o->base,
+                                        &o->file[o->n_files - 1])
+                          : 0;
   case ARGP_KEY_END:
     if (o->csv + o->json + o->latex > 1)
       return option_fail(&o->base,

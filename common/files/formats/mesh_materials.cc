@@ -121,10 +121,10 @@ void Materials::read_file(const std::string &path) {
       continue;
     } else if (statement == "Kd") {
       material->has_colour |= read_diffuse(text, n, material->look);
-    } else if (statement == "d" ||
-               (statement == "Tr" && !material->has_opacity)) {
+    } else if (statement == "d" || (statement == "Tr" && !material->has_d)) {
       material->look[3] = read_opacity(text, n, statement);
-      material->has_opacity |= statement == "d";
+      material->has_opacity = true;
+      material->has_d |= statement == "d";
     } else {
       n_pictures_ += statement == "map_Kd" || statement == "map_d";
     }

@@ -15,7 +15,8 @@ namespace hsr {
 
 /* Its diffuse colour (Kd), if it has one, and its opacity. */
 struct Material {
-  bool has_colour = false, has_opacity = false; /* Kd, d */
+  bool has_colour = false, has_opacity = false; /* Kd; d or Tr */
+  bool has_d = false;
   Rgba look{0, 0, 0, 1};
 };
 

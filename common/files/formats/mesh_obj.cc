@@ -288,15 +288,13 @@ void Obj_reader::material(const Material_line &line) {
 
 /* What the material does not say, the vertices may. */
 void Obj_reader::face(const uint32_t *corners, size_t n) {
-  Rgba mean;
-  const Rgba *look = mean_colour(of_vertices_, corners, n, &mean);
   if (material_ && material_->has_colour) {
-    look = &material_->look;
-    builder_.face(corners, n, look);
+    builder_.face(corners, n, &material_->look);
     return;
   }
-  builder_.face(corners, n, look);
-  if (material_)
+  Rgba mean;
+  builder_.face(corners, n, mean_colour(of_vertices_, corners, n, &mean));
+  if (material_ && material_->has_opacity)
     builder_.opacity(material_->look[3]);
 }
 

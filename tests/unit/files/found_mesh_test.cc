@@ -111,6 +111,13 @@ void try_seven_numbers(tap *t) {
          "3 vertices of seven numbers are read as x y z, red "
          "green blue, opacity"),
      "vertices of seven numbers");
+  file("plain.mtl", "newmtl a\nillum 1\n");
+  ok(t,
+     has(read("said.obj", "mtllib plain.mtl\nv 0 0 0 1 0 0 .5\n"
+                          "v 1 0 0 1 0 0 .5\nv 0 1 0 1 0 0 .5\nusemtl a\n"
+                          "f 1 2 3\n"),
+         {{1, 0, 0, .5}}, "seven numbers"),
+     "a material that says no opacity leaves that of the vertices");
   ok(t,
      has(read("six.obj",
               "v 0 0 0 0 255 0\nv 1 0 0 0 255 0\nv 0 1 0\nf 1 2 3\n"),
@@ -380,7 +387,7 @@ void try_compressed(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(3 + 5 + 2 + 4 + 1 + 4 + 5 + 5 + 8 + 5);
+  struct tap t = plan(3 + 5 + 3 + 4 + 1 + 4 + 5 + 5 + 8 + 5);
   try_materials(&t);
   try_paths(&t);
   try_seven_numbers(&t);
