@@ -267,10 +267,7 @@ void Obj_reader::find_colours(const std::vector<Block> &blocks) {
                   (n_opacities > 1 ? " vertices of seven numbers are"
                                    : " vertex of seven numbers is") +
                   " read as x y z, red green blue, opacity");
-  if (n && n < n_vertices_)
-    builder_.note("colours of vertices are passed over: " + std::to_string(n) +
-                  " of " + std::to_string(n_vertices_) + " have one");
-  if (n != n_vertices_)
+  if (!have_colours(n, n_vertices_, builder_))
     return;
   of_vertices_.reserve(n);
   for (const Block &block : blocks)

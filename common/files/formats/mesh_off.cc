@@ -283,20 +283,21 @@ bool count_lines(const Mesh_file &file, const Header &header, int threads,
 }
 
 /* The colours of vertices, if all have one. */
-std::vector<Rgba> colours_of(std::vector<Block> &blocks, size_t n_vertices) {
+std::vector<Rgba> colours_of(const std::vector<Block> &blocks,
+                             size_t n_vertices, Mesh_builder &builder) {
   std::vector<Rgba> all;
   for (const Block &block : blocks)
     all.insert(all.end(), block.of_vertices.begin(), block.of_vertices.end());
-  if (all.size() != n_vertices)
+  if (!have_colours(all.size(), n_vertices, builder))
     return {};
   decode_all(all);
   return all;
 }
 
 /* A face has its own colour, or that of its vertices. */
-void give(std::vector<Block> &blocks, size_t n_vertices,
+void give(const std::vector<Block> &blocks, size_t n_vertices,
           Mesh_builder &builder) {
-  const std::vector<Rgba> of_vertices = colours_of(blocks, n_vertices);
+  const std::vector<Rgba> of_vertices = colours_of(blocks, n_vertices, builder);
   size_t n_in_map = 0;
   for (const Block &block : blocks) {
     const uint32_t *corners = block.corners.data();
@@ -325,7 +326,7 @@ void read_text(const Mesh_file &file, const Text &text, const Header &header,
     if (block.end == file.end)
       reader.refuse_end(line);
   };
-  std::vector<Block> blocks = read_blocks<Block>(
+  const std::vector<Block> blocks = read_blocks<Block>(
       builder.threads(), text.at(), file.end,
       [](const char *, const char *) { return true; },
       [&](std::vector<Block> &all) {

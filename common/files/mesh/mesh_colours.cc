@@ -30,6 +30,13 @@ void decode_all(std::vector<Rgba> &colours) {
   }
 }
 
+bool have_colours(size_t n, size_t n_vertices, Mesh_builder &builder) {
+  if (n && n < n_vertices)
+    builder.note("colours of vertices are passed over: " + std::to_string(n) +
+                 " of " + std::to_string(n_vertices) + " have one");
+  return n == n_vertices;
+}
+
 const Rgba *mean_colour(const std::vector<Rgba> &of_vertices,
                         const uint32_t *corners, size_t n, Rgba *mean) {
   if (of_vertices.empty() || !n)

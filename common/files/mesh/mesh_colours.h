@@ -18,6 +18,10 @@ Rgba rgba_of_file(const Rgba &encoded);
  * So it is 0..1, or 0..255 if any value is above 1. */
 void decode_all(std::vector<Rgba> &colours);
 
+/* Whether all vertices of a file have a colour, if n of n_vertices have one. If
+ * only some have, that is noted. */
+bool have_colours(size_t n, size_t n_vertices, Mesh_builder &builder);
+
 /* Sets *mean to the mean colour of n corners, and returns `mean`. NULL: there
  * are no colours, or no corners. */
 const Rgba *mean_colour(const std::vector<Rgba> &of_vertices,

@@ -243,6 +243,11 @@ void try_off(tap *t) {
          {{1, 0, 0, 1}}),
      "among normals and textures, of four dimensions");
   ok(t,
+     has(read("c.off", "COFF 3 1 0\n0 0 0 1 0 0 1\n1 0 0\n0 1 0 1 0 0 1\n"
+                       "3 0 1 2\n"),
+         {GREY}, "colours of vertices are passed over: 2 of 3 have one"),
+     "colours that some vertices lack, too");
+  ok(t,
      has(read("f.off", "OFF 3 4 0\n" + points +
                            "3 0 1 2 255 0 0 51\n3 0 1 2\n3 0 1 2 0 .5 1.0\n"
                            "3 0 1 2 7\n"),
@@ -387,7 +392,7 @@ void try_compressed(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(3 + 5 + 3 + 4 + 1 + 4 + 5 + 5 + 8 + 5);
+  struct tap t = plan(3 + 5 + 3 + 4 + 1 + 4 + 6 + 5 + 8 + 5);
   try_materials(&t);
   try_paths(&t);
   try_seven_numbers(&t);
