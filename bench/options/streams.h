@@ -14,8 +14,8 @@
  * suffix of a format. */
 bool is_stream(const char *name);
 
-/* Returns the path of a file with all that comes from standard input, and with
- * this suffix: "obj" or ".obj". It is valid until streams_end. NULL: it cannot be
+/* Copies standard input to a file with this suffix, "obj" or ".obj", and returns
+ * the path of the file. The path is valid until streams_end. NULL: it cannot be
  * read or written, and errno says why; EBUSY: it was read already. */
 const char *stream_input(const char *suffix);
 

@@ -25,8 +25,8 @@ bool hsr_ring_is_flat(const struct hsr_object *object, const uint32_t *ring,
 enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,
                                           int threads, uint64_t *n);
 
-/* Gives each corner of an object's faces the vertex to[v] in the place of v. A
- * vertex that then follows itself is taken once. A face of which fewer than 3
+/* Replaces vertex v by vertex to[v] in all faces of an object. A vertex that then
+ * follows itself is taken once. A face of which fewer than 3
  * corners are left is left out; *n becomes how many are. The others keep their
  * order, colours and opacities. */
 void hsr_object_change_vertices(struct hsr_object *object, const uint32_t *to,

@@ -170,8 +170,8 @@ struct shape {
   std::vector<stretch> implied; /* in the order of edges */
 };
 
-/* A face that has a pair of vertices an even number of times crosses from its
- * inside to its inside there, by parity: it has no side. */
+/* A side that a face has twice is a bridge to a hole. The face lies on both sides
+ * of it, so it is no border of the face. */
 void leave_out_bridges(std::vector<side> *sides) {
   const auto same = [](const side &s, const side &t) {
     return s.a == t.a && s.b == t.b && s.face == t.face;
