@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/judge/differences.h"
 #include "common/files/image.h"
+#include "common/paper/line_style.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -35,14 +36,15 @@ static enum hsr_status write_answer(const struct compared_files *files,
                                     const char *path, struct hsr_error *err) {
   static const char *const suffix[] = {".svg", ".vti", ".png"};
   const struct hsr_answer_type *type = answer->form.type;
+  struct hsr_line_style style;
+  hsr_line_style_plain(&style, HSR_HIDDEN_DASHED);
   struct hsr_showing showing = {.world = files->world,
                                 .view = view,
                                 .scene = files->world->roster.scene->name,
                                 .title = path,
                                 .description = "What hsr check compared.",
                                 .supersamples = 1,
-                                .hidden = HSR_HIDDEN_DASHED,
-                                .crease = -1};
+                                .style = &style};
   char name[PATH];
   for (int k = 0; k < 3; k++) {
     snprintf(name, sizeof name, "%.*s%s", PATH - 20, path, suffix[k]);
