@@ -65,6 +65,10 @@ libbench_a_SOURCES = \
   %D%/options/camera.c \
   %D%/options/camera.h \
   %D%/options/command.h \
+  %D%/options/lines.c \
+  %D%/options/lines.h \
+  %D%/options/page.c \
+  %D%/options/page.h \
   %D%/options/parser.c \
   %D%/options/parser.h \
   %D%/options/picture.c \

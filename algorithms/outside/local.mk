@@ -19,10 +19,10 @@ module_headers = \
   common/exact/screen.h \
   common/files/image.h \
   common/files/npy.h \
-  common/files/page.h \
   common/grids/grid.h \
   common/grids/palette.h \
   common/lines/drawing.h \
+  common/paper/page.h \
   common/polygon/polygon.h \
   common/scene/clusters.h \
   common/scene/pieces.h \

@@ -4,6 +4,7 @@
 
 #include "bench/library/library.h"
 #include "common/answers/kinds/segments.h"
+#include "common/paper/line_style.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,8 +16,7 @@ struct hsr_showing lib_showing(const struct lib_answer *answer,
                               .scene = answer->scene->scene->name,
                               .shading = (enum hsr_shading)shading,
                               .depth = true,
-                              .supersamples = 1,
-                              .crease = -1};
+                              .supersamples = 1};
 }
 
 enum hsr_status lib_takes(const struct lib_answer *answer, int setting,
@@ -79,27 +79,6 @@ static enum hsr_status write_shown(const struct hsr_answer *answer,
   return status;
 }
 
-/* Writes a copy of a line drawing without the edges that are not to be shown.
- * */
-static enum hsr_status write_trimmed(const struct lib_answer *answer,
-                                     const struct hsr_drawing *drawing,
-                                     const struct hsr_showing *showing,
-                                     const char *path, struct hsr_error *err) {
-  struct hsr_drawing copy = {.segment = NULL};
-  enum hsr_status status = HSR_OK;
-  for (size_t k = 0; k < drawing->n && !status; k++)
-    if (hsr_drawing_add(&copy, &drawing->segment[k]))
-      status = hsr_fail_nomem(err);
-  struct hsr_answer trimmed =
-      hsr_answer_of_drawing(&copy, answer->view.m, answer->view.n);
-  if (!status)
-    status = trimmed.form.type->trim(&trimmed, showing, err);
-  if (!status)
-    status = write_shown(&trimmed, showing, path, err);
-  hsr_drawing_free(&copy);
-  return status;
-}
-
 void lib_set_texts(struct hsr_showing *showing, struct lib_texts *t, long view,
                    const struct hsr_algorithm *a) {
   snprintf(t->text, sizeof t->text,
@@ -122,13 +101,10 @@ static enum hsr_status write_file(const struct lib_answer *answer,
                                   struct hsr_showing *showing, const char *path,
                                   struct hsr_error *err) {
   struct lib_texts texts;
-  const struct hsr_drawing *drawing = hsr_answer_lines(&answer->answer);
   lib_set_texts(showing, &texts,
                 answer->is_own_view ? (long)answer->number + 1 : 0,
                 answer->variant.listed->plain);
-  return drawing && showing->crease >= 0
-             ? write_trimmed(answer, drawing, showing, path, err)
-             : write_shown(&answer->answer, showing, path, err);
+  return write_shown(&answer->answer, showing, path, err);
 }
 
 enum hsr_status hsr_write(const struct lib_answer *answer, const char *path,
@@ -148,8 +124,11 @@ enum hsr_status hsr_write(const struct lib_answer *answer, const char *path,
                     "%.200s: cannot hold an answer of the kind %s", path,
                     type->name);
   struct hsr_showing showing = lib_showing(answer, s.shading);
-  showing.hidden = (enum hsr_hidden)s.hidden;
-  showing.crease = s.crease > 0 ? s.crease : -1;
+  struct hsr_line_style lines;
+  hsr_line_style_plain(&lines, (enum hsr_hidden)s.hidden);
+  if (s.crease > 0)
+    hsr_line_style_crease(&lines, s.crease);
+  showing.style = &lines;
   showing.background.given = s.background;
   if (s.background)
     memcpy(showing.background.rgb, s.background, sizeof showing.background.rgb);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/options/picture.h"
-#include "bench/options/words.h"
 #include "common/answers/kinds/area.h"
 
 #include <string.h>
@@ -14,11 +13,4 @@ error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
     }
   return option_fail(base, "--filter %s: must be box, tent, quadratic or cubic",
                      arg);
-}
-
-error_t parse_crease(double *degrees, const char *arg,
-                     struct option_base *base) {
-  return parse_number(arg, degrees) && *degrees >= 0 && *degrees <= 180
-             ? 0
-             : option_fail(base, "--crease %s: must be degrees, 0 to 180", arg);
 }

@@ -10,8 +10,4 @@
 error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
                           struct option_base *base);
 
-/* --crease of line drawings. */
-error_t parse_crease(double *degrees, const char *arg,
-                     struct option_base *base);
-
 #endif

@@ -9,7 +9,7 @@
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/files/suffix.h"
-#include "common/lines/crease.h"
+#include "common/paper/lines.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
 
@@ -85,8 +85,7 @@ static void print_size(const struct render *r, char *text, size_t size) {
     snprintf(text, size, "%d x %d %s", m, n, r->kind->grains);
 }
 
-static void print_report(const struct render *r,
-                         const struct hsr_algorithm *a) {
+static void print_report(struct render *r, const struct hsr_algorithm *a) {
   char name[TERMINAL_NAME];
   char views[100], size[100];
   print_views(r, views, sizeof views);
@@ -95,6 +94,7 @@ static void print_report(const struct render *r,
          terminal_plain(r->options->scene.name, name, sizeof name), views, size,
          r->options->sort_last ? r->n_faces : r->world.n_faces, a->name);
   struct hsr_showing showing = showing_of(r);
+  showing.drawn = &r->drawn;
   if (r->n_tiles)
     printf("%ld tiles, of which %ld were there\n", r->n_tiles, r->n_found);
   else if (is_series(r->options))
@@ -137,22 +137,50 @@ static void print_report(const struct render *r,
   }
 }
 
+/* What is worth saying of the edges of a drawing. */
+struct edge_counts {
+  size_t edges, flat, borders;
+};
+
+/* Counts edges of flat faces, and of one face. */
+static enum hsr_status count_edges(const struct render *r,
+                                   const struct hsr_drawing *drawing,
+                                   struct edge_counts *n,
+                                   struct hsr_error *err) {
+  enum hsr_line_class *of = malloc((drawing->n + 1) * sizeof *of);
+  uint32_t *object = malloc((drawing->n + 1) * sizeof *object);
+  enum hsr_status status =
+      of && object
+          ? hsr_lines_classify(drawing, &r->world, &r->view, 1, of, object, err)
+          : hsr_fail_nomem(err);
+  for (size_t k = 0; k < drawing->n && !status; k++) {
+    const struct hsr_segment *s = &drawing->segment[k];
+    if (k && !hsr_edge_name_compare(&s->edge, &s[-1].edge))
+      continue;
+    n->edges++;
+    n->flat += of[k] == HSR_LINE_SMOOTH || of[k] == HSR_LINE_SEAM;
+    n->borders += of[k] == HSR_LINE_BOUNDARY;
+  }
+  free(of);
+  free(object);
+  return status;
+}
+
 /* What to leave out of a drawing of faces that are divided: an edge within a
  * plane shows nothing. And what to do if most edges are borders: then vertices
  * may nearly meet, as in files of many programs. */
 static enum hsr_status say_seams(const struct render *r,
                                  struct hsr_error *err) {
   const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
-  struct hsr_edge_counts n;
-  if (!drawing || r->options->crease >= 0 || !r->options->n_outputs)
+  struct edge_counts n = {.edges = 0};
+  if (!drawing || r->options->style.crease >= 0 || !r->options->n_outputs)
     return HSR_OK;
-  enum hsr_status status =
-      hsr_drawing_count_edges(drawing, &r->world, &r->view, 1, &n, err);
-  if (!status && n.seams)
+  enum hsr_status status = count_edges(r, drawing, &n, err);
+  if (!status && n.flat)
     fprintf(stderr,
             "hsr: %zu of %zu edges lie between faces of one plane; --crease=1 "
             "leaves them out\n",
-            n.seams, n.edges);
+            n.flat, n.edges);
   if (!status && n.borders > n.edges / 2 && hsr_is_mesh_name(r->scene->name) &&
       !(r->options->scene.import.weld > 0))
     fprintf(stderr,

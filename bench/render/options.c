@@ -16,8 +16,6 @@
 enum {
   SHADE = 0x200,
   WORK,
-  HIDDEN,
-  CREASE,
   VIEWS,
   ORBIT,
   FRAMES,
@@ -27,9 +25,7 @@ enum {
   TILES,
   SORT_LAST,
   BACKGROUND,
-  WIDTH,
-  MOST_ORBIT = 100000,
-  MOST_PAGE = 100000 /* pixels */
+  MOST_ORBIT = 100000
 };
 
 /* The index of a word in `words`, which NULL ends; -1 if it is not there. */
@@ -59,28 +55,6 @@ static error_t parse_background(struct render_options *o, const char *arg) {
                             "--background %s: must be white, none, or R,G,B, "
                             "each 0 to 255",
                             arg);
-}
-
-/* A length on paper. */
-static error_t parse_width(struct render_options *o, const char *arg) {
-  static const struct hsr_page units[] = {{0, "mm", 96 / 25.4},
-                                          {0, "cm", 96 / 2.54},
-                                          {0, "in", 96},
-                                          {0, "pt", 96 / 72.0},
-                                          {0, "px", 1}};
-  char *end;
-  const double width = strtod(arg, &end);
-  for (size_t k = 0; k < sizeof units / sizeof *units; k++)
-    if (end != arg && !strcmp(end, units[k].unit) && width > 0 &&
-        width * units[k].pixels <= MOST_PAGE) {
-      o->page = units[k];
-      o->page.width = width;
-      return 0;
-    }
-  return option_fail(&o->base,
-                     "--width %s: must be a length in mm, cm, in, pt or px, as "
-                     "85mm",
-                     arg);
 }
 
 /* Options that are for pictures of faces. */
@@ -115,29 +89,21 @@ static error_t parse_face_option(struct render_options *o, int key, char *arg) {
   }
 }
 
-/* Options that are only for line drawings. */
-static error_t parse_line_option(struct render_options *o, int key, char *arg) {
-  static const char *const ways[] = {[HSR_HIDDEN_NONE] = "none",
-                                     [HSR_HIDDEN_DASHED] = "dashed",
-                                     [HSR_HIDDEN_THIN] = "thin",
-                                     [HSR_HIDDEN_ALL] = "all",
-                                     NULL};
-  int way;
-  switch (key) {
-  case HIDDEN:
-    o->given[HSR_LINES] = "--hidden";
-    way = choose_word(arg, ways);
-    if (way < 0)
-      return option_fail(&o->base,
-                         "--hidden %s: must be none, dashed, thin or all", arg);
-    o->hidden = (enum hsr_hidden)way;
-    return 0;
-  case CREASE:
-    o->given[HSR_LINES] = "--crease";
-    return parse_crease(&o->crease, arg, &o->base);
-  default:
-    return ARGP_ERR_UNKNOWN;
+/* Options that are only for line drawings, or for pages. */
+static error_t parse_paper_option(struct render_options *o, int key,
+                                  char *arg) {
+  error_t parsed = parse_line_option(&o->lines, key, arg, &o->base);
+  if (parsed != ARGP_ERR_UNKNOWN) {
+    o->given[HSR_LINES] = line_option_name(key);
+    return parsed;
   }
+  parsed = parse_page_option(&o->page, key, arg, &o->base);
+  if (parsed != ARGP_ERR_UNKNOWN) {
+    static const char *const names[] = {"--width", "--height", "--scale",
+                                        "--unit",  "--crop",   "--margin"};
+    o->page_option = names[key - PAGE_WIDTH];
+  }
+  return parsed;
 }
 
 /* Options for several pictures. */
@@ -202,11 +168,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case WORK:
   case BACKGROUND:
     return parse_face_option(o, key, arg);
-  case HIDDEN:
-  case CREASE:
-    return parse_line_option(o, key, arg);
-  case WIDTH:
-    return parse_width(o, arg);
   case PASSES:
     o->passes = arg;
     return 0;
@@ -226,9 +187,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case SORT_LAST:
     return parse_parts(o, arg);
   default:
-    return parse_place_option(&o->scene, &o->view, key, arg, "render",
-                              &o->base);
+    break;
   }
+  const error_t parsed = parse_paper_option(o, key, arg);
+  return parsed != ARGP_ERR_UNKNOWN
+             ? parsed
+             : parse_place_option(&o->scene, &o->view, key, arg, "render",
+                                  &o->base);
 }
 
 static const struct argp_option entries[] = {
@@ -239,9 +204,10 @@ static const struct argp_option entries[] = {
      "filtered, depth Z and face id, or, of splats, the opacity A; .npy the "
      "face ids, 4294967295 where there is none, or the splats' R G B A; "
      ".rgb.npy the colours, .depth.npy and .depth.png the depths of faces; "
-     ".png and others the colours; .svg, .pdf "
+     ".png and others the colours; .svg, .pdf, .eps "
      "and, in world space, .vtp hold a line "
-     "drawing or visible polygons; .json a line drawing's intervals, edge by "
+     "drawing or visible polygons; .dxf a line drawing in layers, in "
+     "millimetres; .json a line drawing's intervals, edge by "
      "edge, for programs. May be given several times. Of several "
      "views, FILE has %d in "
      "the place of the number: f%03d.png",
@@ -300,21 +266,9 @@ static const struct argp_option entries[] = {
      "than it may be in green",
      4},
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
-    {"hidden", HIDDEN, "HOW", 0,
-     "how hidden lines are drawn: none (standard: left out), dashed, thin "
-     "(and lighter the more faces hide them), or all (like visible ones); "
-     ".vtp files hold all",
-     3},
-    {"crease", CREASE, "DEG", 0,
-     "leave out edges whose two faces turn by at most DEG degrees, except "
-     "contour edges",
-     3},
-    {"width", WIDTH, "LENGTH", 0,
-     "how wide the page of .svg and .pdf files is, as 85mm (or cm, in, pt, "
-     "px); "
-     "lines are as wide as on any other page (standard: a pixel, 1/96 in, for "
-     "each sample)",
-     3},
+    LINE_ARGP_OPTIONS(3),
+    {NULL, 0, NULL, 0, "On paper:", 5},
+    PAGE_ARGP_OPTIONS(5),
     {0}};
 
 static const struct argp argp = {
@@ -412,12 +366,11 @@ static enum hsr_status check_files(const struct render_options *o,
                       "%.200s: --background none is for .png, .exr and "
                       ".rgb.npy files",
                       o->output[k]);
-    if (o->page.width > 0 && !hsr_ends_in(o->output[k], ".svg") &&
-        !hsr_ends_in(o->output[k], ".pdf"))
+    if (o->page_option && !hsr_is_paper_file(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE,
-                      "%.200s: --width is for .svg and .pdf files; --size is "
-                      "the pixels of others",
-                      o->output[k]);
+                      "%.200s: %s is for .svg, .pdf, .eps and .dxf files; "
+                      "--size is the pixels of others",
+                      o->output[k], o->page_option);
     if (o->supersamples > 1 && !hsr_is_colour_file(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE,
                       "%.200s: holds %s, which are not averaged; leave out "
@@ -495,7 +448,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
                              struct hsr_error *err) {
   *o = (struct render_options){.view = VIEW_OPTIONS_STANDARD,
                                .algorithm = "zbuffer-fast",
-                               .crease = -1,
+                               .lines = LINE_OPTIONS_STANDARD,
                                .last_frame = -1,
                                .threads = 1,
                                .supersamples = 1};
@@ -505,6 +458,8 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
   o->given[HSR_PALETTE] = o->view.camera.palette ? "--palette" : NULL;
   o->given[HSR_LIGHTING] = light_option(&o->view.camera);
   status = program_variant_parse(o->algorithm, variant, err);
+  if (!status)
+    status = line_options_style(&o->lines, &o->style, err);
   if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)

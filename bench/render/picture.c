@@ -59,8 +59,7 @@ struct hsr_showing showing_of(const struct render *r) {
       .shading = o->shading,
       .depth = true,
       .supersamples = (int)o->supersamples,
-      .hidden = o->hidden,
-      .crease = o->crease,
+      .style = &o->style,
       .page = o->page,
       .background = {o->has_background,
                      o->no_background,
@@ -71,9 +70,8 @@ struct hsr_showing showing_of(const struct render *r) {
 enum hsr_status shade_picture(struct render *r, struct hsr_error *err) {
   struct hsr_showing showing = showing_of(r);
   double begin = hsr_seconds_now();
-  enum hsr_status status =
-      r->kind->trim ? r->kind->trim(&r->answer, &showing, err) : HSR_OK;
-  if (!status && r->kind->shade && (r->options->n_outputs || r->options->work))
+  enum hsr_status status = HSR_OK;
+  if (r->kind->shade && (r->options->n_outputs || r->options->work))
     status = r->kind->shade(&r->answer, &showing, &r->shaded, err);
   r->shade += hsr_seconds_now() - begin;
   return status;
@@ -94,6 +92,7 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   struct lib_texts texts;
   struct hsr_showing showing = showing_of(r);
   lib_set_texts(&showing, &texts, r->view_number, a);
+  showing.drawn = &r->drawn;
   double begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_outputs && !status; k++)

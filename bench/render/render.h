@@ -5,6 +5,8 @@
 
 #include "algorithms/setup.h"
 #include "bench/modules/variant.h"
+#include "bench/options/lines.h"
+#include "bench/options/page.h"
 #include "bench/options/view.h"
 
 enum { MOST_OUTPUTS = 16 };
@@ -19,9 +21,10 @@ struct render_options {
   const char *work;
   const char *passes, *uncertainty, *certain; /* patterns of files; or NULL */
   enum hsr_shading shading;
-  enum hsr_hidden hidden;
-  double crease; /* degrees; negative: all edges */
+  struct line_options lines;
+  struct hsr_line_style style; /* made of `lines` */
   struct hsr_page page;
+  const char *page_option; /* the last one given that is for pages; or NULL */
   bool has_background, no_background;
   float background[3]; /* linear */
   /* For each of HSR_SHADING, ...: the last option given that only kinds of
@@ -61,6 +64,7 @@ struct render {
   const struct hsr_answer_type *kind;
   struct hsr_answer answer;
   struct hsr_shaded shaded;
+  struct hsr_drawn drawn;
   float *work;
   struct hsr_tally tally;
   struct hsr_passes passes;

@@ -17,14 +17,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEYS = 0x200, SCREENSHOT, CREASE };
+enum { KEYS = 0x200, SCREENSHOT };
 
 struct options {
   struct option_base base;
   struct view_options view;
   struct scene_options scene;
-  const char *algorithms, *keys, *screenshot, *crease_word;
-  double crease;
+  const char *algorithms, *keys, *screenshot;
+  struct line_options lines;
   long threads;
 };
 
@@ -37,9 +37,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case 'J':
     return parse_threads(&o->scene, &o->threads, arg, &o->base);
-  case CREASE:
-    o->crease_word = arg;
-    return parse_crease(&o->crease, arg, &o->base);
   case KEYS:
     o->keys = arg;
     return 0;
@@ -47,6 +44,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->screenshot = arg;
     return 0;
   default:
+    unknown = parse_line_option(&o->lines, key, arg, &o->base);
+    if (unknown != ARGP_ERR_UNKNOWN)
+      return unknown;
     unknown =
         parse_place_option(&o->scene, &o->view, key, arg, "view", &o->base);
     return !unknown && light_option(&o->view.camera)
@@ -63,10 +63,6 @@ static const struct argp_option entries[] = {
      "zbuffer-fast,watkins)",
      0},
     THREADS_ARGP_OPTION,
-    {"crease", CREASE, "DEG", 0,
-     "leave out edges of line drawings whose two faces turn by at most DEG "
-     "degrees, except contour edges",
-     0},
     {"keys", KEYS, "LIST", 0,
      "press these keys: n,w,... and drag:X:Y:X:Y (also pan, zoom), click:X:Y, "
      "wheel:N, wait:MS, shot:FILE",
@@ -75,6 +71,8 @@ static const struct argp_option entries[] = {
      "then write what the window shows, and end", 0},
     SCENE_ARGP_OPTIONS,
     VIEW_ARGP_OPTIONS_OF("1280x720"),
+    {NULL, 0, NULL, 0, "Where lines are drawn:", 3},
+    LINE_ARGP_OPTIONS(3),
     {0}};
 
 static const struct argp argp = {
@@ -370,10 +368,11 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
 }
 
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
-  struct options o = {.view = {.view = 1, .m = 1280, .n = 720},
-                      .algorithms = "zbuffer-fast",
-                      .crease = -1,
-                      .threads = 1};
+  struct options o = {
+      .view = {.view = 1, .m = 1280, .n = 720},
+      .algorithms = "zbuffer-fast",
+      .lines = {.hidden = "dashed", .crease = -1, .words = " --hidden=dashed"},
+      .threads = 1};
   struct viewer *v = calloc(1, sizeof *v);
   if (!v)
     return hsr_fail_nomem(err);
@@ -386,8 +385,9 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   v->scene_name = o.scene.name;
   v->import = o.scene.import;
   v->threads = o.threads;
-  v->crease_word = o.crease_word;
-  v->crease = o.crease;
+  v->line_options = o.lines;
+  if (!status)
+    status = line_options_style(&v->line_options, &v->style, err);
   v->coarse = 1;
   v->page = PAGE_TIMES;
 #if HSR_HAVE_WINDOW

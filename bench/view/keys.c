@@ -255,21 +255,13 @@ static void new_name(char name[40], const char *suffix) {
   while (!access(name, F_OK));
 }
 
-/* The options that decide which edges a drawing has. */
-static void line_options(const struct viewer *v, char text[100]) {
-  snprintf(text, 100, " --hidden dashed%s%.60s",
-           v->crease_word ? " --crease " : "",
-           v->crease_word ? v->crease_word : "");
-}
-
 /* The command that draws what the window shows, as a picture or as lines, to a
  * file whose name is that of the camera with this suffix. */
 static void command_of(const struct viewer *v, const struct player *player,
                        const char *name, const char *suffix, char *text,
                        size_t size) {
-  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], lines[100] = "";
-  if (player->render.kind->lines)
-    line_options(v, lines);
+  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME];
+  const char *lines = player->render.kind->lines ? v->line_options.words : "";
   snprintf(text, size,
            "hsr render %s --camera %s%s%s -a %s%s -s %dx%d -o %.*s%s",
            terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,

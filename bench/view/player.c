@@ -4,8 +4,8 @@
 #include "bench/view/view.h"
 
 #include "common/base/clock.h"
-#include "common/files/plot.h"
 #include "common/files/srgb.h"
+#include "common/paper/plot.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +74,7 @@ enum hsr_status player_open(struct player *p, const char *name,
                             struct hsr_error *err) {
   player_close(p);
   p->options =
-      (struct render_options){.crease = v->crease,
+      (struct render_options){.style = v->style,
                               .threads = v->threads,
                               .supersamples = 1,
                               .n_outputs = 1,
@@ -162,13 +162,14 @@ static enum hsr_status shade_lines(struct player *p,
                                    unsigned char *rgb, struct hsr_error *err) {
   const size_t n = (size_t)view->m * (size_t)view->n;
   float *linear = malloc(3 * n * sizeof *linear);
-  struct hsr_plot plot = {.n_strokes = 0};
+  const struct hsr_page page = {.width = 0};
+  struct hsr_plot plot = {.n_layers = 0};
   enum hsr_status status = linear ? HSR_OK : hsr_fail_nomem(err);
   if (!status)
-    status = shade_picture(&p->render, err); /* without seams */
-  if (!status)
-    status = hsr_plot_init(&plot, hsr_answer_lines(&p->render.answer),
-                           &p->render.world, view, HSR_HIDDEN_DASHED, err);
+    status =
+        hsr_plot_init(&plot, hsr_answer_lines(&p->render.answer),
+                      &p->render.world, view, &p->options.style, &page, err);
+  plot.has_paper = true;
   if (!status)
     status = hsr_plot_raster(&plot, linear, err);
   if (!status)

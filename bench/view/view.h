@@ -42,7 +42,7 @@ struct player {
 };
 
 /* Makes an algorithm ready for the viewer's scene, which is borrowed, with its
- * threads and crease: the plain build, the counting one, or that with a work
+ * threads and style: the plain build, the counting one, or that with a work
  * picture. Closes what the player was before.
  * HSR_E_USAGE, also if the algorithm makes no picture, or no work picture;
  * HSR_E_REFUSED; HSR_E_NOMEM; HSR_E_INPUT. */
@@ -83,8 +83,8 @@ struct viewer {
   struct window *window;
   const char *scene_name; /* with its cameras; borrowed */
   struct hsr_import import;
-  const char *crease_word; /* of --crease, or NULL */
-  double crease;           /* degrees; negative: all edges */
+  struct line_options line_options;
+  struct hsr_line_style style; /* made of line_options */
   struct hsr_scene *scene;
   struct player *player[2]; /* the second is for comparisons; owned */
   struct player counter;    /* the first one's counting build; or that of

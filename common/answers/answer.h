@@ -12,9 +12,9 @@
 
 #include "common/base/count.h"
 #include "common/files/image.h"
-#include "common/files/page.h"
 #include "common/base/option.h"
 #include "common/lines/drawing.h"
+#include "common/paper/page.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"
 #include "common/view/view.h"
@@ -26,6 +26,7 @@ extern "C" {
 #endif
 
 struct hsr_answer_type;
+struct hsr_line_style;
 struct json_t; /* of jansson */
 
 /* What exactly is asked for: a kind and the values of its options. Two answers
@@ -93,6 +94,12 @@ struct hsr_difference {
                       "(3, 4): face 5, not background" */
 };
 
+/* A line drawing on paper. Lengths are millimetres. */
+struct hsr_drawn {
+  size_t strokes;
+  double ink, pen_up; /* how far the pen travels down, and up */
+};
+
 /* How an answer is to be shown. All borrowed. */
 struct hsr_showing {
   const struct hsr_world *world;
@@ -102,9 +109,10 @@ struct hsr_showing {
   enum hsr_shading shading;
   bool depth;             /* depths are wanted as well */
   int supersamples;       /* s: s x s samples are averaged; 1: none */
-  enum hsr_hidden hidden; /* how hidden lines are drawn */
-  double crease;          /* degrees; negative: all edges */
-  struct hsr_page page;   /* of .svg and .pdf files */
+  const struct hsr_line_style *style; /* of line drawings; NULL: "screen" */
+  struct hsr_page page;               /* of drawings on paper */
+  struct hsr_drawn *drawn; /* is set when a line drawing is written; NULL: it is
+                              not asked for */
   /* Where there is no face, and behind splats: a linear colour; or nothing, in
    * .png and .exr files. */
   struct {
@@ -127,7 +135,7 @@ void hsr_shaded_free(struct hsr_shaded *shaded);
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
-  HSR_LINES,       /* hidden, crease */
+  HSR_LINES,       /* style */
   HSR_PALETTE,     /* of a grid */
   HSR_LIGHTING,    /* the view's light */
   HSR_BACKDROP,    /* background */
@@ -197,11 +205,6 @@ struct hsr_answer_type {
                                      const struct hsr_showing *showing,
                                      float *rgb, struct hsr_error *err);
 
-  /* Removes from the answer what is not to be shown. NULL: nothing is removed.
-   * HSR_E_NOMEM. */
-  enum hsr_status (*trim)(struct hsr_answer *answer,
-                          const struct hsr_showing *showing,
-                          struct hsr_error *err);
   /* Makes colours; before the call, all of *shaded is NULL. NULL: the kind has
    * no colours. */
   enum hsr_status (*shade)(const struct hsr_answer *answer,

@@ -4,8 +4,6 @@ libcore_a_SOURCES += \
   %D%/colour_tiles.h \
   %D%/image.h \
   %D%/npy.h \
-  %D%/page.h \
-  %D%/plot.h \
   %D%/whole_file.h \
   %D%/whole_input.h
 libcore_a_SOURCES += \
@@ -14,9 +12,6 @@ libcore_a_SOURCES += \
   %D%/library.c \
   %D%/library.h \
   %D%/npy.c \
-  %D%/plot.c \
-  %D%/plot_cairo.c \
-  %D%/plot_svg.c \
   %D%/srgb.h \
   %D%/suffix.h \
   %D%/whole_file.c \

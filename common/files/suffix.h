@@ -13,11 +13,17 @@ static inline bool hsr_ends_in(const char *path, const char *suffix) {
   return n >= k && !strcasecmp(path + n - k, suffix);
 }
 
+/* Whether a file of this name holds a drawing on paper. */
+static inline bool hsr_is_paper_file(const char *path) {
+  return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
+         hsr_ends_in(path, ".eps") || hsr_ends_in(path, ".dxf");
+}
+
 /* Whether a file of this name can hold a line drawing or polygons, but no
  * picture of pixels. */
 static inline bool hsr_is_line_file(const char *path) {
-  return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
-         hsr_ends_in(path, ".vtp") || hsr_ends_in(path, ".json");
+  return hsr_is_paper_file(path) || hsr_ends_in(path, ".vtp") ||
+         hsr_ends_in(path, ".json");
 }
 
 /* Whether a file of this name holds numbers, without colours. */

@@ -5,11 +5,10 @@
 #include "common/answers/coded.h"
 #include "common/files/image.h"
 #include "common/files/mesh/exchange.h"
-#include "common/files/plot.h"
 #include "common/files/suffix.h"
+#include "common/paper/plot.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <string.h>
 
 struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer) {
@@ -81,25 +80,23 @@ static enum hsr_status shade(const struct hsr_answer *answer,
 
 static bool fits(const char *path) {
   return !hsr_is_array_file(path) && !hsr_is_depth_file(path) &&
-         !hsr_ends_in(path, ".json");
+         !hsr_ends_in(path, ".json") && !hsr_ends_in(path, ".dxf");
 }
 
-/* On paper, .svg or .pdf. */
+/* On paper. */
 static enum hsr_status write_plot(const struct hsr_answer *answer,
                                   const struct hsr_showing *showing,
                                   const char *path, struct hsr_error *err) {
   struct hsr_plot plot;
   enum hsr_status status =
       hsr_plot_init_polygons(&plot, answer->body, showing->world, showing->view,
-                             showing->shading, err);
+                             showing->shading, &showing->page, err);
   if (showing->background.given)
     memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
-  plot.page = showing->page;
   plot.title = showing->title;
   plot.description = showing->description;
   if (!status)
-    status = hsr_ends_in(path, ".svg") ? hsr_plot_write_svg(&plot, path, err)
-                                       : hsr_plot_write_pdf(&plot, path, err);
+    status = hsr_plot_write(&plot, path, err);
   hsr_plot_free(&plot);
   return status;
 }

@@ -6,12 +6,12 @@
 #include "common/files/image.h"
 #include "common/files/json/drawing_json.h"
 #include "common/files/mesh/exchange.h"
-#include "common/files/plot.h"
 #include "common/files/suffix.h"
-#include "common/lines/crease.h"
+#include "common/paper/plot.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer) {
   return answer->form.type == &hsr_answer_segments ? answer->body : NULL;
@@ -63,15 +63,6 @@ static void compare(const struct hsr_comparison *c,
 
 /* --- Showing -------------------------------------------------------------- */
 
-static enum hsr_status trim(struct hsr_answer *answer,
-                            const struct hsr_showing *showing,
-                            struct hsr_error *err) {
-  if (showing->crease < 0)
-    return HSR_OK;
-  return hsr_drawing_crease(answer->body, showing->world, showing->view,
-                            showing->crease, err);
-}
-
 static enum hsr_status write_image(const struct hsr_plot *plot,
                                    const char *path, const char *text,
                                    struct hsr_error *err) {
@@ -87,19 +78,46 @@ static enum hsr_status write_image(const struct hsr_plot *plot,
   return status;
 }
 
-static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
-                                  const char *text, struct hsr_error *err) {
-  if (hsr_ends_in(path, ".svg"))
-    return hsr_plot_write_svg(plot, path, err);
-  if (hsr_ends_in(path, ".pdf"))
-    return hsr_plot_write_pdf(plot, path, err);
-  return write_image(plot, path, text, err);
+static void count(const struct hsr_plot *plot, struct hsr_drawn *drawn) {
+  const struct hsr_travel travel = hsr_strokes_travel(&plot->strokes);
+  *drawn = (struct hsr_drawn){.strokes = plot->strokes.n,
+                              .ink = travel.down / HSR_PIXELS_PER_MM,
+                              .pen_up = travel.up / HSR_PIXELS_PER_MM};
+}
+
+/* A drawing on paper. An .svg file from which nothing is left out holds the
+ * intervals, too. Pixels are as large as the picture's. */
+static enum hsr_status write_paper(const struct hsr_answer *answer,
+                                   const struct hsr_showing *showing,
+                                   const char *path, struct hsr_error *err) {
+  struct hsr_plot plot;
+  struct hsr_line_style screen;
+  hsr_line_style_plain(&screen, HSR_HIDDEN_NONE);
+  const bool vector = hsr_is_paper_file(path);
+  const struct hsr_page whole = {.width = 0};
+  enum hsr_status status =
+      hsr_plot_init(&plot, answer->body, showing->world, showing->view,
+                    showing->style ? showing->style : &screen,
+                    vector ? &showing->page : &whole, err);
+  if (!status &&
+      hsr_line_pens_draw_all(&plot.pens, showing->world->roster.scene))
+    plot.drawing = answer->body; /* nothing is left out */
+  plot.has_paper = !vector || showing->background.given;
+  if (showing->background.given)
+    memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
+  plot.title = showing->title;
+  plot.description = showing->description;
+  if (!status)
+    status = vector ? hsr_plot_write(&plot, path, err)
+                    : write_image(&plot, path, showing->text, err);
+  if (!status && showing->drawn)
+    count(&plot, showing->drawn);
+  hsr_plot_free(&plot);
+  return status;
 }
 
 /* A .vtp file holds all intervals, in world space, and a .json file holds them
- * along their edges. The other files are drawings
- * on paper. An .svg file from which nothing is left out holds the intervals, too.
- */
+ * along their edges. */
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
@@ -110,32 +128,27 @@ static enum hsr_status write(const struct hsr_answer *answer,
   if (hsr_ends_in(path, ".json"))
     return hsr_drawing_json_write(path, answer->body, answer->m, answer->n,
                                   err);
-  struct hsr_plot plot;
-  enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
-                                         showing->view, showing->hidden, err);
-  if (showing->hidden != HSR_HIDDEN_NONE && showing->crease < 0)
-    plot.drawing = answer->body; /* nothing is left out */
-  plot.page = showing->page;
-  plot.title = showing->title;
-  plot.description = showing->description;
-  if (!status)
-    status = write_plot(&plot, path, showing->text, err);
-  hsr_plot_free(&plot);
-  return status;
+  return write_paper(answer, showing, path, err);
 }
 
 static bool fits(const char *path) {
   return !hsr_is_array_file(path) && !hsr_is_depth_file(path);
 }
 
-/* The length on the paper, in pixels. */
+/* The length in the picture, in pixels. */
 static double length(const struct hsr_segment *segment,
                      const struct hsr_view *view) {
-  double from[2], to[2];
-  return hsr_plot_point(view, segment->from, from) &&
-                 hsr_plot_point(view, segment->to, to)
-             ? hypot(to[0] - from[0], to[1] - from[1])
-             : 0;
+  double image[2][3], at[2][2];
+  const double *const end[2] = {segment->from, segment->to};
+  for (int k = 0; k < 2; k++) {
+    hsr_view_project(view, end[k], image[k]);
+    const double w = hsr_view_w(view, image[k]);
+    if (!(w > 0))
+      return 0;
+    at[k][0] = fmin(fmax(image[k][0] / w, 0), view->m);
+    at[k][1] = fmin(fmax(image[k][1] / w, 0), view->n);
+  }
+  return hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
 }
 
 static void print(const struct hsr_answer *answer,
@@ -152,6 +165,10 @@ static void print(const struct hsr_answer *answer,
   }
   fprintf(out, "%zu edges, %zu intervals, %.1f %% of their length visible\n",
           edges, drawing->n, all > 0 ? 100 * visible / all : 0);
+  if (showing->drawn && showing->drawn->strokes)
+    fprintf(out, "%zu strokes, %.1f mm of line, %.1f mm with the pen up\n",
+            showing->drawn->strokes, showing->drawn->ink,
+            showing->drawn->pen_up);
 }
 
 /* --- Tracing -------------------------------------------------------------- */
@@ -221,12 +238,11 @@ const struct hsr_answer_type hsr_answer_segments = {
     .draws = "lines",
     .places = "edges",
     .grains = "samples",
-    .takes = 1 << HSR_LINES,
+    .takes = 1 << HSR_LINES | 1 << HSR_BACKDROP,
     .make = make,
     .clear = clear,
     .free = free_body,
     .compare = compare,
-    .trim = trim,
     .fits = fits,
     .write = write,
     .lines = lines,

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/options/lines.h"
+#include "bench/options/page.h"
+#include "bench/options/words.h"
+#include "common/files/suffix.h"
+
+#include <string.h>
+
+/* One word of a pen. */
+static bool parse_pen_word(const char *word, struct hsr_line_rule *rule) {
+  double width;
+  if (hsr_line_colour(word, rule->pen.rgb))
+    rule->sets_rgb = true;
+  else if (parse_length(word, &width)) {
+    rule->sets_width = true;
+    rule->pen.width = width;
+  } else if (!strcmp(word, "none"))
+    rule->pen.draws = false;
+  else if (!strcmp(word, "solid"))
+    rule->sets_dash = true;
+  else if (!strcmp(word, "dashed")) {
+    rule->sets_dash = true;
+    rule->pen.dash = rule->pen.gap = -1; /* by the width: below */
+  } else
+    return false;
+  return true;
+}
+
+/* A pen, whose words are separated by commas. Of --crease, a plain number is
+ * degrees. Lines that are given a pen are drawn. */
+static error_t parse_pen(struct line_options *o, unsigned classes,
+                         unsigned levels, const char *option, const char *arg,
+                         struct option_base *base) {
+  struct hsr_line_rule rule = {.classes = classes,
+                               .levels = levels,
+                               .sets_draws = true,
+                               .pen = {.draws = true}};
+  char text[200], *rest = text;
+  bool degrees_alone = true;
+  if (strlen(arg) >= sizeof text)
+    return option_fail(base, "%s: too long", option);
+  strcpy(text, arg);
+  for (char *word; (word = strsep(&rest, ","));) {
+    double degrees;
+    if (classes == 1u << HSR_LINE_CREASE && parse_number(word, &degrees)) {
+      if (!(degrees >= 0 && degrees <= 180))
+        return option_fail(base,
+                           "--crease %s: must be degrees, 0 to 180, or "
+                           "a pen, as 20,.25mm",
+                           arg);
+      o->crease = degrees;
+      continue;
+    }
+    degrees_alone = false;
+    if (!parse_pen_word(word, &rule))
+      return option_fail(base,
+                         "%s %s: must be a width, as .5mm, #rrggbb, solid, "
+                         "dashed or none, or several with commas between",
+                         option, arg);
+  }
+  /* Dashes of ISO 128-2: 12 widths, and gaps of 3. */
+  if (rule.pen.dash < 0) {
+    const double width = rule.sets_width ? rule.pen.width : .25;
+    rule.pen.dash = 12 * width;
+    rule.pen.gap = 3 * width;
+  }
+  if (degrees_alone)
+    return 0;
+  if (o->n_rules == MOST_LINE_OPTIONS)
+    return option_fail(base, "%s: at most %d pens", option,
+                       (int)MOST_LINE_OPTIONS);
+  o->rule[o->n_rules++] = rule;
+  return 0;
+}
+
+static const char *const ways[] = {[HSR_HIDDEN_NONE] = "none",
+                                   [HSR_HIDDEN_DASHED] = "dashed",
+                                   [HSR_HIDDEN_THIN] = "thin",
+                                   [HSR_HIDDEN_ALL] = "all",
+                                   NULL};
+/* The index of a word in `words`, which NULL ends; -1 if it is not there. */
+static int choose(const char *word, const char *const *words) {
+  for (int k = 0; words[k]; k++)
+    if (!strcmp(word, words[k]))
+      return k;
+  return -1;
+}
+
+static error_t parse_hidden(struct line_options *o, const char *arg,
+                            struct option_base *base) {
+  if (choose(arg, ways) >= 0) {
+    o->hidden = arg;
+    return 0;
+  }
+  if (parse_pen(o, HSR_ALL_LINES, HSR_HIDDEN_LINES, "--hidden", arg, base) == 0)
+    return 0;
+  return option_fail(
+      base,
+      "--hidden %s: must be none, dashed, thin or all, or a pen, "
+      "as .18mm,dashed",
+      arg);
+}
+
+/* In the order of their keys. */
+static const struct {
+  const char *name;
+  int line_class; /* -1: it is not about the pen of one */
+} names[] = {{"--style", -1},
+             {"--silhouette", HSR_LINE_SILHOUETTE},
+             {"--boundary", HSR_LINE_BOUNDARY},
+             {"--intersection", HSR_LINE_INTERSECTION},
+             {"--crease", HSR_LINE_CREASE},
+             {"--colour-line", HSR_LINE_COLOUR},
+             {"--seam", HSR_LINE_SEAM},
+             {"--hidden", -1},
+             {"--layers", -1},
+             {"--order", -1}};
+enum { N_NAMES = sizeof names / sizeof *names };
+
+const char *line_option_name(int key) {
+  return names[key - LINE_STYLE].name;
+}
+
+/* Appends an option as a word of a shell. */
+static void add_word(struct line_options *o, const char *name,
+                     const char *arg) {
+  const size_t n = strlen(o->words);
+  const bool plain =
+      strspn(arg, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                  "0123456789.,_/#%-+") == strlen(arg) ||
+      strchr(arg, '\'');
+  snprintf(o->words + n, sizeof o->words - n, plain ? " %s=%s" : " %s='%s'",
+           name, arg);
+}
+
+error_t parse_line_option(struct line_options *o, int key, char *arg,
+                          struct option_base *base) {
+  const int k = key - LINE_STYLE;
+  if (k < 0 || k >= N_NAMES)
+    return ARGP_ERR_UNKNOWN;
+  add_word(o, names[k].name, arg);
+  if (names[k].line_class >= 0)
+    return parse_pen(o, 1u << names[k].line_class, HSR_VISIBLE_LINES,
+                     names[k].name, arg, base);
+  switch (key) {
+  case LINE_STYLE:
+    o->style = arg;
+    return 0;
+  case LINE_HIDDEN:
+    return parse_hidden(o, arg, base);
+  case LINE_LAYERS:
+    o->has_layers = true;
+    return hsr_line_layers_named(arg, &o->layers)
+               ? 0
+               : option_fail(base,
+                             "--layers %s: must be visibility, class or object",
+                             arg);
+  default:
+    o->by_pen_travel = true;
+    return !strcmp(arg, "pen")
+               ? 0
+               : option_fail(base, "--order %s: must be pen", arg);
+  }
+}
+
+/* A style by its name, or from a file. */
+static enum hsr_status find_style(const char *name,
+                                  struct hsr_line_style *style,
+                                  struct hsr_error *err) {
+  if (hsr_line_style_named(name, style))
+    return HSR_OK;
+  if (hsr_ends_in(name, ".json"))
+    return hsr_line_style_read(name, style, err);
+  return hsr_fail(
+      err, HSR_E_USAGE,
+      "--style %.100s: must be " HSR_LINE_STYLES ", or a .json file", name);
+}
+
+enum hsr_status line_options_style(const struct line_options *o,
+                                   struct hsr_line_style *style,
+                                   struct hsr_error *err) {
+  enum hsr_status status =
+      find_style(o->style ? o->style : "screen", style, err);
+  if (!status && o->hidden)
+    status = hsr_line_style_hide(style,
+                                 (enum hsr_hidden)choose(o->hidden, ways), err);
+  if (!status && o->crease >= 0 && !hsr_line_style_crease(style, o->crease))
+    status = hsr_fail(err, HSR_E_INPUT, "%s: too many rules", o->style);
+  for (size_t k = 0; k < o->n_rules && !status; k++)
+    status = hsr_line_style_add(style, &o->rule[k], err);
+  if (status)
+    return status;
+  if (o->has_layers)
+    style->layers = o->layers;
+  style->by_pen_travel |= o->by_pen_travel;
+  return HSR_OK;
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Named places of a drawing, exact, and how their images lie. For the C++ files
+// of this folder.
+//
+// A place is a point of space in homogeneous coordinates. The eye C is (E, 1),
+// or in parallel projection (F, 0): view.h. Images of points P and Q lie on one
+// line of the picture with that of A and B if P, Q, A, B, C are in one plane.
+// All questions are signs of determinants of four such rows.
+#ifndef HSR_COMMON_PAPER_PLACES_H
+#define HSR_COMMON_PAPER_PLACES_H
+
+#include "common/base/exact.h"
+#include "common/exact/exact_plane.h"
+#include "common/statistics/penetration.h"
+#include "common/view/view.h"
+
+#include <array>
+
+namespace hsr {
+
+using Row = std::array<Exact, 4>;
+using Rough_row = std::array<Safe_interval, 4>;
+
+// Exact numbers, and intervals that hold them.
+struct Place {
+  Row exact;
+  Rough_row rough;
+  bool named = true; // a vertex or the end of an implied edge
+
+  explicit Place(const Row &row);
+  static Place vertex(const hsr_world *world, uint32_t v);
+  static Place of(const Exact_point &point);
+  // The place at t of the way from a to b.
+  static Place between(const Place &a, const Place &b, double t);
+  // The direction of an axis.
+  static Place axis(int k);
+};
+
+// The eye.
+Place eye_of(const hsr_view *view);
+
+// The sign of the determinant of four rows.
+int side_of(const Place &a, const Place &b, const Place &c, const Place &d);
+
+// Whether the images of a and b are one.
+bool at_one_image(const Place &a, const Place &b, const Place &eye);
+
+// The place of the image on the screen, as two intervals; false if they are not
+// bounded.
+bool find_image(const Place &place, const hsr_view *view, Safe_interval at[2]);
+
+} // namespace hsr
+
+#endif

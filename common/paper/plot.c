@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/paper/plot.h"
+#include "common/files/suffix.h"
+#include "common/paper/lines.h"
+#include "common/paper/plot_files.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Layers --------------------------------------------------------------- */
+
+/* The layer, the level and the pen of a line, by which they are drawn: greater
+ * keys on top of others. */
+static uint64_t key_of(const struct hsr_paper_line *line,
+                       enum hsr_layers layers) {
+  const uint64_t hidden = line->invisibility != 0,
+                 depth = HSR_LINE_LEVELS - 1 -
+                         (uint64_t)hsr_line_level(line->invisibility);
+  const uint64_t classes = HSR_N_LINE_CLASSES;
+  uint64_t layer = line->object;
+  if (layers == HSR_LAYERS_VISIBILITY)
+    layer = !hidden;
+  if (layers == HSR_LAYERS_CLASS)
+    layer = !hidden * classes + classes - 1 - (uint64_t)line->line_class;
+  return layer << 32 | depth << 24 | line->pen;
+}
+
+static uint64_t layer_of(uint64_t key) {
+  return key >> 32;
+}
+
+static void name_layer(struct hsr_plot_layer *layer, uint64_t number,
+                       enum hsr_layers layers, const struct hsr_scene *scene) {
+  if (layers == HSR_LAYERS_OBJECT) {
+    snprintf(layer->id, sizeof layer->id, "object-%u", (unsigned)number);
+    layer->title =
+        number < scene->n_objects ? scene->objects[number].name : NULL;
+  } else if (layers == HSR_LAYERS_CLASS) {
+    const int k = (int)number % HSR_N_LINE_CLASSES;
+    snprintf(
+        layer->id, sizeof layer->id, "%s-%s",
+        number >= HSR_N_LINE_CLASSES ? "visible" : "hidden",
+        hsr_line_class_name((enum hsr_line_class)(HSR_N_LINE_CLASSES - 1 - k)));
+  } else {
+    snprintf(layer->id, sizeof layer->id, number ? "visible" : "hidden");
+  }
+}
+
+static int by_key(const void *a, const void *b) {
+  const uint64_t *s = a, *t = b;
+  return (*s > *t) - (*s < *t);
+}
+
+/* The keys of all lines, each once, ascending. */
+static size_t sort_keys(uint64_t *key, size_t n) {
+  size_t kept = 0;
+  qsort(key, n, sizeof *key, by_key);
+  for (size_t k = 0; k < n; k++)
+    if (!k || key[k] != key[k - 1])
+      key[kept++] = key[k];
+  return kept;
+}
+
+/* Makes the groups of n keys, and their layers. */
+static enum hsr_status make_groups(struct hsr_plot *plot, const uint64_t *key,
+                                   size_t n, enum hsr_layers layers,
+                                   const struct hsr_scene *scene,
+                                   struct hsr_error *err) {
+  plot->group = malloc((n + 1) * sizeof *plot->group);
+  plot->layer = malloc((n + 1) * sizeof *plot->layer);
+  if (!plot->group || !plot->layer)
+    return hsr_fail_nomem(err);
+  plot->n_groups = n;
+  for (size_t k = 0; k < n; k++) {
+    plot->group[k] =
+        (struct hsr_plot_group){.pen = (uint32_t)(key[k] & 0xffffff)};
+    if (!k || layer_of(key[k]) != layer_of(key[k - 1])) {
+      plot->layer[plot->n_layers] = (struct hsr_plot_layer){.first = k};
+      name_layer(&plot->layer[plot->n_layers++], layer_of(key[k]), layers,
+                 scene);
+    }
+    plot->layer[plot->n_layers - 1].n++;
+  }
+  return HSR_OK;
+}
+
+/* --- Strokes -------------------------------------------------------------- */
+
+/* The box of what is drawn, in pixels of the picture. */
+static void find_box(const double (*at)[2], size_t n, double low[2],
+                     double high[2]) {
+  for (int c = 0; c < 2; c++) {
+    low[c] = DBL_MAX;
+    high[c] = -DBL_MAX;
+  }
+  for (size_t k = 0; k < n; k++)
+    for (int c = 0; c < 2; c++) {
+      low[c] = at[k][c] < low[c] ? at[k][c] : low[c];
+      high[c] = at[k][c] > high[c] ? at[k][c] : high[c];
+    }
+}
+
+static enum hsr_status lay_out(struct hsr_plot *plot,
+                               const struct hsr_view *view,
+                               struct hsr_error *err) {
+  double low[2], high[2];
+  find_box(plot->strokes.at, plot->strokes.n_at, low, high);
+  enum hsr_status status =
+      hsr_page_lay_out(&plot->page, view, low, high, &plot->layout, err);
+  if (status)
+    return status;
+  const struct hsr_layout *l = &plot->layout;
+  for (size_t k = 0; k < plot->strokes.n_at; k++) {
+    plot->strokes.at[k][0] = l->left + l->scale * plot->strokes.at[k][0];
+    plot->strokes.at[k][1] = l->top + l->scale * plot->strokes.at[k][1];
+  }
+  return HSR_OK;
+}
+
+static void find_groups(struct hsr_plot *plot) {
+  const struct hsr_strokes *s = &plot->strokes;
+  for (size_t k = 0, n; k < s->n; k += n) {
+    for (n = 1; k + n < s->n && s->stroke[k + n].group == s->stroke[k].group;)
+      n++;
+    plot->group[s->stroke[k].group].first = k;
+    plot->group[s->stroke[k].group].n = n;
+  }
+}
+
+/* The lines' groups are the places of their keys. */
+static enum hsr_status join_lines(struct hsr_plot *plot,
+                                  const struct hsr_paper_lines *lines,
+                                  const struct hsr_line_style *style,
+                                  const struct hsr_scene *scene,
+                                  struct hsr_error *err) {
+  uint64_t *key = malloc((lines->n + 1) * sizeof *key);
+  struct hsr_span_of_pen *span = malloc((lines->n + 1) * sizeof *span);
+  if (!key || !span) {
+    free(key);
+    free(span);
+    return hsr_fail_nomem(err);
+  }
+  for (size_t k = 0; k < lines->n; k++)
+    key[k] = key_of(&lines->line[k], style->layers);
+  const size_t n = sort_keys(key, lines->n);
+  for (size_t k = 0; k < lines->n; k++) {
+    const struct hsr_paper_line *line = &lines->line[k];
+    const uint64_t own = key_of(line, style->layers);
+    const uint64_t *found = bsearch(&own, key, n, sizeof *key, by_key);
+    span[k] = (struct hsr_span_of_pen){.group = (uint32_t)(found - key),
+                                       .from = line->from,
+                                       .to = line->to,
+                                       .straight = line->straight};
+  }
+  enum hsr_status status = make_groups(plot, key, n, style->layers, scene, err);
+  if (!status)
+    status = hsr_strokes_join(&plot->strokes, span, lines->n,
+                              (const double(*)[2])lines->node, err);
+  free(key);
+  free(span);
+  return status;
+}
+
+enum hsr_status
+hsr_plot_init(struct hsr_plot *plot, const struct hsr_drawing *drawing,
+              const struct hsr_world *world, const struct hsr_view *view,
+              const struct hsr_line_style *style, const struct hsr_page *page,
+              struct hsr_error *err) {
+  const struct hsr_scene *scene = world->roster.scene;
+  struct hsr_paper_lines lines = {.n = 0};
+  *plot = (struct hsr_plot){.page = *page,
+                            .m = view->m,
+                            .n = view->n,
+                            .cuts_dashes = style->cuts_dashes,
+                            .paper = {1, 1, 1}};
+  enum hsr_status status = hsr_line_pens_init(&plot->pens, style, scene, err);
+  if (!status)
+    status = hsr_lines_find(&lines, drawing, world, view, style->crease,
+                            &plot->pens, err);
+  if (!status)
+    status = join_lines(plot, &lines, style, scene, err);
+  hsr_lines_free(&lines);
+  if (!status)
+    status = lay_out(plot, view, err);
+  if (!status && style->by_pen_travel)
+    status = hsr_strokes_order(&plot->strokes, err);
+  if (!status)
+    find_groups(plot);
+  return status;
+}
+
+enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
+                                       const struct hsr_polygons *polygons,
+                                       const struct hsr_world *world,
+                                       const struct hsr_view *view,
+                                       enum hsr_shading shading,
+                                       const struct hsr_page *page,
+                                       struct hsr_error *err) {
+  *plot = (struct hsr_plot){
+      .page = *page,
+      .m = view->m,
+      .n = view->n,
+      .polygons = polygons,
+      .fill = malloc((polygons->n_regions + 1) * sizeof *plot->fill),
+      .has_paper = true};
+  if (!plot->fill)
+    return hsr_fail_nomem(err);
+  for (size_t r = 0; r < polygons->n_regions; r++)
+    hsr_picture_colour(world, view, polygons->region[r].face, shading,
+                       plot->fill[r].rgb);
+  hsr_picture_colour(world, view, HSR_BACKGROUND, shading, plot->paper);
+  const double all[2] = {view->m, view->n};
+  return hsr_page_lay_out(page, view, (const double[]){0, 0}, all,
+                          &plot->layout, err);
+}
+
+void hsr_plot_free(struct hsr_plot *plot) {
+  hsr_line_pens_free(&plot->pens);
+  hsr_strokes_free(&plot->strokes);
+  free(plot->layer);
+  free(plot->group);
+  free(plot->fill);
+  *plot = (struct hsr_plot){.n_layers = 0};
+}
+
+enum hsr_status hsr_plot_write(const struct hsr_plot *plot, const char *path,
+                               struct hsr_error *err) {
+  return hsr_ends_in(path, ".svg")   ? hsr_plot_write_svg(plot, path, err)
+         : hsr_ends_in(path, ".pdf") ? hsr_plot_write_pdf(plot, path, err)
+         : hsr_ends_in(path, ".eps") ? hsr_plot_write_eps(plot, path, err)
+                                     : hsr_plot_write_dxf(plot, path, err);
+}

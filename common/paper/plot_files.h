@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The writers of hsr_plot_write, one a format. Errors are as of that. */
+#ifndef HSR_COMMON_PAPER_PLOT_FILES_H
+#define HSR_COMMON_PAPER_PLOT_FILES_H
+
+#include "common/paper/plot.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hsr_status hsr_plot_write_svg(const struct hsr_plot *plot,
+                                   const char *path, struct hsr_error *err);
+enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
+                                   const char *path, struct hsr_error *err);
+enum hsr_status hsr_plot_write_eps(const struct hsr_plot *plot,
+                                   const char *path, struct hsr_error *err);
+enum hsr_status hsr_plot_write_dxf(const struct hsr_plot *plot,
+                                   const char *path, struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
