@@ -103,6 +103,7 @@ libbench_a_SOURCES = \
   %D%/ranks/sums.c \
   %D%/ranks/sums.h \
   %D%/render/command.c \
+  %D%/render/fill.c \
   %D%/render/hint.c \
   %D%/render/options.c \
   %D%/render/passes.c \

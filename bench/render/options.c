@@ -25,6 +25,8 @@ enum {
   TILES,
   SORT_LAST,
   BACKGROUND,
+  FILL,
+  HATCH,
   MOST_ORBIT = 100000
 };
 
@@ -186,6 +188,14 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return parse_tile_option(o, key, arg);
   case SORT_LAST:
     return parse_parts(o, arg);
+  case FILL:
+    o->fill = arg ? arg : "weiler-atherton";
+    o->given[HSR_LINES] = "--fill";
+    return 0;
+  case HATCH:
+    o->hatch = true;
+    o->given[HSR_HATCH] = "--hatch";
+    return 0;
   default:
     break;
   }
@@ -268,6 +278,12 @@ static const struct argp_option entries[] = {
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     LINE_ARGP_OPTIONS(3),
     {NULL, 0, NULL, 0, "On paper:", 5},
+    {"fill", FILL, "ALGORITHM", OPTION_ARG_OPTIONAL,
+     "faces under the lines, as that algorithm draws visible polygons "
+     "(standard: weiler-atherton)",
+     5},
+    {"hatch", HATCH, NULL, 0,
+     "hatch faces by their light instead of filling them", 5},
     PAGE_ARGP_OPTIONS(5),
     {0}};
 
@@ -301,12 +317,15 @@ static enum hsr_status check_kind(const struct render_options *o,
   const struct hsr_answer_type *kind = variant->choice.form.type;
   char hint[MOST_HINT];
   for (int k = 0; k < HSR_N_TAKES; k++) {
-    if (!o->given[k] || kind->takes & 1u << k)
+    if (!o->given[k] || kind->takes & 1u << k || (k == HSR_SHADING && o->fill))
       continue;
     hint_taker(variant, k, hint);
     return hsr_fail(err, HSR_E_USAGE, "%s is not for %s, which %s draws%s",
                     o->given[k], kind->draws, variant->name, hint);
   }
+  if (o->hatch && kind->takes & 1u << HSR_LINES && !o->fill)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--hatch is for faces; --fill draws them under the lines");
   if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
     return hsr_fail(err, HSR_E_USAGE,
                     "--work is only for samples drawn in one picture; %s draws "

@@ -24,6 +24,8 @@ struct render_options {
   struct line_options lines;
   struct hsr_line_style style; /* made of `lines` */
   struct hsr_page page;
+  const char *fill; /* the algorithm of the faces under lines; or NULL */
+  bool hatch;
   const char *page_option; /* the last one given that is for pages; or NULL */
   bool has_background, no_background;
   float background[3]; /* linear */
@@ -65,6 +67,8 @@ struct render {
   struct hsr_answer answer;
   struct hsr_shaded shaded;
   struct hsr_drawn drawn;
+  struct hsr_answer fill; /* the visible polygons of --fill, and what they need */
+  struct hsr_setup fill_setup;
   float *work;
   struct hsr_tally tally;
   struct hsr_passes passes;
@@ -101,6 +105,12 @@ enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err);
 enum hsr_status shade_picture(struct render *r, struct hsr_error *err);
 enum hsr_status write_picture(struct render *r, struct hsr_error *err);
+
+/* Draws the visible polygons of --fill, of the same view. Fails as draw_picture;
+ * HSR_E_USAGE if its algorithm draws none. Freed with all else that is of one
+ * scene. */
+enum hsr_status draw_fill(struct render *r, struct hsr_error *err);
+void forget_fill(struct render *r);
 
 /* Frees what is of one scene, before the next. */
 void render_forget_scene(struct render *r);

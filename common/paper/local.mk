@@ -3,6 +3,8 @@ libcore_a_SOURCES += \
   %D%/cells.h \
   %D%/dashes.c \
   %D%/dashes.h \
+  %D%/hatch.c \
+  %D%/hatch.h \
   %D%/line_class.c \
   %D%/line_class.h \
   %D%/line_faces.cc \
@@ -23,5 +25,7 @@ libcore_a_SOURCES += \
   %D%/plot_dxf.cc \
   %D%/plot_files.h \
   %D%/plot_svg.c \
+  %D%/shared_sides.c \
+  %D%/shared_sides.h \
   %D%/strokes.c \
   %D%/strokes.h

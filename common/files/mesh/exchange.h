@@ -68,9 +68,11 @@ enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
 
 /* Writes a drawing as lines in world units, one for each interval, in the
  * drawing's order. The cell data are invisibility, edge_a, edge_b, edge_part
- * and implied, as in hsr_segment. HSR_E_INPUT if the file cannot be written or
+ * and implied, as in hsr_segment. With facts, which may be NULL, they are class and
+ * object as well, and the names of these are field data. HSR_E_INPUT if the file cannot be written or
  * this build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL if VTK fails. */
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const struct hsr_drawing_facts *facts,
                                       const char *path, struct hsr_error *err);
 
 /* Writes visible polygons in world units, on the planes of their faces. Each
