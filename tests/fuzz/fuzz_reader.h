@@ -13,12 +13,15 @@
 #include <string>
 #include <unistd.h>
 
-/* The path of a file that only this process uses. */
+/* The path of a file that only this process uses: in memory, if the system has
+ * such files. A disk would take most of the time, since a file that is written
+ * over goes there at once. */
 inline std::string fuzz_path(const char *name) {
-  char directory[] = "/tmp/hsr-fuzz-XXXXXX";
-  if (!mkdtemp(directory))
-    std::abort();
-  return std::string(directory) + "/" + name;
+  for (std::string folder :
+       {"/dev/shm/hsr-fuzz-XXXXXX", "/tmp/hsr-fuzz-XXXXXX"})
+    if (mkdtemp(&folder[0]))
+      return folder + "/" + name;
+  std::abort();
 }
 
 inline void fuzz_write(const std::string &path, const uint8_t *data,

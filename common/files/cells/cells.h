@@ -89,8 +89,9 @@ enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
 
 /* Writes a world that is laid out as binary .ply, with coordinates in full
  * precision: polygons in the order of their ids, and of each its colour, its
- * opacity if one is below 1, both as bytes, and whether it is one-sided. HSR_E_INPUT if the file cannot be written, or there are more than
- * 2^31 - 1 vertices. */
+ * opacity if one is below 1, both rounded to bytes, and whether it is one-sided.
+ * HSR_E_INPUT if the file cannot be written, or there are more than 2^31 - 1
+ * vertices. */
 enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
 
