@@ -401,10 +401,10 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   unsigned parts = 1u << VIEWS;
   parts |= scene->n_instances > 1 ? 1u << OBJECTS : 0;
   parts |= scene->n_instances > scene->n_objects ? 1u << INSTANCES : 0;
+  parts |= hsr_scene_has_colours(scene) ? 1u << COLOURS : 0;
   parts |= hsr_scene_is_transparent(scene) ? 1u << OPACITIES : 0;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
-    parts |= object->rgb || o ? 1u << COLOURS : 0;
     parts |= object->one_sided ? 1u << SIDES : 0;
     parts |= object->start[object->n_faces] != 3 * object->n_faces
                  ? 1u << POLYGONS
@@ -469,9 +469,11 @@ static void print_counts(const struct export *e) {
   if (e->change > 0)
     fprintf(stderr,
             "hsr: %s: coordinates are rounded to floats, which changes them by "
-            "up to %.2g\n",
-            told, e->change);
-  if (hsr_ends_in(path, ".ply"))
+            "up to %.2g%s\n",
+            told, e->change,
+            hsr_ends_in(path, ".stl") ? "; .obj, .ply and .vtp keep them" : "");
+  if (hsr_ends_in(path, ".ply") &&
+      parts_in(e->scene) & (1u << COLOURS | 1u << OPACITIES))
     tell_of_bytes(e->scene, told);
 }
 
