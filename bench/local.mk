@@ -100,6 +100,7 @@ libbench_a_SOURCES = \
   %D%/ranks/sums.h \
   %D%/render/command.c \
   %D%/render/hint.c \
+  %D%/render/notes.c \
   %D%/render/options.c \
   %D%/render/passes.c \
   %D%/render/picture.c \

@@ -9,7 +9,6 @@
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/files/suffix.h"
-#include "common/lines/crease.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
 
@@ -135,31 +134,6 @@ static void print_report(const struct render *r,
                       (unsigned long long)r->tally.count[k]);
     terminal_wrap(stdout, used, 35, a->counters[k].meaning);
   }
-}
-
-/* What to leave out of a drawing of faces that are divided: an edge within a
- * plane shows nothing. And what to do if most edges are borders: then vertices
- * may nearly meet, as in files of many programs. */
-static enum hsr_status say_seams(const struct render *r,
-                                 struct hsr_error *err) {
-  const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
-  struct hsr_edge_counts n;
-  if (!drawing || r->options->crease >= 0 || !r->options->n_outputs)
-    return HSR_OK;
-  enum hsr_status status =
-      hsr_drawing_count_edges(drawing, &r->world, &r->view, 1, &n, err);
-  if (!status && n.seams)
-    fprintf(stderr,
-            "hsr: %zu of %zu edges lie between faces of one plane; --crease=1 "
-            "leaves them out\n",
-            n.seams, n.edges);
-  if (!status && n.borders > n.edges / 2 && hsr_is_mesh_name(r->scene->name) &&
-      !(r->options->scene.import.weld > 0))
-    fprintf(stderr,
-            "hsr: %zu of %zu edges have one face only; if faces ought to meet "
-            "there, --weld=DISTANCE joins them\n",
-            n.borders, n.edges);
-  return status;
 }
 
 /* What each rank tells rank 0 of its work. */
@@ -399,7 +373,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   if (!status && !ranks_own())
     print_report(&r, a);
   if (!status && !ranks_own())
-    status = say_seams(&r, err);
+    status = say_notes(&r, err);
   if (!status)
     status = print_ranks(&r, err);
   render_close(&r);
