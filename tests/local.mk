@@ -121,6 +121,7 @@ tap_programs = \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
   %D%/unit/files/binary_mesh_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
   %D%/unit/files/found_mesh_test \
@@ -149,6 +150,7 @@ tap_scripts = \
   %D%/command/gltf.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/looks.test \
   %D%/command/models.test \
   %D%/command/outside.test \
   %D%/command/peers.test \
@@ -216,6 +218,7 @@ quick_units = \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \

@@ -9,12 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whether the scene is a mesh file, to which options of the import apply. */
+/* Whether the scene is a mesh file, or is made of such: then the options of the
+ * import apply. */
 static bool is_mesh(const struct render *r) {
   const char *name = r->scene->name;
   char *plain = strndup(name, hsr_name_before_cameras(name));
-  const bool is = plain && (!strncmp(plain, "mesh:", strlen("mesh:")) ||
-                            hsr_is_mesh_name(plain));
+  const bool is =
+      plain && (!strncmp(plain, "mesh:", strlen("mesh:")) ||
+                hsr_is_mesh_name(plain) || strstr(plain, ".scene.json"));
   free(plain);
   return is;
 }
