@@ -105,6 +105,7 @@ libbench_a_SOURCES = \
   %D%/render/command.c \
   %D%/render/fill.c \
   %D%/render/hint.c \
+  %D%/render/notes.c \
   %D%/render/options.c \
   %D%/render/passes.c \
   %D%/render/picture.c \

@@ -115,14 +115,17 @@ tap_programs = \
   %D%/unit/core/screen_test \
   %D%/unit/core/shadow_test \
   %D%/unit/core/share_test \
+  %D%/unit/core/standard_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/surfaces_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
   %D%/unit/files/binary_mesh_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
   %D%/unit/files/found_mesh_test \
+  %D%/unit/files/groups_test \
   %D%/unit/files/image_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
@@ -147,6 +150,7 @@ tap_scripts = \
   %D%/command/gltf.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/looks.test \
   %D%/command/models.test \
   %D%/command/outside.test \
   %D%/command/peers.test \
@@ -210,9 +214,11 @@ quick_units = \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
   %D%/unit/core/share_test \
+  %D%/unit/core/standard_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
@@ -362,6 +368,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
 %C%_unit_files_found_mesh_test_SOURCES = %D%/unit/files/found_mesh_test.cc
+%C%_unit_files_groups_test_SOURCES = %D%/unit/files/groups_test.cc
 %C%_unit_files_image_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc

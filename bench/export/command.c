@@ -376,18 +376,29 @@ static enum hsr_status write_all(struct export *e,
 /* --- What was kept -------------------------------------------------------- */
 
 /* What a scene may have that not every format holds. */
-enum part { OBJECTS, INSTANCES, SIDES, COLOURS, OPACITIES, POLYGONS, VIEWS };
+enum part {
+  OBJECTS,
+  INSTANCES,
+  SIDES,
+  SHARED,
+  COLOURS,
+  OPACITIES,
+  POLYGONS,
+  VIEWS
+};
 static const char *const part_name[] = {
-    [OBJECTS] = "objects", [INSTANCES] = "instances", [SIDES] = "sides",
-    [COLOURS] = "colours", [OPACITIES] = "opacities", [POLYGONS] = "polygons",
-    [VIEWS] = "views"};
+    [OBJECTS] = "objects",   [INSTANCES] = "instances",
+    [SIDES] = "sides",       [SHARED] = "shared vertices",
+    [COLOURS] = "colours",   [OPACITIES] = "opacities",
+    [POLYGONS] = "polygons", [VIEWS] = "views"};
 enum { N_PARTS = VIEWS + 1 };
 
 /* The parts that each format holds. Views are asked for by no other option. */
 static unsigned parts_of(const char *path) {
-  const unsigned looks = 1u << COLOURS | 1u << OPACITIES | 1u << POLYGONS;
+  const unsigned looks =
+      1u << COLOURS | 1u << OPACITIES | 1u << POLYGONS | 1u << SHARED;
   if (hsr_ends_in(path, ".glb"))
-    return ~0u;
+    return ~(1u << SHARED);
   if (hsr_ends_in(path, ".obj"))
     return looks | 1u << OBJECTS;
   if (hsr_ends_in(path, ".stl"))
@@ -406,6 +417,9 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
     parts |= object->one_sided ? 1u << SIDES : 0;
+    parts |= object->group.vertex && object->group.n_own < object->n_vertices
+                 ? 1u << SHARED
+                 : 0;
     parts |= object->start[object->n_faces] != 3 * object->n_faces
                  ? 1u << POLYGONS
                  : 0;

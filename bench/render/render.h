@@ -112,6 +112,10 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err);
 enum hsr_status draw_fill(struct render *r, struct hsr_error *err);
 void forget_fill(struct render *r);
 
+/* Says on stderr what a drawing that was written lacks, or has too much of, and
+ * which option helps. HSR_E_NOMEM. */
+enum hsr_status say_notes(const struct render *r, struct hsr_error *err);
+
 /* Frees what is of one scene, before the next. */
 void render_forget_scene(struct render *r);
 

@@ -183,6 +183,14 @@ static struct hsr_line_pen pen_for(const struct hsr_line_style *style,
   return pen;
 }
 
+bool hsr_line_style_draws_hidden(const struct hsr_line_style *style) {
+  for (int c = 0; c < HSR_N_LINE_CLASSES; c++)
+    for (int level = 1; level < HSR_LINE_LEVELS; level++)
+      if (pen_for(style, "", c, level).draws)
+        return true;
+  return false;
+}
+
 static bool is_equal(const struct hsr_line_pen *a,
                      const struct hsr_line_pen *b) {
   return a->width == b->width && !memcmp(a->rgb, b->rgb, sizeof a->rgb) &&

@@ -89,6 +89,9 @@ void hsr_line_style_plain(struct hsr_line_style *style, enum hsr_hidden hidden);
  * that differ by no more. False if there are too many rules. */
 bool hsr_line_style_crease(struct hsr_line_style *style, double degrees);
 
+/* Whether any hidden line is drawn, of objects that no rule names. */
+bool hsr_line_style_draws_hidden(const struct hsr_line_style *style);
+
 /* Reads a style from a file: docs/schemas/style.schema.json. HSR_E_INPUT with
  * what is wrong; HSR_E_NOMEM. */
 enum hsr_status hsr_line_style_read(const char *path,

@@ -43,6 +43,7 @@ static void object_free(struct hsr_object *object) {
   free(object->vertex);
   free(object->rgb);
   free(object->face_opacity);
+  free(object->group.vertex);
 }
 
 void hsr_scene_delete(struct hsr_scene *scene) {

@@ -8,6 +8,9 @@
  *             of the error.
  * Equal       faces on exactly the same plane share a plane class. So a tie is
  *             found by comparing two integers.
+ * Vertices    those of an instance, in their order, follow those of the instance
+ *             before it; but the groups of a mesh share its vertices
+ *             (hsr_group), which have the order of the mesh.
  * Pieces      the faces of one world may be divided into those of another: see
  *             common/scene/pieces.h. A piece lies on its parent's plane.
  * Roster      a scene with too many faces to be laid out has only a roster:

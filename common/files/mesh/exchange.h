@@ -44,8 +44,9 @@ struct hsr_import {
 bool hsr_is_mesh_name(const char *path);
 
 /* Appends what is in `path` to the scene. A .gltf or .glb file has objects with
- * their instances, and may have views. Any other file is one object, named
- * after the file, without an instance. The format is that of the suffix, in
+ * their instances, and may have views. An .obj file has an object of each of its
+ * groups, which share vertices (hsr_group). Any other file is one object, named
+ * after the file. None of these has an instance. The format is that of the suffix, in
  * upper or lower case; docs/files.md tells what is read of each. Behind it may be
  * .gz. Memory is at most a small multiple of the file's size, whatever counts it
  * claims; of a compressed file, of the size of what was compressed. `import` may
