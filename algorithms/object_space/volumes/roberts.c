@@ -39,8 +39,7 @@
  *             environment. Alone, a face that is not convex is as many volumes
  *             as it has convex parts: with n corners, up to n of them for each
  *             of its n edges */
-#include "algorithms/engines/boxes/box_rows.h"
-#include "algorithms/engines/boxes/corner_boxes.h"
+#include "algorithms/engines/boxes/near_boxes.h"
 #include "common/answers/kinds/segments.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
@@ -118,7 +117,8 @@ struct frame {
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
-  uint32_t *apart, n_apart;   /* faces that are no volumes in this view */
+  uint32_t *apart, n_apart; /* faces that are no volumes in this view */
+  struct hsr_near_boxes apart_boxes; /* of these */
   bool *outside;              /* by plane of a volume: the eye is outside */
   struct hsr_growing volume;  /* struct volume; one more ends the last one */
   struct hsr_growing bodies;  /* struct collection; likewise */
@@ -385,6 +385,28 @@ static enum hsr_status list_boxes(struct frame *frame) {
   return HSR_OK;
 }
 
+/* Collects the faces that are no volumes, and their boxes. */
+static enum hsr_status collect_apart(struct frame *frame) {
+  const struct hsr_sight *sight = &frame->sight;
+  const struct hsr_world *world = frame->edges->world;
+  struct hsr_image_box *box =
+      HSR_NEW(frame->job->scratch, struct hsr_image_box, world->n_faces);
+  if (!box)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < sight->n_loose; k++) {
+    uint32_t f = sight->loose[k];
+    if (is_behind(frame, f))
+      continue;
+    struct hsr_extent extent =
+        extent_of(sight, world->mesh.vertex + world->mesh.start[f],
+                  hsr_face_size(world, f));
+    box[f] = image_box(&extent);
+    frame->apart[frame->n_apart++] = f;
+  }
+  return hsr_near_boxes_make(&frame->apart_boxes, box, frame->apart,
+                             frame->n_apart, frame->job->scratch);
+}
+
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   const struct environment *environment = job->prepared;
   const struct hsr_volumes *volumes = &environment->volumes;
@@ -400,9 +422,8 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->apart = HSR_NEW(job->scratch, uint32_t, frame->sight.n_loose);
   if (status || !frame->outside || !frame->apart)
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < frame->sight.n_loose; k++)
-    if (!is_behind(frame, frame->sight.loose[k]))
-      frame->apart[frame->n_apart++] = frame->sight.loose[k];
+  if (collect_apart(frame))
+    return HSR_E_NOMEM;
   for (uint32_t b = 0; b < volumes->n_bodies; b++)
     if (!add_body(frame, b))
       return HSR_E_NOMEM;
@@ -654,19 +675,24 @@ static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
 /* Takes out of what is visible the parts that faces hide which are no volumes.
  * The definition of the drawing tells where each of them hides the edge. */
 static bool hide_apart(struct frame *frame, uint32_t e,
+                       const struct hsr_image_box *box,
                        const struct fragment *all) {
   const struct hsr_edges *edges = frame->edges;
   const struct hsr_sight *sight = &frame->sight;
-  for (uint32_t k = 0; k < frame->n_apart && frame->visible.n; k++) {
+  struct hsr_near_boxes *boxes = &frame->apart_boxes;
+  hsr_near_boxes_find(boxes, box);
+  for (uint32_t k = hsr_near_boxes_next(boxes, 0);
+       k < boxes->n && frame->visible.n;
+       k = hsr_near_boxes_next(boxes, k + 1)) {
     uint32_t f = frame->apart[k];
-    bool own = false, hidden;
+    bool own = false, hidden = false;
     for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++)
       own |= edges->side[s].face == f;
     if (own || hsr_sight_in_plane(sight, e, f))
       continue;
     frame->events.n = 0;
-    if (hsr_sight_face(sight, e, f, frame->job->scratch, &frame->events,
-                       &hidden))
+    if (boxes->near[k] && hsr_sight_face(sight, e, f, frame->job->scratch,
+                                         &frame->events, &hidden))
       return false;
     HSR_STEP(frame->tally, APART, hsr_edge_subject(edges, e), HSR_FACE(f),
              HSR_NOWHERE, hidden);
@@ -742,16 +768,16 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
   const uint32_t ends[2] = {frame->edges->a[e], frame->edges->b[e]};
   struct hsr_extent extent = extent_of(&frame->sight, ends, 2);
   frame->stack.n = frame->visible.n = 0;
+  struct hsr_image_box image = image_box(&extent);
   if (frame->sorted) {
-    struct hsr_image_box box = image_box(&extent);
-    frame->n_near = hsr_corner_boxes_find(&frame->boxes, &box,
+    frame->n_near = hsr_corner_boxes_find(&frame->boxes, &image,
                                           hsr_edge_subject(frame->edges, e));
   } else {
     struct hsr_float_box box = float_box(&extent);
     hsr_box_rows_near(&frame->body_box, 0, frame->bodies.n, &box, frame->near);
   }
   if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
-      !hide_apart(frame, e, &all))
+      !hide_apart(frame, e, &image, &all))
     return HSR_E_NOMEM;
   return draw(frame, e, &all);
 }

@@ -42,20 +42,6 @@ int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f) {
 
 namespace {
 
-int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
-  const hsr_world *w = n.sight->world;
-  if (p < w->mesh.n_vertices) {
-    if (hsr_on_plane(w, f, p))
-      return 0;
-    if (const int sign = hsr::rough_side(w, f, p))
-      return sign;
-  }
-  return sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
-    using T = decltype(t);
-    return n.plane<T>(f).height(n.point<T>(p));
-  });
-}
-
 int line_sign(const Numbers &n, const hsr_sight_line &line, uint32_t p) {
   if (!line.of_planes) {
     if (p == line.a || p == line.b)
