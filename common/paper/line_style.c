@@ -230,17 +230,16 @@ enum hsr_status hsr_line_pens_init(struct hsr_line_pens *pens,
       .of = malloc(n * ROW * sizeof *pens->of)};
   if (!pens->pen || !pens->of)
     return hsr_fail_nomem(err);
-  for (size_t o = 0; o < n; o++) {
-    uint32_t *row = pens->of + o * ROW;
-    const char *name = o < scene->n_objects ? scene->objects[o].name : "";
-    if (o && !apart)
-      memcpy(row, pens->of, ROW * sizeof *row);
-    for (int k = 0; (!o || apart) && k < ROW; k++) {
-      struct hsr_line_pen pen =
-          pen_for(style, name, k / HSR_LINE_LEVELS, k % HSR_LINE_LEVELS);
-      row[k] = number_of(pens, &pen);
-    }
-  }
+  /* Those of the most hidden lines come first. */
+  for (int level = HSR_LINE_LEVELS - 1; level >= 0; level--)
+    for (size_t o = 0; o < n; o++)
+      for (int c = HSR_N_LINE_CLASSES - 1; c >= 0; c--) {
+        const size_t k = (size_t)c * HSR_LINE_LEVELS + (size_t)level;
+        const char *name = o < scene->n_objects ? scene->objects[o].name : "";
+        const struct hsr_line_pen pen = pen_for(style, name, c, level);
+        pens->of[o * ROW + k] =
+            o && !apart ? pens->of[k] : number_of(pens, &pen);
+      }
   return HSR_OK;
 }
 

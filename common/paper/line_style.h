@@ -100,8 +100,10 @@ enum hsr_status hsr_line_style_read(const char *path,
 
 /* --- The pens of a scene -------------------------------------------------- */
 
-/* The pens that a style gives to the lines of a scene. No two are equal. Pen
- * numbers are by object, class and level. Freed by hsr_line_pens_free. */
+/* The pens that a style gives to the lines of a scene. No two are equal. They
+ * are in the order of drawing: a pen of more hidden lines comes before that of
+ * others, and that of later classes before that of earlier ones. Pen numbers are
+ * by object, class and level. Freed by hsr_line_pens_free. */
 #define HSR_NO_PEN 0xffffffffu
 struct hsr_line_pens {
   struct hsr_line_pen *pen;

@@ -238,6 +238,17 @@ uint32_t Nodes::at_point(const double point[3]) {
   return add(image[0] / w, image[1] / w);
 }
 
+// Whether the image of x is between those of lo and hi, on one line with them.
+bool is_between(const Place &lo, const Place &x, const Place &hi,
+                const Place &eye) {
+  for (int axis = 0; axis < 3; axis++) {
+    const Place aside = Place::axis(axis);
+    if (side_of(lo, hi, eye, aside))
+      return side_of(lo, x, eye, aside) * side_of(x, hi, eye, aside) >= 0;
+  }
+  return false;
+}
+
 uint32_t Nodes::of_change(const Edge &edge, const Place &lo, const Place &hi,
                           const double point[3]) {
   Safe_interval from[2], to[2];
@@ -258,16 +269,8 @@ uint32_t Nodes::of_change(const Edge &edge, const Place &lo, const Place &hi,
                                  &x = places_.place[q];
                      if (q < places_.n_vertices || side_of(a, b, eye_, x))
                        continue;
-                     for (int axis = 0; axis < 3; axis++) {
-                       const Place o = Place::axis(axis);
-                       const int turn = side_of(a, b, eye_, o);
-                       if (!turn)
-                         continue;
-                       if (side_of(lo, x, eye_, o) * turn >= 0 &&
-                           side_of(x, hi, eye_, o) * turn >= 0)
-                         found = of_[q];
-                       break;
-                     }
+                     if (is_between(lo, x, hi, eye_))
+                       found = of_[q];
                    }
                  });
   return found != NONE ? found : at_point(point);

@@ -12,20 +12,18 @@
 
 /* --- Layers --------------------------------------------------------------- */
 
-/* The layer, the level and the pen of a line, by which they are drawn: greater
- * keys on top of others. */
+/* The layer and the pen of a line, by which they are drawn: greater keys on top
+ * of others. */
 static uint64_t key_of(const struct hsr_paper_line *line,
                        enum hsr_layers layers) {
-  const uint64_t hidden = line->invisibility != 0,
-                 depth = HSR_LINE_LEVELS - 1 -
-                         (uint64_t)hsr_line_level(line->invisibility);
+  const uint64_t hidden = line->invisibility != 0;
   const uint64_t classes = HSR_N_LINE_CLASSES;
   uint64_t layer = line->object;
   if (layers == HSR_LAYERS_VISIBILITY)
     layer = !hidden;
   if (layers == HSR_LAYERS_CLASS)
     layer = !hidden * classes + classes - 1 - (uint64_t)line->line_class;
-  return layer << 32 | depth << 24 | line->pen;
+  return layer << 32 | line->pen;
 }
 
 static uint64_t layer_of(uint64_t key) {
@@ -75,8 +73,7 @@ static enum hsr_status make_groups(struct hsr_plot *plot, const uint64_t *key,
     return hsr_fail_nomem(err);
   plot->n_groups = n;
   for (size_t k = 0; k < n; k++) {
-    plot->group[k] =
-        (struct hsr_plot_group){.pen = (uint32_t)(key[k] & 0xffffff)};
+    plot->group[k] = (struct hsr_plot_group){.pen = (uint32_t)key[k]};
     if (!k || layer_of(key[k]) != layer_of(key[k - 1])) {
       plot->layer[plot->n_layers] = (struct hsr_plot_layer){.first = k};
       name_layer(&plot->layer[plot->n_layers++], layer_of(key[k]), layers,
