@@ -4,7 +4,7 @@
 
 #include "bench/library/library.h"
 #include "common/answers/kinds/segments.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <math.h>
 #include <stdio.h>

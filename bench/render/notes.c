@@ -2,7 +2,7 @@
 /* What hsr render says on stderr about a drawing of lines. */
 #include "bench/render/render.h"
 #include "common/files/mesh/exchange.h"
-#include "common/paper/lines.h"
+#include "common/paper/lines/lines.h"
 #include "scenes/cameras.h"
 
 #include <stdio.h>

@@ -67,7 +67,8 @@ struct render {
   struct hsr_answer answer;
   struct hsr_shaded shaded;
   struct hsr_drawn drawn;
-  struct hsr_answer fill; /* the visible polygons of --fill, and what they need */
+  struct hsr_answer
+      fill; /* the visible polygons of --fill, and what they need */
   struct hsr_setup fill_setup;
   float *work;
   struct hsr_tally tally;

@@ -13,7 +13,7 @@
 #include "common/base/clock.h"
 #include "common/files/image.h"
 #include "common/files/json/json.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 #include "common/view/picture.h"
 
 #include <errno.h>

@@ -2,7 +2,7 @@
 #include "common/paper/plot.h"
 #include "common/files/suffix.h"
 #include "common/paper/hatch.h"
-#include "common/paper/lines.h"
+#include "common/paper/lines/lines.h"
 #include "common/paper/plot_files.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
  *
  * Page        x to the right and y down, in pixels of 1/96 inch.
  * Rounded     places are for the eye and the pen only. They are the nodes of
- *             common/paper/lines.h, rounded.
+ *             common/paper/lines/lines.h, rounded.
  * Layers      groups of strokes that people want to show, hide or cut apart.
  *             Each has groups of one pen. */
 #ifndef HSR_COMMON_PAPER_PLOT_H
@@ -12,7 +12,7 @@
 
 #include "common/lines/drawing.h"
 #include "common/lines/polygons.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 #include "common/paper/page.h"
 #include "common/paper/shared_sides.h"
 #include "common/paper/strokes.h"

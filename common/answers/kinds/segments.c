@@ -7,7 +7,7 @@
 #include "common/files/json/drawing_json.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/suffix.h"
-#include "common/paper/lines.h"
+#include "common/paper/lines/lines.h"
 #include "common/paper/plot.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/lines/drawing.h"
-#include "common/paper/line_class.h"
+#include "common/paper/lines/line_class.h"
 #include "common/scene/scene.h"
 
 #include <stdbool.h>

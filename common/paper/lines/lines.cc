@@ -8,10 +8,10 @@
 // Laid over   On a line of several edges, the ends of all intervals are sorted
 //             exactly. Between two ends, the best of what lies there is drawn.
 
-#include "common/paper/lines.h"
-#include "common/paper/cells.h"
-#include "common/paper/line_faces.h"
-#include "common/paper/places.h"
+#include "common/paper/lines/lines.h"
+#include "common/paper/lines/cells.h"
+#include "common/paper/lines/line_faces.h"
+#include "common/paper/lines/places.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <fnmatch.h>
 #include <stdlib.h>
