@@ -110,6 +110,7 @@ libbench_a_SOURCES = \
   %D%/render/passes.c \
   %D%/render/picture.c \
   %D%/render/render.h \
+  %D%/render/sheet.c \
   %D%/render/sort_last.c \
   %D%/render/tiles.c \
   %D%/report/cells.c \

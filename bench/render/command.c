@@ -368,6 +368,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     status = options.sort_last         ? make_sort_last(&r, a, &variant, err)
              : options.last_frame >= 0 ? make_frames(&r, a, &variant, err)
              : options.tile            ? make_tiles(&r, err)
+             : options.sheet           ? make_sheet(&r, err)
              : is_series(&options)     ? make_series(&r, err)
                                        : make_picture(&r, err);
   if (!status && !ranks_own())

@@ -27,6 +27,8 @@ enum {
   BACKGROUND,
   FILL,
   HATCH,
+  SHEET,
+  ANGLE,
   MOST_ORBIT = 100000
 };
 
@@ -188,6 +190,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return parse_tile_option(o, key, arg);
   case SORT_LAST:
     return parse_parts(o, arg);
+  case SHEET:
+    o->sheet = arg;
+    o->given[HSR_LINES] = "--sheet";
+    return 0;
+  case ANGLE:
+    o->first_angle = !strcmp(arg, "first");
+    return o->first_angle || !strcmp(arg, "third")
+               ? 0
+               : option_fail(&o->base, "--angle %s: must be first or third",
+                             arg);
   case FILL:
     o->fill = arg ? arg : "weiler-atherton";
     o->given[HSR_LINES] = "--fill";
@@ -278,6 +290,14 @@ static const struct argp_option entries[] = {
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     LINE_ARGP_OPTIONS(3),
     {NULL, 0, NULL, 0, "On paper:", 5},
+    {"sheet", SHEET, "VIEWS", 0,
+     "several standard views on one sheet, aligned, to one scale: "
+     "--sheet=front,top,left,iso",
+     5},
+    {"angle", ANGLE, "WHICH", 0,
+     "third (standard: the top view stands above the front) or first (below "
+     "it)",
+     5},
     {"fill", FILL, "ALGORITHM", OPTION_ARG_OPTIONAL,
      "faces under the lines, as that algorithm draws visible polygons "
      "(standard: weiler-atherton)",
@@ -439,6 +459,25 @@ static enum hsr_status check_tiles(const struct render_options *o,
   return HSR_OK;
 }
 
+/* Checks that --sheet goes with the rest. */
+static enum hsr_status check_sheet(const struct render_options *o,
+                                   struct hsr_error *err) {
+  if (!o->sheet)
+    return HSR_OK;
+  if (is_series(o) || o->tile || o->sort_last || o->passes || o->page.crop ||
+      (o->fill && !o->hatch))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--sheet makes one drawing of lines; it does not go with "
+                    "--views, --orbit, --frames, --tiles, --sort-last, "
+                    "--passes, --crop, or --fill without --hatch");
+  for (int k = 0; k < o->n_outputs; k++)
+    if (!hsr_is_paper_file(o->output[k]))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%.200s: --sheet is for .svg, .pdf, .eps and .dxf files",
+                      o->output[k]);
+  return HSR_OK;
+}
+
 /* Checks that --sort-last goes with the rest. */
 static enum hsr_status check_parts(const struct render_options *o,
                                    const struct hsr_variant *variant,
@@ -491,5 +530,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     status = check_tiles(o, variant, err);
   if (!status)
     status = check_passes(o, variant, err);
+  if (!status)
+    status = check_sheet(o, err);
   return status ? status : check_parts(o, variant, err);
 }

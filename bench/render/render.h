@@ -24,7 +24,9 @@ struct render_options {
   struct line_options lines;
   struct hsr_line_style style; /* made of `lines` */
   struct hsr_page page;
-  const char *fill; /* the algorithm of the faces under lines; or NULL */
+  const char *sheet; /* the list of its views; or NULL */
+  bool first_angle;  /* of the sheet */
+  const char *fill;  /* the algorithm of the faces under lines; or NULL */
   bool hatch;
   const char *page_option; /* the last one given that is for pages; or NULL */
   bool has_background, no_background;
@@ -94,6 +96,11 @@ enum hsr_status make_picture(struct render *r, struct hsr_error *err);
 /* Makes the picture by tiles and writes it (bench/render/tiles.c). Fails as
  * make_picture; HSR_E_INPUT also if there are tiles of another picture. */
 enum hsr_status make_tiles(struct render *r, struct hsr_error *err);
+
+/* Draws the standard views of --sheet, and writes them as one drawing
+ * (bench/render/sheet.c). Fails as make_picture; HSR_E_USAGE if a view is none,
+ * or the page is too small. */
+enum hsr_status make_sheet(struct render *r, struct hsr_error *err);
 
 /* Makes the picture of a scene that is drawn in parts, and writes it
  * (bench/render/sort_last.c). Fails as make_picture, and as

@@ -15,5 +15,7 @@ libcore_a_SOURCES += \
   %D%/plot_svg.c \
   %D%/shared_sides.c \
   %D%/shared_sides.h \
+  %D%/sheet.c \
+  %D%/sheet.h \
   %D%/strokes.c \
   %D%/strokes.h
