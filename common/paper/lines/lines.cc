@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lines of a drawing, each once.
 //
-// Straight    An edge and the eye span a plane, whose normal is found in
-//             intervals. Edges whose normals may be parallel are neighbours in a
-//             table, and are compared exactly. An edge so short that its normal
-//             is not known to 2^-14 is laid over no other.
+// Straight    Edges lie on one line of the picture if they lie in one plane with
+//             the eye.
 // Laid over   On a line of several edges, the ends of all intervals are sorted
 //             exactly. Between two ends, the best of what lies there is drawn.
 
 #include "common/paper/lines/lines.h"
-#include "common/paper/lines/cells.h"
 #include "common/paper/lines/line_faces.h"
-#include "common/paper/lines/places.h"
+#include "common/paper/lines/nodes.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <map>
 #include <new>
 #include <optional>
@@ -23,270 +21,26 @@ using namespace hsr;
 
 namespace {
 
-constexpr uint32_t NONE = 0xffffffffu;
-
-// An edge of the drawing, with its intervals.
-struct Edge {
-  hsr_edge_name name;
-  uint32_t a, b; // its ends, named places
-  size_t first, n;
-};
-
-// --- The places of a drawing -------------------------------------------------
-
-class Places {
-public:
-  Places(const hsr_world *world, const hsr_drawing *drawing);
-  std::vector<Edge> edge;
-  std::vector<Place> place; // of vertices, then of ends of implied edges
-  size_t n_vertices;        // how many are of vertices
-
-private:
-  uint32_t of_vertex(const hsr_world *world, uint32_t v);
-  void find_implied(const hsr_world *world);
-  std::vector<uint32_t> of_;
-};
-
-uint32_t Places::of_vertex(const hsr_world *world, uint32_t v) {
-  if (of_[v] == NONE) {
-    of_[v] = uint32_t(place.size());
-    place.push_back(Place::vertex(world, v));
-  }
-  return of_[v];
-}
-
-// The implied edges of the pairs of faces that the drawing names.
-void Places::find_implied(const hsr_world *world) {
-  size_t k = 0;
-  while (k < edge.size() && !edge[k].name.implied)
-    k++;
-  while (k < edge.size()) {
-    const uint32_t f = edge[k].name.a, g = edge[k].name.b;
-    uint32_t part = 0;
-    for_each_implied_edge(
-        world, f, g, [&](const Exact_point &from, const Exact_point &to) {
-          if (k < edge.size() && edge[k].name.a == f && edge[k].name.b == g &&
-              edge[k].name.part == part) {
-            edge[k].a = uint32_t(place.size());
-            edge[k].b = edge[k].a + 1;
-            place.push_back(Place::of(from));
-            place.push_back(Place::of(to));
-            k++;
-          }
-          part++;
-        });
-    while (k < edge.size() && edge[k].name.a == f && edge[k].name.b == g)
-      k++; // not of this world
-  }
-}
-
-Places::Places(const hsr_world *world, const hsr_drawing *drawing)
-    : of_(world->mesh.n_vertices, NONE) {
-  for (size_t k = 0; k < drawing->n; k++) {
-    const hsr_edge_name &name = drawing->segment[k].edge;
-    if (edge.empty() || hsr_edge_name_compare(&edge.back().name, &name) != 0)
-      edge.push_back({name, NONE, NONE, k, 0});
-    edge.back().n++;
-  }
-  for (Edge &e : edge)
-    if (!e.name.implied) {
-      e.a = of_vertex(world, e.name.a);
-      e.b = of_vertex(world, e.name.b);
-    }
-  n_vertices = place.size();
-  find_implied(world);
-}
-
-// --- Straight lines of the picture -------------------------------------------
-
-class Straights {
-public:
-  Straights(const Places &places, const Place &eye);
-  std::vector<std::vector<uint32_t>> edges; // of each line
-
-private:
-  void add(uint32_t e);
-  bool is_on(uint32_t e, uint32_t line) const;
-  const Places &places_;
-  const Place &eye_;
-  Cells cells_{0x1p-20};
-};
-
-bool Straights::is_on(uint32_t e, uint32_t line) const {
-  const Edge &first = places_.edge[edges[line].front()],
-             &edge = places_.edge[e];
-  const Place &a = places_.place[first.a], &b = places_.place[first.b];
-  return !side_of(a, b, eye_, places_.place[edge.a]) &&
-         !side_of(a, b, eye_, places_.place[edge.b]);
-}
-
-// The normal of the plane of two places and the eye.
-void find_normal(const Place &a, const Place &b, const Place &eye,
-                 Safe_interval n[3]) {
-  const Rough_row &p = a.rough, &q = b.rough, &c = eye.rough;
-  const auto relative = [&](const Rough_row &row, size_t k) {
-    return CGAL::is_zero(c[3].sup()) ? row[k] : row[k] - c[k] * row[3];
-  };
-  for (size_t k = 0; k < 3; k++) {
-    const size_t u = (k + 1) % 3, v = (k + 2) % 3;
-    if (c[3].sup() > 0) // from the eye
-      n[k] = relative(p, u) * relative(q, v) - relative(p, v) * relative(q, u);
-    else // along the rays
-      n[k] = (q[u] * p[3] - p[u] * q[3]) * c[v] -
-             (q[v] * p[3] - p[v] * q[3]) * c[u];
-  }
-}
-
-void Straights::add(uint32_t e) {
-  const Edge &edge = places_.edge[e];
-  Safe_interval n[3];
-  find_normal(places_.place[edge.a], places_.place[edge.b], eye_, n);
-  std::vector<Cells::Cell> reached;
-  bool known = false;
-  for (size_t w = 0; w < 3; w++) {
-    if (n[w].inf() <= 0 && n[w].sup() >= 0)
-      continue;
-    const Safe_interval u = n[(w + 1) % 3] / n[w], v = n[(w + 2) % 3] / n[w];
-    if (u.inf() > 1 || u.sup() < -1 || v.inf() > 1 || v.sup() < -1)
-      continue;
-    known |= cells_.reach(int(w), u, v, [&](const Cells::Cell &cell) {
-      reached.push_back(cell);
-    });
-  }
-  for (const Cells::Cell &cell : reached)
-    if (const std::vector<uint32_t> *lines = cells_.at(cell))
-      for (uint32_t line : *lines)
-        if (is_on(e, line)) {
-          edges[line].push_back(e);
-          return;
-        }
-  if (known)
-    for (const Cells::Cell &cell : reached)
-      cells_.put(cell, uint32_t(edges.size()));
-  edges.push_back({e});
-}
-
-Straights::Straights(const Places &places, const Place &eye)
-    : places_(places), eye_(eye) {
-  for (uint32_t e = 0; e < places.edge.size(); e++)
-    if (places.edge[e].a != NONE)
-      add(e);
-}
-
-// --- Nodes -------------------------------------------------------------------
-
-class Nodes {
-public:
-  Nodes(const Places &places, const Place &eye, const hsr_view *view)
-      : places_(places), eye_(eye), view_(view),
-        of_(places.place.size(), NONE) {
-    for (size_t k = places.n_vertices; k < places.place.size(); k++)
-      of_named(uint32_t(k));
-  }
-  std::vector<std::array<double, 2>> at;
-
-  // The node of a named place.
-  uint32_t of_named(uint32_t place);
-  // A new node, at a point of the world.
-  uint32_t at_point(const double point[3]);
-  // The node of a change of visibility on an edge, between two places that bound
-  // it: that of an end of an implied edge if one is there, else a new one.
-  uint32_t of_change(const Edge &edge, const Place &lo, const Place &hi,
-                     const double point[3]);
-
-private:
-  uint32_t add(double x, double y) {
-    at.push_back({std::min(std::max(x, 0.0), double(view_->m)),
-                  std::min(std::max(y, 0.0), double(view_->n))});
-    return uint32_t(at.size() - 1);
-  }
-  const Places &places_;
-  const Place &eye_;
-  const hsr_view *view_;
-  std::vector<uint32_t> of_;
-  Cells cells_{0x1p-20}; // of named places, by their images
-};
-
-double middle(const Safe_interval &x) {
-  return x.inf() + (x.sup() - x.inf()) / 2;
-}
-
-uint32_t Nodes::of_named(uint32_t p) {
-  if (of_[p] != NONE)
-    return of_[p];
-  const Place &place = places_.place[p];
-  Safe_interval image[2];
-  if (!find_image(place, view_, image))
-    return of_[p] = add(0, 0); // behind the eye: no line ends there
-  std::vector<Cells::Cell> reached;
-  cells_.reach(0, image[0], image[1],
-               [&](const Cells::Cell &cell) { reached.push_back(cell); });
-  for (const Cells::Cell &cell : reached)
-    if (const std::vector<uint32_t> *others = cells_.at(cell))
-      for (uint32_t q : *others)
-        if (at_one_image(place, places_.place[q], eye_))
-          return of_[p] = of_[q];
-  for (const Cells::Cell &cell : reached)
-    cells_.put(cell, p);
-  return of_[p] = add(middle(image[0]), middle(image[1]));
-}
-
-uint32_t Nodes::at_point(const double point[3]) {
-  double image[3];
-  hsr_view_project(view_, point, image);
-  const double w = hsr_view_w(view_, image);
-  return add(image[0] / w, image[1] / w);
-}
-
-// Whether the image of x is between those of lo and hi, on one line with them.
-bool is_between(const Place &lo, const Place &x, const Place &hi,
-                const Place &eye) {
-  for (int axis = 0; axis < 3; axis++) {
-    const Place aside = Place::axis(axis);
-    if (side_of(lo, hi, eye, aside))
-      return side_of(lo, x, eye, aside) * side_of(x, hi, eye, aside) >= 0;
-  }
-  return false;
-}
-
-uint32_t Nodes::of_change(const Edge &edge, const Place &lo, const Place &hi,
-                          const double point[3]) {
-  Safe_interval from[2], to[2];
-  uint32_t found = NONE;
-  if (places_.n_vertices < places_.place.size() &&
-      find_image(lo, view_, from) && find_image(hi, view_, to))
-    cells_.reach(0,
-                 CGAL::Interval_nt<true>(std::min(from[0].inf(), to[0].inf()),
-                                         std::max(from[0].sup(), to[0].sup())),
-                 CGAL::Interval_nt<true>(std::min(from[1].inf(), to[1].inf()),
-                                         std::max(from[1].sup(), to[1].sup())),
-                 [&](const Cells::Cell &cell) {
-                   const std::vector<uint32_t> *others = cells_.at(cell);
-                   for (size_t k = 0; others && k < others->size(); k++) {
-                     const uint32_t q = (*others)[k];
-                     const Place &a = places_.place[edge.a],
-                                 &b = places_.place[edge.b],
-                                 &x = places_.place[q];
-                     if (q < places_.n_vertices || side_of(a, b, eye_, x))
-                       continue;
-                     if (is_between(lo, x, hi, eye_))
-                       found = of_[q];
-                   }
-                 });
-  return found != NONE ? found : at_point(point);
-}
-
-// --- Laying over one another -------------------------------------------------
-
-// An end of an interval.
+// An end of an interval on a line of several edges.
 struct End {
-  std::optional<Place> at, lo, hi; // exact, and its bounds; set where there are
-                                   // several edges on a line
-  uint32_t named = NONE;           // a named place
+  const Place *at, *lo, *hi; // exact, and its bounds along the line
+  uint32_t named;            // a named place, or NONE
+  uint32_t laid;             // its interval
+  bool first;                // the interval begins there
+};
+
+// An interval on such a line.
+struct Laid {
   size_t segment;
-  uint32_t edge;
-  bool first; // the interval begins there, in the direction of the line
-  const double *point;
+  uint32_t edge, space; // of the drawing; of the lines of space at hand
+  uint32_t first, last; // stops
+};
+
+// A line of space, on which several edges may lie.
+struct Space {
+  std::vector<uint32_t> lies; // intervals between the two stops at hand
+  bool known = false;         // what follows is of these
+  hsr_paper_line line;        // without its nodes
 };
 
 class Finder {
@@ -294,8 +48,8 @@ public:
   Finder(const hsr_drawing *drawing, const hsr_world *world,
          const hsr_view *view, double crease, const hsr_line_pens *pens)
       : drawing_(drawing), world_(world), pens_(pens), eye_(eye_of(view)),
-        places_(world, drawing), nodes_(places_, eye_, view),
-        sides_(world, view), faces_(world, crease) {}
+        edges_(world, drawing), nodes_(edges_, eye_, view), sides_(world, view),
+        faces_(world, crease) {}
 
   void find();
   // By interval of the drawing.
@@ -304,25 +58,33 @@ public:
   const std::vector<std::array<double, 2>> &nodes() const { return nodes_.at; }
 
 private:
-  void draw_alone(uint32_t straight, uint32_t e);
-  void lay_over(uint32_t straight, const std::vector<uint32_t> &edges);
-
+  using Edges = std::vector<uint32_t>;
   uint32_t object_of(const Edge &edge) const;
-  hsr_line_class class_of(const std::vector<uint32_t> &edges);
-  Vector3<Exact> direction(const Edge &edge) const;
+  Vector3<Exact> direction(uint32_t e) const;
+  hsr_line_class class_of(const Edges &edges);
 
-  End end_of(uint32_t e, size_t segment, bool to) const;
-  void bound(End &end) const;
-  uint32_t node_of(const End &first, const End &last);
-  bool is_before(const Place &p, const Place &q) const {
-    return side_of(p, q, eye_, *aside_) * turn_ > 0;
+  void draw_alone(uint32_t e);
+  uint32_t node_of(uint32_t e, const hsr_segment &s, bool to);
+
+  void lay_over(const Edges &edges);
+  void choose_aside(uint32_t e);
+  void find_spaces(const Edges &edges, std::vector<uint32_t> &space);
+  void lay(uint32_t e, uint32_t space);
+  End end_of(uint32_t laid, bool to, bool along);
+  std::vector<uint32_t> find_stops();
+  void walk(const std::vector<uint32_t> &node);
+  void learn(Space &space);
+  void draw_best(const std::vector<uint32_t> &spaces, uint32_t from,
+                 uint32_t to);
+
+  bool is_before(const Place *p, const Place *q) const {
+    return p != q && side_of(*p, *q, eye_, *aside_) * turn_ > 0;
   }
-  void choose_axis(const Edge &edge);
-  std::vector<uint32_t> in_space(const std::vector<uint32_t> &edges) const;
-  void draw_best(uint32_t straight, uint32_t from, uint32_t to,
-                 const std::vector<uint32_t> &active);
-  void emit(hsr_paper_line line) {
-    if (line.from != line.to)
+  void emit(hsr_paper_line line, uint32_t from, uint32_t to) {
+    line.from = from;
+    line.to = to;
+    line.straight = straight_;
+    if (from != to && line.pen != HSR_NO_PEN)
       lines.push_back(line);
   }
 
@@ -330,21 +92,19 @@ private:
   const hsr_world *world_;
   const hsr_line_pens *pens_;
   const Place eye_;
-  Places places_;
+  Drawn_edges edges_;
   Nodes nodes_;
   Sides sides_;
   Line_faces faces_;
 
-  // Of the line at hand.
+  // The line at hand.
+  uint32_t straight_ = 0;      // its number
   std::optional<Place> aside_; // a place not in its plane
   int turn_ = 0;               // of its first edge, seen from there
-  std::vector<End> ends_;
-  struct Laid {
-    size_t segment;
-    uint32_t edge, space; // space: edges of one number lie on one line of space
-    uint32_t first, last; // stops
-  };
   std::vector<Laid> laid_;
+  std::vector<End> end_;
+  std::vector<Space> space_;
+  std::deque<Place> place_; // of ends without a name
 };
 
 // The first face that has the edge and exists.
@@ -359,22 +119,21 @@ uint32_t Finder::object_of(const Edge &edge) const {
                                      : 0;
 }
 
-Vector3<Exact> Finder::direction(const Edge &edge) const {
-  const Row &a = places_.place[edge.a].exact, &b = places_.place[edge.b].exact;
+Vector3<Exact> Finder::direction(uint32_t e) const {
+  const Row &a = edges_.a(e).exact, &b = edges_.b(e).exact;
   return {b[0] * a[3] - a[0] * b[3], b[1] * a[3] - a[1] * b[3],
           b[2] * a[3] - a[2] * b[3]};
 }
 
 // The class of a line of space in which these edges lie.
-hsr_line_class Finder::class_of(const std::vector<uint32_t> &edges) {
+hsr_line_class Finder::class_of(const Edges &edges) {
   faces_.clear();
-  const Vector3<Exact> d = direction(places_.edge[edges[0]]);
+  const Vector3<Exact> d = direction(edges[0]);
   for (uint32_t e : edges) {
-    const Edge &edge = places_.edge[e];
+    const Edge &edge = edges_.edge[e];
     if (edge.name.implied)
       continue;
-    const int along =
-        e == edges[0] ? 1 : CGAL::sign(Exact(d * direction(edge)));
+    const int along = e == edges[0] ? 1 : CGAL::sign(Exact(d * direction(e)));
     const auto sides = sides_.of(edge.name.a, edge.name.b);
     for (const Side *s = sides.first; s != sides.second; s++)
       faces_.add(*s, along);
@@ -382,206 +141,231 @@ hsr_line_class Finder::class_of(const std::vector<uint32_t> &edges) {
   return faces_.find(d);
 }
 
-End Finder::end_of(uint32_t e, size_t segment, bool to) const {
-  const Edge &edge = places_.edge[e];
-  const hsr_segment &s = drawing_->segment[segment];
-  End end;
-  end.segment = segment;
-  end.edge = e;
-  end.point = to ? s.to : s.from;
-  if (to ? s.t1 == 1 : s.t0 == 0)
-    end.named = to ? edge.b : edge.a;
-  return end;
-}
-
-// docs/correct-drawing.md: parameters have a relative error of 1e-12.
-void Finder::bound(End &end) const {
-  const Edge &edge = places_.edge[end.edge];
-  const hsr_segment &s = drawing_->segment[end.segment];
-  const Place &a = places_.place[edge.a], &b = places_.place[edge.b];
-  if (end.named != NONE) {
-    end.at = end.lo = end.hi = places_.place[end.named];
-    return;
-  }
-  const double t = end.point == s.to ? s.t1 : s.t0;
-  end.at = Place::between(a, b, t);
-  end.lo = Place::between(a, b, t - 2e-12 * t);
-  end.hi = Place::between(a, b, t + 2e-12 * t);
-}
-
-uint32_t Finder::node_of(const End &first, const End &last) {
-  const Edge &edge = places_.edge[first.edge];
-  if (first.named != NONE)
-    return nodes_.of_named(first.named);
-  if (places_.n_vertices == places_.place.size())
-    return nodes_.at_point(first.point); // there are no implied edges
-  End bounded = first;
-  if (!bounded.at)
-    bound(bounded);
-  return nodes_.of_change(edge, *bounded.lo, last.hi ? *last.hi : *bounded.hi,
-                          first.point);
-}
+// docs/correct-drawing.md: parameters have a relative error of 1e-12. Twice that
+// is room for the two products.
+constexpr double ERROR = 2e-12;
 
 // --- One edge on a line ------------------------------------------------------
 
-void Finder::draw_alone(uint32_t straight, uint32_t e) {
-  const Edge &edge = places_.edge[e];
-  const hsr_line_class line_class = class_of({e});
-  const uint32_t object = object_of(edge);
+uint32_t Finder::node_of(uint32_t e, const hsr_segment &s, bool to) {
+  const Edge &edge = edges_.edge[e];
+  const double t = to ? s.t1 : s.t0, *point = to ? s.to : s.from;
+  if (t == (to ? 1 : 0))
+    return nodes_.of_named(to ? edge.b : edge.a);
+  if (!nodes_.has_implied())
+    return nodes_.at_point(point);
+  const Place lo = Place::between(edges_.a(e), edges_.b(e), t - ERROR * t),
+              hi = Place::between(edges_.a(e), edges_.b(e), t + ERROR * t);
+  return nodes_.of_change(e, lo, hi, point);
+}
+
+void Finder::draw_alone(uint32_t e) {
+  const Edge &edge = edges_.edge[e];
+  hsr_paper_line line{};
+  line.line_class = class_of({e});
+  line.object = object_of(edge);
   uint32_t before = NONE; // the node in which the last interval ends
   for (size_t k = edge.first; k < edge.first + edge.n; k++) {
     const hsr_segment &s = drawing_->segment[k];
-    const End from = end_of(e, k, false), to = end_of(e, k, true);
-    const uint32_t pen =
-        hsr_line_pen_of(pens_, object, line_class, s.invisibility);
-    const bool goes_on =
-        before != NONE && k > edge.first && drawing_->segment[k - 1].t1 == s.t0;
-    const uint32_t p = goes_on ? before : node_of(from, from);
-    const uint32_t q = node_of(to, to);
-    before = q;
-    if (pen != HSR_NO_PEN)
-      emit({p, q, straight, object, s.invisibility, pen, line_class});
+    line.invisibility = s.invisibility;
+    line.pen =
+        hsr_line_pen_of(pens_, line.object, line.line_class, s.invisibility);
+    const bool goes_on = before != NONE && drawing_->segment[k - 1].t1 == s.t0;
+    const uint32_t from = goes_on ? before : node_of(e, s, false);
+    // Doubles may be equal where the exact numbers are not.
+    before = s.t0 == s.t1 ? from : node_of(e, s, true);
+    emit(line, from, before);
   }
 }
 
 // --- Several edges on a line -------------------------------------------------
 
-void Finder::choose_axis(const Edge &edge) {
+void Finder::choose_aside(uint32_t e) {
   for (int k = 0; k < 3; k++) {
     aside_ = Place::axis(k);
-    turn_ =
-        side_of(places_.place[edge.a], places_.place[edge.b], eye_, *aside_);
+    turn_ = side_of(edges_.a(e), edges_.b(e), eye_, *aside_);
     if (turn_)
       return;
   }
   throw std::bad_alloc(); // an edge and the eye span a plane
 }
 
-// For each edge a number: edges of one number lie on one line of space.
-std::vector<uint32_t>
-Finder::in_space(const std::vector<uint32_t> &edges) const {
-  std::vector<uint32_t> number, first;
-  for (uint32_t e : edges) {
-    const Edge &edge = places_.edge[e];
-    uint32_t k = 0;
-    for (; k < first.size(); k++) {
-      const Edge &f = places_.edge[first[k]];
-      const Place &a = places_.place[f.a], &b = places_.place[f.b];
-      if (!side_of(a, b, places_.place[edge.a], *aside_) &&
-          !side_of(a, b, places_.place[edge.b], *aside_))
-        break;
-    }
-    if (k == first.size())
-      first.push_back(e);
-    number.push_back(k);
+// space[k] becomes the number of the line of space of edge k.
+void Finder::find_spaces(const Edges &edges, std::vector<uint32_t> &space) {
+  Planes planes(edges_, *aside_);
+  std::map<uint32_t, uint32_t> place;
+  for (uint32_t k = 0; k < edges.size(); k++) {
+    planes.add(edges[k]);
+    place[edges[k]] = k;
   }
-  return number;
+  space_.assign(planes.edges.size(), Space());
+  space.resize(edges.size());
+  for (uint32_t p = 0; p < planes.edges.size(); p++)
+    for (uint32_t e : planes.edges[p])
+      space[place[e]] = p;
 }
 
-// Draws the best of the intervals that lie between two nodes.
-void Finder::draw_best(uint32_t straight, uint32_t from, uint32_t to,
-                       const std::vector<uint32_t> &active) {
-  std::map<uint32_t, std::vector<uint32_t>> spaces;
-  for (uint32_t k : active)
-    spaces[laid_[k].space].push_back(k);
-  hsr_paper_line best{};
-  best.pen = HSR_NO_PEN;
-  for (const auto &space : spaces) {
-    std::vector<uint32_t> edges;
-    const Laid *least = nullptr;
-    for (uint32_t k : space.second) {
-      edges.push_back(laid_[k].edge);
-      if (!least || drawing_->segment[laid_[k].segment].invisibility <
-                        drawing_->segment[least->segment].invisibility)
-        least = &laid_[k];
-    }
-    const hsr_line_class line_class = class_of(edges);
-    const uint32_t object = object_of(places_.edge[least->edge]);
-    const uint32_t hidden = drawing_->segment[least->segment].invisibility;
-    const uint32_t pen = hsr_line_pen_of(pens_, object, line_class, hidden);
-    if (pen != HSR_NO_PEN &&
-        (best.pen == HSR_NO_PEN || hidden < best.invisibility ||
-         (hidden == best.invisibility && line_class < best.line_class)))
-      best = {from, to, straight, object, hidden, pen, line_class};
+End Finder::end_of(uint32_t laid, bool to, bool along) {
+  const uint32_t e = laid_[laid].edge;
+  const hsr_segment &s = drawing_->segment[laid_[laid].segment];
+  const double t = to ? s.t1 : s.t0;
+  End end{nullptr, nullptr, nullptr, NONE, laid, to != along};
+  if (t == (to ? 1 : 0)) {
+    end.named = to ? edges_.edge[e].b : edges_.edge[e].a;
+    end.at = end.lo = end.hi = &edges_.place[end.named];
+    return end;
   }
-  if (best.pen != HSR_NO_PEN)
-    emit(best);
+  const auto put = [&](double at) {
+    place_.push_back(Place::between(edges_.a(e), edges_.b(e), at));
+    return &place_.back();
+  };
+  end.at = put(t);
+  end.lo = put(t - ERROR * t);
+  end.hi = put(t + ERROR * t);
+  if (!along)
+    std::swap(end.lo, end.hi);
+  return end;
 }
 
-void Finder::lay_over(uint32_t straight, const std::vector<uint32_t> &edges) {
-  choose_axis(places_.edge[edges[0]]);
-  const std::vector<uint32_t> space = in_space(edges);
-  laid_.clear();
-  ends_.clear();
-  // The ends of all intervals, in the direction of the line.
-  for (size_t i = 0; i < edges.size(); i++) {
-    const Edge &edge = places_.edge[edges[i]];
-    const bool along = side_of(places_.place[edge.a], places_.place[edge.b],
-                               eye_, *aside_) == turn_;
-    for (size_t k = edge.first; k < edge.first + edge.n; k++) {
-      laid_.push_back({k, edges[i], space[i], 0, 0});
-      for (const bool to : {false, true}) {
-        End end = end_of(edges[i], k, to);
-        bound(end);
-        if (!along)
-          std::swap(end.lo, end.hi);
-        end.first = to != along;
-        end.segment = laid_.size() - 1;
-        ends_.push_back(end);
-      }
-    }
+// Puts the intervals of an edge, and their ends, to the others.
+void Finder::lay(uint32_t e, uint32_t space) {
+  const Edge &edge = edges_.edge[e];
+  const bool along = side_of(edges_.a(e), edges_.b(e), eye_, *aside_) == turn_;
+  for (size_t k = edge.first; k < edge.first + edge.n; k++) {
+    laid_.push_back({k, e, space, 0, 0});
+    for (const bool to : {false, true})
+      end_.push_back(end_of(uint32_t(laid_.size() - 1), to, along));
   }
+}
+
+// Sorts the ends. Those whose bounds overlap are one stop. Returns the nodes of
+// all stops, in the order of the line.
+std::vector<uint32_t> Finder::find_stops() {
   std::stable_sort(
-      ends_.begin(), ends_.end(),
-      [this](const End &p, const End &q) { return is_before(*p.at, *q.at); });
-  // Ends whose bounds overlap are one stop.
+      end_.begin(), end_.end(),
+      [this](const End &p, const End &q) { return is_before(p.at, q.at); });
   std::vector<uint32_t> node;
-  for (size_t k = 0, n; k < ends_.size(); k += n) {
-    for (n = 1; k + n < ends_.size() &&
-                !is_before(*ends_[k + n - 1].hi, *ends_[k + n].lo);)
+  for (size_t k = 0, n; k < end_.size(); k += n) {
+    for (n = 1;
+         k + n < end_.size() && !is_before(end_[k + n - 1].hi, end_[k + n].lo);)
       n++;
-    const End *chosen = &ends_[k];
+    const End *named = nullptr;
     for (size_t i = k; i < k + n; i++) {
-      if (chosen->named == NONE && ends_[i].named != NONE)
-        chosen = &ends_[i];
-      Laid &laid = laid_[ends_[i].segment];
-      (ends_[i].first ? laid.first : laid.last) = uint32_t(node.size());
+      Laid &laid = laid_[end_[i].laid];
+      (end_[i].first ? laid.first : laid.last) = uint32_t(node.size());
+      if (!named && end_[i].named != NONE)
+        named = &end_[i];
     }
-    node.push_back(node_of(*chosen, ends_[k + n - 1]));
+    const Laid &laid = laid_[end_[k].laid];
+    const hsr_segment &s = drawing_->segment[laid.segment];
+    const bool along = side_of(edges_.a(laid.edge), edges_.b(laid.edge), eye_,
+                               *aside_) == turn_;
+    node.push_back(
+        named ? nodes_.of_named(named->named)
+              : nodes_.of_change(laid.edge, *end_[k].lo, *end_[k + n - 1].hi,
+                                 end_[k].first == along ? s.from : s.to));
   }
-  // What lies between two stops.
-  std::vector<uint32_t> order(laid_.size()), active;
-  for (uint32_t k = 0; k < order.size(); k++)
-    order[k] = k;
-  std::sort(order.begin(), order.end(), [this](uint32_t i, uint32_t j) {
-    return laid_[i].first != laid_[j].first ? laid_[i].first < laid_[j].first
-                                            : i < j;
-  });
-  for (size_t stop = 0, next = 0; stop + 1 < node.size(); stop++) {
-    active.erase(
-        std::remove_if(active.begin(), active.end(),
-                       [&](uint32_t k) { return laid_[k].last <= stop; }),
-        active.end());
-    for (; next < order.size() && laid_[order[next]].first <= stop; next++)
-      if (laid_[order[next]].last > stop)
-        active.push_back(order[next]);
-    if (!active.empty())
-      draw_best(straight, node[stop], node[stop + 1], active);
+  return node;
+}
+
+// What is drawn of a line of space between the stops at hand.
+void Finder::learn(Space &space) {
+  Edges edges;
+  const Laid *least = nullptr;
+  for (uint32_t k : space.lies) {
+    const Laid &laid = laid_[k];
+    edges.push_back(laid.edge);
+    if (!least || drawing_->segment[laid.segment].invisibility <
+                      drawing_->segment[least->segment].invisibility)
+      least = &laid;
   }
+  hsr_paper_line &line = space.line;
+  line = hsr_paper_line();
+  line.line_class = class_of(edges);
+  line.object = object_of(edges_.edge[least->edge]);
+  line.invisibility = drawing_->segment[least->segment].invisibility;
+  line.pen =
+      hsr_line_pen_of(pens_, line.object, line.line_class, line.invisibility);
+  space.known = true;
+}
+
+void Finder::draw_best(const std::vector<uint32_t> &spaces, uint32_t from,
+                       uint32_t to) {
+  const hsr_paper_line *best = nullptr;
+  for (uint32_t k : spaces) {
+    if (!space_[k].known)
+      learn(space_[k]);
+    const hsr_paper_line &line = space_[k].line;
+    if (line.pen != HSR_NO_PEN &&
+        (!best || line.invisibility < best->invisibility ||
+         (line.invisibility == best->invisibility &&
+          line.line_class < best->line_class)))
+      best = &line;
+  }
+  if (best)
+    emit(*best, from, to);
+}
+
+// From stop to stop: intervals end, others begin, and the best is drawn.
+void Finder::walk(const std::vector<uint32_t> &node) {
+  std::vector<std::vector<uint32_t>> begin(node.size()), end(node.size());
+  std::vector<uint32_t> active; // lines of space, ascending
+  for (uint32_t k = 0; k < laid_.size(); k++)
+    if (laid_[k].first < laid_[k].last) {
+      begin[laid_[k].first].push_back(k);
+      end[laid_[k].last].push_back(k);
+    }
+  for (size_t stop = 0; stop + 1 < node.size(); stop++) {
+    for (uint32_t k : end[stop]) {
+      Space &space = space_[laid_[k].space];
+      space.lies.erase(std::find(space.lies.begin(), space.lies.end(), k));
+      space.known = false;
+      if (space.lies.empty())
+        active.erase(
+            std::lower_bound(active.begin(), active.end(), laid_[k].space));
+    }
+    for (uint32_t k : begin[stop]) {
+      Space &space = space_[laid_[k].space];
+      if (space.lies.empty())
+        active.insert(
+            std::lower_bound(active.begin(), active.end(), laid_[k].space),
+            laid_[k].space);
+      space.lies.push_back(k);
+      space.known = false;
+    }
+    draw_best(active, node[stop], node[stop + 1]);
+  }
+}
+
+void Finder::lay_over(const Edges &edges) {
+  std::vector<uint32_t> space;
+  laid_.clear();
+  end_.clear();
+  place_.clear();
+  choose_aside(edges[0]);
+  find_spaces(edges, space);
+  for (size_t k = 0; k < edges.size(); k++)
+    lay(edges[k], space[k]);
+  walk(find_stops());
 }
 
 void Finder::find() {
-  const Straights straights(places_, eye_);
-  for (uint32_t k = 0; k < straights.edges.size(); k++)
-    if (straights.edges[k].size() == 1)
-      draw_alone(k, straights.edges[k][0]);
+  Planes straights(edges_, eye_);
+  for (uint32_t e = 0; e < edges_.edge.size(); e++)
+    if (edges_.edge[e].a != NONE)
+      straights.add(e);
+  for (const Edges &edges : straights.edges) {
+    if (edges.size() == 1)
+      draw_alone(edges[0]);
     else
-      lay_over(k, straights.edges[k]);
+      lay_over(edges);
+    straight_++;
+  }
 }
 
 void Finder::classify(hsr_line_class *line_class, uint32_t *object) {
-  for (uint32_t e = 0; e < places_.edge.size(); e++) {
-    const Edge &edge = places_.edge[e];
+  for (uint32_t e = 0; e < edges_.edge.size(); e++) {
+    const Edge &edge = edges_.edge[e];
     std::fill_n(line_class + edge.first, edge.n,
                 edge.a == NONE ? HSR_LINE_INTERSECTION : class_of({e}));
     std::fill_n(object + edge.first, edge.n, object_of(edge));

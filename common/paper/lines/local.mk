@@ -10,5 +10,7 @@ libcore_a_SOURCES += \
   %D%/line_style_json.c \
   %D%/lines.cc \
   %D%/lines.h \
+  %D%/nodes.cc \
+  %D%/nodes.h \
   %D%/places.cc \
   %D%/places.h
