@@ -287,8 +287,7 @@ const struct hsr_answer_type hsr_answer_segments = {
     .draws = "lines",
     .places = "edges",
     .grains = "samples",
-    .takes =
-        1 << HSR_LINES | 1 << HSR_HATCH | 1 << HSR_SHADING | 1 << HSR_BACKDROP,
+    .takes = 1 << HSR_LINES | 1 << HSR_HATCH | 1 << HSR_BACKDROP,
     .make = make,
     .clear = clear,
     .free = free_body,
