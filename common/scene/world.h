@@ -38,6 +38,12 @@ struct hsr_roster {
   bool all_triangles; /* every face of this world is a triangle */
 };
 
+/* Three corners of a flat face that define its plane: their normal points to
+ * the side that the face's does. */
+struct hsr_span {
+  uint32_t face, vertex[3];
+};
+
 /* Faces laid out: vertices, corners and planes. All 0 and NULL in a world that
  * is only a roster. */
 struct hsr_mesh {
@@ -65,6 +71,11 @@ struct hsr_mesh {
   double *deviation;                   /* n_faces */
   uint32_t *plane;                     /* n_faces: plane class */
   uint32_t n_planes;
+
+  /* Of flat faces with more than HSR_SMALL_FACE corners, by ascending face.
+   * None where faces are laid out anew one by one. */
+  struct hsr_span *span;
+  uint32_t n_spans;
 };
 
 struct hsr_world {
@@ -186,6 +197,12 @@ static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
                           hsr_face_size(world, f)};
   return loop;
 }
+
+/* Returns a polygon with exactly the plane of face f: three of its corners if
+ * the mesh has a span of it, else the face. It borrows the arrays of the
+ * mesh. */
+#define HSR_SMALL_FACE 16
+struct hsr_loop hsr_spanning_loop(const struct hsr_world *world, uint32_t f);
 
 /* Whether face f is exactly flat and v is one of its vertices. If true, v is
  * exactly on the plane of f. If false, v may be on it or not. */

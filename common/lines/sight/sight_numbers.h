@@ -340,10 +340,12 @@ inline int certain_side(const Numbers &n, uint32_t f, uint32_t p) {
 // The same, by exact numbers where needed.
 inline int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
   const hsr_world *w = n.sight->world;
-  if (p < w->mesh.n_vertices && hsr_on_plane(w, f, p))
-    return 0;
-  if (const int side = certain_side(n, f, p))
-    return side;
+  if (p < w->mesh.n_vertices) {
+    if (const int side = hsr::rough_side(w, f, p))
+      return side;
+    if (hsr_on_plane(w, f, p))
+      return 0;
+  }
   return sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
     using T = decltype(t);
     return n.plane<T>(f).height(n.point<T>(p));
@@ -484,6 +486,14 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
     }
   }
   return {from * n.eye<T>().weight(B), to * n.eye<T>().weight(A)};
+}
+
+// An interval that holds the place.
+inline Interval rough_place(const Numbers &n, uint32_t e,
+                            const hsr_sight_event &event) {
+  CGAL::Protect_FPU_rounding<true> upwards;
+  const Place<Interval> place = place_of<Interval>(n, e, event);
+  return place.from / (place.from - place.to);
 }
 
 inline int border_sign(const Numbers &n, uint32_t border, uint32_t p) {
