@@ -159,6 +159,21 @@ static void place_all(struct sheet *s, double margin) {
   place(s, 1, margin, &s->height);
 }
 
+/* If a page is larger than its views, they are in its middle. */
+static void centre(struct sheet *s) {
+  const struct hsr_page *page = &s->r->options->page;
+  double *const size[2] = {&s->width, &s->height};
+  const double asked[2] = {page->width, page->height};
+  for (int c = 0; c < 2; c++) {
+    const double more = asked[c] * HSR_PIXELS_PER_MM - *size[c];
+    if (!(asked[c] > 0))
+      continue;
+    for (size_t k = 0; k < s->n; k++)
+      s->offset[k][c] += more / 2;
+    *size[c] += more;
+  }
+}
+
 /* Gaps and margins do not grow with the scale. What is wider at scale 1 by one
  * pixel is wider by `scale` at another. */
 static double scale_to(double wanted, double at_1, double at_2) {
@@ -236,6 +251,7 @@ static enum hsr_status lay_out(struct sheet *s, struct hsr_error *err) {
     status = make_plots(s, scale, s->r->options->hatch, err);
   if (!status) {
     place_all(s, margin);
+    centre(s);
     status = hsr_plot_sheet(&all, s->plot, s->n, (const double(*)[2])s->offset,
                             s->width, s->height, err);
   }
