@@ -129,11 +129,12 @@ tap_programs = \
   %D%/unit/files/image_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
-  %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/files/text_mesh_test \
   %D%/unit/files/volume_place_test \
   %D%/unit/files/volume_test \
+  %D%/unit/paper/page_test \
+  %D%/unit/paper/strokes_test \
   %D%/unit/peers/line_pixels_test \
   %D%/unit/peers/lines_test \
   %D%/unit/peers/painted_test
@@ -166,6 +167,7 @@ tap_scripts = \
   %D%/example/example.test \
   %D%/export/export.test \
   %D%/export/polygons.test \
+  %D%/drawings/drawings.test \
   %D%/export/round_trips.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
@@ -222,8 +224,9 @@ quick_units = \
   %D%/unit/files/drawing_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
-  %D%/unit/files/plot_test \
-  %D%/unit/files/scene_json_test
+  %D%/unit/files/scene_json_test \
+  %D%/unit/paper/page_test \
+  %D%/unit/paper/strokes_test
 quick_programs = $(quick_units) %D%/counts/golden_test
 # For the sanitizers: the quick tests, and those that run the modules at small
 # sizes.
@@ -391,6 +394,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_view_close_window_SOURCES = %D%/view/close_window.c
 
 EXTRA_DIST += \
+  %D%/drawings/overlay.py %D%/drawings/paper.py \
   %D%/README.md \
   %D%/bad/make-bad-inputs \
   %D%/browser.mjs \
