@@ -102,6 +102,7 @@ libbench_a_SOURCES = \
   %D%/ranks/ranks_library.h \
   %D%/ranks/sums.c \
   %D%/ranks/sums.h \
+  %D%/render/check.c \
   %D%/render/command.c \
   %D%/render/fill.c \
   %D%/render/hint.c \

@@ -164,10 +164,10 @@ tap_scripts = \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \
+  %D%/drawings/drawings.test \
   %D%/example/example.test \
   %D%/export/export.test \
   %D%/export/polygons.test \
-  %D%/drawings/drawings.test \
   %D%/export/round_trips.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
@@ -394,12 +394,13 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_view_close_window_SOURCES = %D%/view/close_window.c
 
 EXTRA_DIST += \
-  %D%/drawings/overlay.py %D%/drawings/paper.py \
   %D%/README.md \
   %D%/bad/make-bad-inputs \
   %D%/browser.mjs \
   %D%/command/mpirun.sh \
   %D%/conformance/fresh \
+  %D%/drawings/overlay.py \
+  %D%/drawings/paper.py \
   %D%/counts/golden \
   %D%/counts/rewrite \
   %D%/fuzz \

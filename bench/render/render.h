@@ -133,6 +133,11 @@ void render_forget(struct render *r);
 /* Frees all but the scene. All zero is allowed. */
 void render_close(struct render *r);
 
+/* Whether the options go with one another and with what is drawn. HSR_E_USAGE. */
+enum hsr_status check_options(const struct render_options *options,
+                              const struct hsr_variant *variant,
+                              struct hsr_error *err);
+
 /* Whether --passes and the like, if they are given, fit what is drawn.
  * HSR_E_USAGE. */
 enum hsr_status check_passes(const struct render_options *options,
