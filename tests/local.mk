@@ -399,10 +399,10 @@ EXTRA_DIST += \
   %D%/browser.mjs \
   %D%/command/mpirun.sh \
   %D%/conformance/fresh \
-  %D%/drawings/overlay.py \
-  %D%/drawings/paper.py \
   %D%/counts/golden \
   %D%/counts/rewrite \
+  %D%/drawings/overlay.py \
+  %D%/drawings/paper.py \
   %D%/fuzz \
   %D%/instructions \
   %D%/lesson/watch.mjs \

@@ -2,14 +2,10 @@
 /* The command line of hsr render. */
 #include "bench/modules/variant.h"
 #include "bench/programs/module.h"
-#include "bench/options/picture.h"
 #include "bench/options/words.h"
 #include "bench/render/render.h"
-#include "bench/ranks/ranks.h"
 #include "common/files/srgb.h"
-#include "common/files/suffix.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
