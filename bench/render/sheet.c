@@ -5,6 +5,8 @@
  * unit has one length in all of them. The front is in the middle of its picture,
  * and so are the others: so views in one row, or one column, are aligned. Their
  * plots are made twice: first to find how large they are, and then to scale. */
+#include "config.h"
+
 #include "bench/library/library.h"
 #include "bench/ranks/ranks.h"
 #include "bench/render/render.h"
@@ -224,6 +226,9 @@ static enum hsr_status write(struct sheet *s, struct hsr_plot *all,
   struct hsr_showing showing = showing_of(r);
   struct lib_texts texts;
   lib_set_texts(&showing, &texts, 0, r->setup.algorithm);
+  snprintf(texts.description, sizeof texts.description,
+           "A drawing by hsr " PACKAGE_VERSION ", %s; --sheet %s",
+           r->setup.algorithm->title, o->sheet);
   all->page = o->page;
   all->title = showing.title;
   all->description = showing.description;
