@@ -52,6 +52,11 @@ int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
     return 0;
   const Numbers &n = *sight->numbers;
   try {
+    const Interval of_a = rough_place(n, e, *a), of_b = rough_place(n, e, *b);
+    if (of_a.sup() < of_b.inf())
+      return -1;
+    if (of_a.inf() > of_b.sup())
+      return 1;
     count_exact(n, HSR_ASK_PLACE);
     const Place<Exact> p = place_of<Exact>(n, e, *a);
     const Place<Exact> q = place_of<Exact>(n, e, *b);
