@@ -437,7 +437,9 @@ void Finder::draw_alone(uint32_t straight, uint32_t e) {
     const bool goes_on =
         before != NONE && k > edge.first && drawing_->segment[k - 1].t1 == s.t0;
     const uint32_t p = goes_on ? before : node_of(from, from);
-    const uint32_t q = node_of(to, to);
+    // Doubles cannot tell ends apart that are so near to one another.
+    const bool is_empty = s.t1 - s.t0 <= 0x1p-50 * s.t1;
+    const uint32_t q = is_empty && to.named == NONE ? p : node_of(to, to);
     before = q;
     if (pen != HSR_NO_PEN)
       emit({p, q, straight, object, s.invisibility, pen, line_class});

@@ -22,11 +22,12 @@ import xml.etree.ElementTree as ET
 from collections import defaultdict
 from fractions import Fraction
 
-SAME = 1e-7  # px: two ends of intervals are one place of a line
+ERROR = Fraction(2, 10**12)  # of the parameter of a change of visibility
+MOST_ERROR = Fraction(1, 10**6)  # px, for it
 NEAR = 0.0015  # px: coordinates of the file are whole thousandths
 LEFT_OVER = 0.003  # px: of a piece, at its ends
 TWICE = 0.01  # px
-FACES_SHOWN = 8  # faults of a kind that are printed
+FAULTS_SHOWN = 8  # faults of a kind that are printed
 
 # --- Exact vectors ------------------------------------------------------------
 # A place is four whole numbers (x, y, z, w), w > 0: the point (x, y, z)/w.
@@ -193,6 +194,10 @@ class View:
         x, y = (Fraction(dot(q, row) * factor, below) for row, factor in self.row)
         return (x + 1) * self.size[0] / 2, (1 - y) * self.size[1] / 2
 
+    def clamp(self, at):
+        return tuple(min(max(float(x), 0.0), float(n))
+                     for x, n in zip(at, self.size))
+
     def line(self, a, b):
         """The plane of an edge and the eye, the same for all edges in it."""
         if not self.parallel:
@@ -209,13 +214,24 @@ def unit(v):
 # --- What the drawing must show -----------------------------------------------
 
 
+class End:
+    """An end of an interval."""
+
+    def __init__(self, view, edge, t):
+        self.at = view.image(between(*edge, t))
+        self.named = t in (0, 1)
+        self.slack = 0
+        if not self.named:
+            other = view.image(between(*edge, t + ERROR * t))
+            self.slack = min(MOST_ERROR, max(abs(a - b) for a, b in
+                                             zip(self.at, other)))
+
+
 class Piece:
     """A stretch of a line between two nodes, of one visibility."""
 
-    def __init__(self, line, ends, nodes, hidden):
-        self.line, self.nodes, self.hidden = line, nodes, hidden
-        self.a, self.b = ends
-        self.length = math.dist(*ends)
+    def __init__(self, ends, nodes, hidden):
+        (self.a, self.b), self.nodes, self.hidden = ends, nodes, hidden
 
 
 class Expected:
@@ -258,54 +274,51 @@ class Expected:
             return
         self.implied_at[tuple(round(float(c) * 1e5) for c in at)].append(at)
 
-    def implied_near(self, at):
-        x, y = (round(float(c) * 1e5) for c in at)
+    def implied_near(self, end):
+        x, y = (round(float(c) * 1e5) for c in end.at)
         for i in (x - 1, x, x + 1):
             for j in (y - 1, y, y + 1):
                 for p in self.implied_at.get((i, j), ()):
-                    if max(abs(p[0] - at[0]), abs(p[1] - at[1])) < 10 * SAME:
+                    if max(abs(a - b) for a, b in zip(p, end.at)) <= end.slack:
                         return p
         return None
 
     def lay_over(self, number, edges):
-        image = self.view.image
         spans = []
-        for (a, b), intervals in edges:
+        for edge, intervals in edges:
             for t0, t1, hidden in intervals:
-                ends = [(image(between(a, b, t)), t in (0, 1)) for t in (t0, t1)]
-                spans.append((ends, hidden))
-        p, q = max(spans, key=lambda s: abs(s[0][0][0][0] - s[0][1][0][0]) +
-                   abs(s[0][0][0][1] - s[0][1][0][1]))[0]
-        axis = int(abs(p[0][1] - q[0][1]) > abs(p[0][0] - q[0][0]))
+                spans.append((End(self.view, edge, t0), End(self.view, edge, t1),
+                              hidden))
+        p, q = max(((p.at, q.at) for p, q, _ in spans),
+                   key=lambda s: max(abs(a - b) for a, b in zip(*s)))
+        axis = int(abs(p[1] - q[1]) > abs(p[0] - q[0]))
         # The ends of all spans, those that are one put together.
-        ends = sorted(((at, named, k, which) for k, (two, _) in enumerate(spans)
-                       for which, (at, named) in enumerate(two)),
-                      key=lambda end: end[0][axis])
-        stops, stop_of = [], {}
-        for at, named, k, which in ends:
-            if not stops or at[axis] - stops[-1][-1][0][axis] > SAME:
+        ends = sorted((end for p, q, _ in spans for end in (p, q)),
+                      key=lambda end: end.at[axis])
+        stops = []
+        for end in ends:
+            if not stops or (end.at[axis] - stops[-1][-1].at[axis] >
+                             end.slack + stops[-1][-1].slack):
                 stops.append([])
-            stops[-1].append((at, named))
-            stop_of[k, which] = len(stops) - 1
+            stops[-1].append(end)
+            end.stop = len(stops) - 1
         node = [self.node(number, k, stop) for k, stop in enumerate(stops)]
         # Between two stops, the least invisibility.
         best = [None] * len(stops)
-        for k, (_, hidden) in enumerate(spans):
-            first, last = sorted((stop_of[k, 0], stop_of[k, 1]))
-            for i in range(first, last):
+        for p, q, hidden in spans:
+            for i in range(*sorted((p.stop, q.stop))):
                 if best[i] is None or hidden < best[i]:
                     best[i] = hidden
         for i, hidden in enumerate(best):
             if hidden is not None:
-                two = [tuple(float(c) for c in stops[j][0][0]) for j in (i, i + 1)]
-                self.piece.append(Piece(number, two, (node[i], node[i + 1]),
-                                        hidden))
+                two = [self.view.clamp(stops[j][0].at) for j in (i, i + 1)]
+                self.piece.append(Piece(two, (node[i], node[i + 1]), hidden))
 
     def node(self, number, k, stop):
-        for at, named in stop:
-            if named:
-                return at
-        return self.implied_near(stop[0][0]) or (number, k)
+        for end in stop:
+            if end.named:
+                return end.at
+        return self.implied_near(stop[0]) or (number, k)
 
     def strokes(self, group):
         """How few strokes there can be of a group."""
@@ -456,10 +469,10 @@ def doubled(cells, expected_cells):
 
 def tell(what, faults, wrong):
     faults = list(faults)
-    for f in faults[:FACES_SHOWN]:
+    for f in faults[:FAULTS_SHOWN]:
         wrong.append(f"{what}: {f}")
-    if len(faults) > FACES_SHOWN:
-        wrong.append(f"{what}: {len(faults) - FACES_SHOWN} more")
+    if len(faults) > FAULTS_SHOWN:
+        wrong.append(f"{what}: {len(faults) - FAULTS_SHOWN} more")
 
 
 def show(a, b):
