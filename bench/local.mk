@@ -102,12 +102,16 @@ libbench_a_SOURCES = \
   %D%/ranks/ranks_library.h \
   %D%/ranks/sums.c \
   %D%/ranks/sums.h \
+  %D%/render/check.c \
   %D%/render/command.c \
+  %D%/render/fill.c \
   %D%/render/hint.c \
+  %D%/render/notes.c \
   %D%/render/options.c \
   %D%/render/passes.c \
   %D%/render/picture.c \
   %D%/render/render.h \
+  %D%/render/sheet.c \
   %D%/render/sort_last.c \
   %D%/render/tiles.c \
   %D%/report/cells.c \

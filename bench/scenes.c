@@ -49,7 +49,7 @@ static const struct argp argp = {
     NULL,
     "Lists the built-in scenes with their standard parameters, the number of "
     "faces and views that these give, and what each is for; and the real "
-    "meshes of Debian's libcgal-demo, if that is installed.\v"
+    "meshes of Debian's libcgal-demo with their faces, if that is installed.\v"
     "  hsr scenes --cameras house > house.json\n"
     "  hsr render house --camera house.json --view 2 -o house.png",
     NULL,
@@ -84,9 +84,35 @@ static json_t *parameters_json(const struct hsr_builtin *b) {
   return all;
 }
 
-static enum hsr_status print_json(char **meshes, size_t n_meshes,
+/* The meshes at hand, and the faces of each. */
+struct meshes {
+  char **name;
+  uint64_t *faces; /* 0: the file does not say */
+  size_t n;
+};
+
+static enum hsr_status find_meshes(struct meshes *meshes,
+                                   struct hsr_error *err) {
+  *meshes = (struct meshes){.n = 0};
+  enum hsr_status status = hsr_mesh_names(&meshes->name, &meshes->n, err);
+  if (status)
+    return status;
+  meshes->faces = calloc(meshes->n + 1, sizeof *meshes->faces);
+  return meshes->faces
+             ? hsr_mesh_faces(meshes->name, meshes->n, meshes->faces, err)
+             : hsr_fail_nomem(err);
+}
+
+static void free_meshes(struct meshes *meshes) {
+  for (size_t k = 0; k < meshes->n; k++)
+    free(meshes->name[k]);
+  free(meshes->name);
+  free(meshes->faces);
+}
+
+static enum hsr_status print_json(const struct meshes *meshes,
                                   struct hsr_error *err) {
-  json_t *scenes = json_array(), *names = json_array();
+  json_t *scenes = json_array(), *names = json_array(), *faces = json_array();
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
     uint64_t n_faces;
     uint32_t n_views;
@@ -94,6 +120,7 @@ static enum hsr_status print_json(char **meshes, size_t n_meshes,
     if (status) {
       json_decref(scenes);
       json_decref(names);
+      json_decref(faces);
       return status;
     }
     hsr_json_append(&scenes,
@@ -103,27 +130,35 @@ static enum hsr_status print_json(char **meshes, size_t n_meshes,
                               (json_int_t)n_faces, "views", (json_int_t)n_views,
                               "parameters", parameters_json(b)));
   }
-  for (size_t k = 0; k < n_meshes; k++)
-    hsr_json_append(&names, json_string(meshes[k]));
-  return json_print(json_pack("{ss so so}", "schema", "hsr-scenes/1", "scenes",
-                              scenes, "meshes", names),
+  for (size_t k = 0; k < meshes->n; k++) {
+    hsr_json_append(&names, json_string(meshes->name[k]));
+    hsr_json_append(&faces, json_integer((json_int_t)meshes->faces[k]));
+  }
+  return json_print(json_pack("{ss so so so}", "schema", "hsr-scenes/1",
+                              "scenes", scenes, "meshes", names, "mesh_faces",
+                              faces),
                     err);
 }
 
-static void print_meshes(char **meshes, size_t n_meshes) {
-  int columns = terminal_columns(stdout), used = 0;
-  for (size_t k = 0; k < n_meshes; k++) {
-    int width = (int)strlen(meshes[k]) + 7;
+/* In columns: each mesh with its faces. */
+static void print_meshes(const struct meshes *meshes) {
+  const int columns = terminal_columns(stdout);
+  int used = 0;
+  for (size_t k = 0; k < meshes->n; k++) {
+    char text[160];
+    const uint64_t n = meshes->faces[k];
+    int width = snprintf(text, sizeof text, n ? "  mesh:%s %llu" : "  mesh:%s",
+                         meshes->name[k], (unsigned long long)n);
     if (used && used + width > (columns ? columns : 80)) {
       putchar('\n');
       used = 0;
     }
-    used += printf("  mesh:%s", meshes[k]);
+    used += printf("%s", text);
   }
   putchar('\n');
 }
 
-static enum hsr_status print_text(char **meshes, size_t n_meshes,
+static enum hsr_status print_text(const struct meshes *meshes,
                                   struct hsr_error *err) {
   int wide = 0;
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
@@ -140,9 +175,9 @@ static enum hsr_status print_text(char **meshes, size_t n_meshes,
                       (unsigned long long)n_faces, n_views);
     terminal_wrap(stdout, used, used, b->about);
   }
-  if (n_meshes) {
-    printf("\n%zu real meshes:\n", n_meshes);
-    print_meshes(meshes, n_meshes);
+  if (meshes->n) {
+    printf("\n%zu real meshes, and their faces:\n", meshes->n);
+    print_meshes(meshes);
   } else {
     puts("\nno real meshes at hand: on Debian, apt-get install libcgal-demo");
   }
@@ -162,16 +197,11 @@ static enum hsr_status print_cameras(const char *name, struct hsr_error *err) {
 }
 
 static enum hsr_status print_scenes(bool json, struct hsr_error *err) {
-  char **meshes;
-  size_t n_meshes;
-  enum hsr_status status = hsr_mesh_names(&meshes, &n_meshes, err);
-  if (status)
-    return status;
-  status = json ? print_json(meshes, n_meshes, err)
-                : print_text(meshes, n_meshes, err);
-  for (size_t k = 0; k < n_meshes; k++)
-    free(meshes[k]);
-  free(meshes);
+  struct meshes meshes;
+  enum hsr_status status = find_meshes(&meshes, err);
+  if (!status)
+    status = json ? print_json(&meshes, err) : print_text(&meshes, err);
+  free_meshes(&meshes);
   return status;
 }
 

@@ -13,6 +13,7 @@ include %D%/lines/local.mk
 include %D%/lines/sight/local.mk
 include %D%/voxels/local.mk
 include %D%/paper/local.mk
+include %D%/paper/lines/local.mk
 include %D%/answers/local.mk
 include %D%/answers/kinds/local.mk
 include %D%/files/local.mk

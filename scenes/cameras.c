@@ -8,6 +8,7 @@
 #include "common/files/json/palette_json.h"
 #include "common/files/json/scene_json.h"
 #include "common/grids/grid.h"
+#include "common/view/standard.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -36,7 +37,7 @@ enum {
   SUN
 };
 
-static const char PALETTE[] = "palette", AXIS[] = "up-axis";
+static const char PALETTE[] = "palette", AXIS[] = "up-axis", LOOK[] = "look";
 
 static bool is_file(const char *name, size_t n) {
   char *path = strndup(name, n);
@@ -74,6 +75,13 @@ static bool is_key(const char *word, const char *key) {
   return !strncmp(word, key, n) && word[n] == '=';
 }
 
+/* A camera while words change it. */
+struct aim {
+  const struct hsr_scene *scene;
+  struct hsr_camera *camera;
+  char look[16]; /* the standard view; "": none */
+};
+
 /* The height at which, around the point `at`, as much is seen as in
  * perspective. */
 static double fitting_height(const struct hsr_camera *c) {
@@ -92,9 +100,11 @@ static void turn_to_axis(int axis, double v[3]) {
 }
 
 /* up-axis=z: a view that stands on the y axis, as those that are made up do, is
- * turned about its point `at`. One that stands on the axis stays. */
+ * turned about its point `at`. One that stands on the axis stays. A standard view
+ * is taken once more. */
 static enum hsr_status stand_on(const char *word, size_t length,
-                                struct hsr_camera *c, struct hsr_error *err) {
+                                struct aim *aim, struct hsr_error *err) {
+  struct hsr_camera *c = aim->camera;
   const double *up = c->up;
   int axis = length == 1 ? *word - 'x' : -1, l = (axis + 1) % 3,
       m = (axis + 2) % 3;
@@ -102,6 +112,8 @@ static enum hsr_status stand_on(const char *word, size_t length,
   if (axis < 0 || axis > 2)
     return hsr_fail(err, HSR_E_USAGE, "up-axis: '%.*s' must be x, y or z",
                     (int)length, word);
+  if (*aim->look)
+    return hsr_standard_view(aim->scene, aim->look, axis, c, err);
   if (up[axis] > 0 && up[l] == 0 && up[m] == 0)
     return HSR_OK;
   if (!(up[0] == 0 && up[1] > 0 && up[2] == 0))
@@ -117,15 +129,56 @@ static enum hsr_status stand_on(const char *word, size_t length,
   return HSR_OK;
 }
 
+/* look=front */
+static enum hsr_status look(const char *word, size_t length, struct aim *aim,
+                            struct hsr_error *err) {
+  snprintf(aim->look, sizeof aim->look, "%.*s", (int)length, word);
+  return hsr_standard_view(aim->scene, aim->look, -1, aim->camera, err);
+}
+
+/* parallel=fit, of a square picture, or parallel=fit-MxN. */
+static enum hsr_status fit(const char *word, size_t length,
+                           const struct aim *aim, struct hsr_error *err) {
+  char shape[32] = "1x1";
+  int m = 0, n = 0, end = -1;
+  if (length > 3)
+    snprintf(shape, sizeof shape, "%.*s", (int)(length - 4), word + 4);
+  if ((length == 3 || word[3] == '-') &&
+      sscanf(shape, "%6dx%6d%n", &m, &n, &end) == 2 && m > 0 && n > 0 &&
+      !shape[end])
+    return hsr_camera_fit(aim->scene, m, n, aim->camera, err);
+  return hsr_fail(err, HSR_E_USAGE,
+                  "parallel: '%.*s' must be fit, or fit-MxN for a picture of "
+                  "M x N samples",
+                  (int)length, word);
+}
+
+/* parallel=same, or fit */
+static enum hsr_status size_word(const char *word, size_t length,
+                                 const struct aim *aim, struct hsr_error *err) {
+  if (*word == 'f')
+    return fit(word, length, aim, err);
+  aim->camera->parallel = fitting_height(aim->camera);
+  return HSR_OK;
+}
+
+static bool begins(const char *word, size_t length, const char *with) {
+  const size_t n = strlen(with);
+  return length >= n && !strncmp(word, with, n);
+}
+
 static enum hsr_status read_word(const char *word, size_t length,
-                                 struct hsr_camera *camera,
-                                 struct hsr_error *err) {
-  if (length == 12 && !strncmp(word, "parallel=fit", length)) {
-    camera->parallel = fitting_height(camera);
-    return HSR_OK;
-  }
+                                 struct aim *aim, struct hsr_error *err) {
+  static const char SAME[] = "parallel=same", FIT[] = "parallel=fit";
+  const size_t parallel = strlen("parallel=");
+  struct hsr_camera *camera = aim->camera;
+  if (begins(word, length, FIT) ||
+      (length == sizeof SAME - 1 && begins(word, length, SAME)))
+    return size_word(word + parallel, length - parallel, aim, err);
   if (is_key(word, AXIS))
-    return stand_on(word + sizeof AXIS, length - sizeof AXIS, camera, err);
+    return stand_on(word + sizeof AXIS, length - sizeof AXIS, aim, err);
+  if (is_key(word, LOOK))
+    return look(word + sizeof LOOK, length - sizeof LOOK, aim, err);
   for (int k = 0; k < N_WORDS; k++) {
     if (!is_key(word, words[k].key))
       continue;
@@ -144,8 +197,8 @@ static enum hsr_status read_word(const char *word, size_t length,
     return HSR_OK;
   }
   return hsr_fail(err, HSR_E_USAGE,
-                  "'%.*s' says nothing of a camera: view=K, up-axis=A, "
-                  "eye=X,Y,Z, at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T, "
+                  "'%.*s' says nothing of a camera: view=K, look=NAME, "
+                  "up-axis=A, eye=X,Y,Z, at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T, "
                   "parallel=HEIGHT, light=X,Y,Z or sun=X,Y,Z",
                   (int)length, word);
 }
@@ -168,13 +221,15 @@ static enum hsr_status choose_view(const struct hsr_scene *scene,
 
 /* Changes a camera as the words from text on say. */
 static enum hsr_status read_words(const char *text, const char *last,
+                                  const struct hsr_scene *scene,
                                   struct hsr_camera *camera,
                                   struct hsr_error *err) {
+  struct aim aim = {.scene = scene, .camera = camera};
   enum hsr_status status = HSR_OK;
   while (text < last && !status) {
     text += *text == ':';
     size_t n = strcspn(text, ":@");
-    status = read_word(text, n, camera, err);
+    status = read_word(text, n, &aim, err);
     text += n;
   }
   struct hsr_error why;
@@ -187,6 +242,8 @@ static enum hsr_status read_words(const char *text, const char *last,
 static bool name_a_place(const char *text, const char *last) {
   for (; text < last; text += strcspn(text, ":@")) {
     text += *text == ':';
+    if (is_key(text, LOOK))
+      return true;
     for (int k = 0; k < N_PLACES; k++)
       if (is_key(text, words[k].key))
         return true;
@@ -211,7 +268,7 @@ static enum hsr_status aim_by_words(struct hsr_scene *scene, const char *text,
     scene->n_views = 1;
   }
   for (uint32_t k = 0; k < scene->n_views && !status; k++)
-    status = read_words(text, last, &scene->views[k], err);
+    status = read_words(text, last, scene, &scene->views[k], err);
   return status;
 }
 
@@ -277,10 +334,14 @@ enum hsr_status hsr_scene_expect(struct hsr_scene *scene, const char *cameras,
 }
 
 static bool has_words(const char *text) {
-  bool found = is_key(text, "view") || is_key(text, AXIS);
+  bool found = is_key(text, "view") || is_key(text, AXIS) || is_key(text, LOOK);
   for (int k = 0; k < N_WORDS; k++)
     found |= is_key(text, words[k].key);
   return found;
+}
+
+bool hsr_cameras_need_scene(const char *cameras) {
+  return strstr(cameras, "look=") || strstr(cameras, "parallel=fit");
 }
 
 enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,

@@ -24,12 +24,15 @@ size_t hsr_name_before_cameras(const char *name);
  * After the '@' stands a file (common/files/json/scene_json.h), or words
  * KEY=VALUE with colons between them: view (a number from 1; standard: 1),
  * up-axis (x, y or z: a view that stands on the y axis is turned about the point
- * that it looks at, so that it stands on this one), eye, at, up (X,Y,Z), fov
- * (degrees), near, parallel (a height, or `fit`: as high as what was in
- * perspective around the point `at`; fov makes it perspective again), light
+ * that it looks at, so that it stands on this one), look (a standard view of
+ * common/view/standard.h), eye, at, up (X,Y,Z), fov
+ * (degrees), near, parallel (a height;
+ * `same`: as high as what was in perspective around the point `at`; `fit-MxN`:
+ * moved and sized so that the scene fits a picture of M x N, hsr_camera_fit;
+ * `fit`: a square picture; fov makes it perspective again), light
  * (X,Y,Z, a point), sun
  * (X,Y,Z, a direction). Words without a place to
- * look from, to or up, and without view, change all views of the scene; others
+ * look from, to or up, and without view and look, change all views of the scene; others
  * leave one. Or palette=NAME, NAME being what hsr_palette_open takes, up to the
  * next '@'. HSR_E_USAGE for a word that is not understood, a view that the
  * scene has not, a camera that hsr_camera_check refuses, a palette that there
@@ -37,6 +40,9 @@ size_t hsr_name_before_cameras(const char *name);
  * be read; HSR_E_NOMEM. */
 enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
                               struct hsr_error *err);
+
+/* Whether a name's cameras follow from where the faces of the whole scene are. */
+bool hsr_cameras_need_scene(const char *cameras);
 
 /* Sets what a palette of the name's cameras needs before the scene is filled:
  * scene->window. Errors of palettes as of hsr_scene_aim. */

@@ -4,6 +4,7 @@ libcore_a_SOURCES += \
   %D%/builders.h \
   %D%/cameras.c \
   %D%/cameras.h \
+  %D%/mesh_faces.c \
   %D%/meshes.c \
   %D%/meshes.h \
   %D%/registry.c \

@@ -18,9 +18,6 @@
 
 extern char **environ;
 
-#ifndef HSR_MESH_ARCHIVE
-#define HSR_MESH_ARCHIVE "/usr/share/doc/libcgal-dev/data.tar.gz"
-#endif
 #define MEMBERS "data/meshes/"
 
 /* In the order in which they are tried. */
@@ -60,8 +57,7 @@ static bool is_file(const char *path) {
   return !stat(path, &about) && S_ISREG(about.st_mode);
 }
 
-/* The user's folder of meshes, or NULL. */
-static const char *own_folder(void) {
+const char *hsr_mesh_folder(void) {
   const char *folder = getenv("HSR_MESH_DIR");
   return folder && *folder ? folder : NULL;
 }
@@ -82,8 +78,7 @@ static enum hsr_status make_folders(char *path, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* The cache's folder, made when needed, ending in a slash. */
-static enum hsr_status cache_folder(char **folder, struct hsr_error *err) {
+enum hsr_status hsr_mesh_cache(char **folder, struct hsr_error *err) {
   const char *base = getenv("XDG_CACHE_HOME"), *rest = "/hsr/meshes/";
   if (!base || base[0] != '/') {
     base = getenv("HOME");
@@ -198,13 +193,27 @@ static enum hsr_status list_folder(struct hsr_names *list, const char *folder,
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+bool hsr_mesh_is_file(const char *path) {
+  const char *name = path + strlen(MEMBERS);
+  return !strncmp(path, MEMBERS, strlen(MEMBERS)) && is_name(name) &&
+         stem(name);
+}
+
+enum hsr_status hsr_mesh_tar(const char *mode, FILE *out,
+                             struct hsr_error *err) {
+  if (run_tar(mode, MEMBERS, fileno(out)))
+    return no_tar(err);
+  rewind(out);
+  return HSR_OK;
+}
+
 static enum hsr_status list_lines(struct hsr_names *list, FILE *file) {
   char line[4096];
   enum hsr_status status = HSR_OK;
   while (!status && fgets(line, sizeof line, file)) {
     line[strcspn(line, "\n")] = '\0';
     const char *name = line + strlen(MEMBERS);
-    if (!strncmp(line, MEMBERS, strlen(MEMBERS)) && is_name(name) && stem(name))
+    if (hsr_mesh_is_file(line))
       status = hsr_names_add(list, name, strlen(name));
   }
   return status;
@@ -215,14 +224,9 @@ static enum hsr_status list_archive(struct hsr_names *list,
   FILE *file = tmpfile();
   if (!file)
     return hsr_fail(err, HSR_E_INPUT, "no temporary file: %s", strerror(errno));
-  enum hsr_status status = HSR_OK;
-  if (run_tar("-tzf", MEMBERS, fileno(file)))
-    status = no_tar(err);
-  else {
-    rewind(file);
-    if (list_lines(list, file))
-      status = hsr_fail_nomem(err);
-  }
+  enum hsr_status status = hsr_mesh_tar("-tzf", file, err);
+  if (!status && list_lines(list, file))
+    status = hsr_fail_nomem(err);
   fclose(file);
   return status;
 }
@@ -230,8 +234,8 @@ static enum hsr_status list_archive(struct hsr_names *list,
 /* The files of all meshes at hand, in any order. */
 static enum hsr_status list_files(struct hsr_names *list,
                                   struct hsr_error *err) {
-  if (own_folder())
-    return list_folder(list, own_folder(), err);
+  if (hsr_mesh_folder())
+    return list_folder(list, hsr_mesh_folder(), err);
   return is_file(HSR_MESH_ARCHIVE) ? list_archive(list, err) : HSR_OK;
 }
 
@@ -280,7 +284,7 @@ static enum hsr_status no_mesh(const char *name, struct hsr_error *err) {
   if (status == HSR_E_NOMEM)
     return hsr_fail_nomem(err);
   return hsr_fail(err, HSR_E_INPUT, "there is no mesh %s%s%s", name,
-                  own_folder() ? " in HSR_MESH_DIR" : "", hint);
+                  hsr_mesh_folder() ? " in HSR_MESH_DIR" : "", hint);
 }
 
 /* Looks for one file, in the folder and then in the archive. *path is NULL
@@ -340,15 +344,15 @@ enum hsr_status hsr_mesh_find(const char *name, char **path,
                     name);
   char *folder = NULL;
   enum hsr_status status = HSR_OK;
-  if (own_folder()) {
-    folder = join(own_folder(), "/");
+  if (hsr_mesh_folder()) {
+    folder = join(hsr_mesh_folder(), "/");
     if (!folder)
       return hsr_fail_nomem(err);
   } else {
-    status = cache_folder(&folder, err);
+    status = hsr_mesh_cache(&folder, err);
   }
   if (!status)
-    status = find_in(folder, name, !own_folder(), path, err);
+    status = find_in(folder, name, !hsr_mesh_folder(), path, err);
   free(folder);
   if (!status && !*path)
     status = no_mesh(name, err);

@@ -481,7 +481,8 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
   char *plain = strndup(name, n);
   *scene = hsr_scene_new(name);
   enum hsr_status status = plain && *scene ? HSR_OK : hsr_fail_nomem(err);
-  bool alone = !status && part && is_made_by_parts(plain);
+  bool alone = !status && part && is_made_by_parts(plain) &&
+               !hsr_cameras_need_scene(name + n);
   if (!status && import)
     (*scene)->threads = import->threads;
   if (!status)

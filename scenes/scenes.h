@@ -68,6 +68,11 @@ enum hsr_status hsr_scene_open_part(const char *name, struct hsr_import *import,
  * is installed: HSR_OK and *n == 0. */
 enum hsr_status hsr_mesh_names(char ***names, size_t *n, struct hsr_error *err);
 
+/* Writes how many faces each of these n meshes has, as its file says; 0: it does
+ * not say. Of .off, .ply and .stl it is the header that is read. HSR_E_INPUT. */
+enum hsr_status hsr_mesh_faces(char *const *names, size_t n, uint64_t *faces,
+                               struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

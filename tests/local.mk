@@ -115,22 +115,26 @@ tap_programs = \
   %D%/unit/core/screen_test \
   %D%/unit/core/shadow_test \
   %D%/unit/core/share_test \
+  %D%/unit/core/standard_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/surfaces_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
   %D%/unit/files/binary_mesh_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
   %D%/unit/files/found_mesh_test \
+  %D%/unit/files/groups_test \
   %D%/unit/files/image_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
-  %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/files/text_mesh_test \
   %D%/unit/files/volume_place_test \
   %D%/unit/files/volume_test \
+  %D%/unit/paper/page_test \
+  %D%/unit/paper/strokes_test \
   %D%/unit/peers/line_pixels_test \
   %D%/unit/peers/lines_test \
   %D%/unit/peers/painted_test
@@ -147,6 +151,7 @@ tap_scripts = \
   %D%/command/gltf.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/looks.test \
   %D%/command/models.test \
   %D%/command/outside.test \
   %D%/command/peers.test \
@@ -159,6 +164,7 @@ tap_scripts = \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \
+  %D%/drawings/drawings.test \
   %D%/example/example.test \
   %D%/export/export.test \
   %D%/export/polygons.test \
@@ -210,14 +216,17 @@ quick_units = \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
   %D%/unit/core/share_test \
+  %D%/unit/core/standard_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \
   %D%/unit/core/world_test \
+  %D%/unit/files/cameras_json_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
-  %D%/unit/files/plot_test \
-  %D%/unit/files/scene_json_test
+  %D%/unit/files/scene_json_test \
+  %D%/unit/paper/page_test \
+  %D%/unit/paper/strokes_test
 quick_programs = $(quick_units) %D%/counts/golden_test
 # For the sanitizers: the quick tests, and those that run the modules at small
 # sizes.
@@ -362,6 +371,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
 %C%_unit_files_found_mesh_test_SOURCES = %D%/unit/files/found_mesh_test.cc
+%C%_unit_files_groups_test_SOURCES = %D%/unit/files/groups_test.cc
 %C%_unit_files_image_test_LDADD = libtests.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_files_text_mesh_test_SOURCES = %D%/unit/files/text_mesh_test.cc
@@ -391,6 +401,8 @@ EXTRA_DIST += \
   %D%/conformance/fresh \
   %D%/counts/golden \
   %D%/counts/rewrite \
+  %D%/drawings/overlay.py \
+  %D%/drawings/paper.py \
   %D%/fuzz \
   %D%/instructions \
   %D%/lesson/watch.mjs \

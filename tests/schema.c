@@ -168,9 +168,10 @@ static bool meets(const char *keyword, const json_t *wanted, const json_t *rule,
     double x = json_number_value(value), limit = json_number_value(wanted);
     return !json_is_number(value) || (IS("minimum") ? x >= limit : x > limit);
   }
-  if (IS("maximum"))
-    return !json_is_number(value) ||
-           json_number_value(value) <= json_number_value(wanted);
+  if (IS("maximum") || IS("exclusiveMaximum")) {
+    double x = json_number_value(value), limit = json_number_value(wanted);
+    return !json_is_number(value) || (IS("maximum") ? x <= limit : x < limit);
+  }
   if (IS("pattern"))
     return !json_is_string(value) ||
            matches(json_string_value(wanted), json_string_value(value));

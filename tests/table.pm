@@ -69,7 +69,7 @@ sub tests_of_file {
 my $scenes = 'house cyclic-overlap penetration coplanar near-plane lattice:40:3 ' .
              'grid:4 --views 2 -s 41x29';
 my $in_parallel = 'soup:3000:1 penetration lattice:40:3 sliver ' .
-                  '--parallel fit --views 6 -s 97x61';
+                  '--parallel same --views 6 -s 97x61';
 
 # What make has to make for these tests, besides what they start by themselves.
 sub targets_of {

@@ -6,6 +6,8 @@ algorithm_files += \
   %D%/boxes/box_rows.h \
   %D%/boxes/corner_boxes.c \
   %D%/boxes/corner_boxes.h \
+  %D%/boxes/near_boxes.c \
+  %D%/boxes/near_boxes.h \
   %D%/light/glass.c \
   %D%/light/glass.h \
   %D%/light/shadow.c \

@@ -7,7 +7,5 @@ algorithm_files += \
   %D%/edges/edge_intersection.h \
   %D%/edges/galimberti.c \
   %D%/edges/loutrel.c \
-  %D%/edges/near_boxes.c \
-  %D%/edges/near_boxes.h \
   %D%/edges/warnock_edges.c \
   %D%/volumes/roberts.c

@@ -319,8 +319,8 @@ static enum hsr_status begin_scene(struct scenes *s, int number,
   if (!scene)
     return hsr_fail_nomem(err);
   scene->run.options = o;
-  enum hsr_status status =
-      aim_name(&o->camera, 1, o->scene[number], scene->run.name, err);
+  enum hsr_status status = aim_name(&o->camera, 1, o->m[0], o->n[0],
+                                    o->scene[number], scene->run.name, err);
   if (!status)
     status = make_groups(scene, err);
   if (status) {
@@ -373,8 +373,8 @@ static enum hsr_status check_parts(struct scenes *s, int number,
   const struct check_options *o = s->options;
   struct scene_run run = {
       .options = o, .number = number, .progress = &s->progress};
-  enum hsr_status status =
-      aim_name(&o->camera, 1, o->scene[number], run.name, err);
+  enum hsr_status status = aim_name(&o->camera, 1, o->m[0], o->n[0],
+                                    o->scene[number], run.name, err);
   if (!status)
     status = make_cells(&run, err);
   if (!status)

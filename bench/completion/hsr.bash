@@ -33,7 +33,7 @@ _hsr() {
       words=$("$hsr" scenes 2>/dev/null | awk 'NR == 1 { next }
         !NF { meshes = 1 }
         !meshes { sub(/[:\[].*/, "", $1); print $1 }
-        meshes && /^  / { for (k = 1; k <= NF; k++) print $k }') ;;
+        meshes && /^  / { for (k = 1; k <= NF; k++) if ($k ~ /:/) print $k }') ;;
     esac
     COMPREPLY=($(compgen -f -- "$word"))
   fi

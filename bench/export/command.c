@@ -2,6 +2,7 @@
 /* hsr export: a scene, or what an algorithm makes of it, for other programs. */
 #include "bench/modules/variant.h"
 #include "bench/options/command.h"
+#include "bench/options/streams.h"
 #include "bench/options/view.h"
 #include "bench/shapes/shapes.h"
 #include "bench/terminal/terminal.h"
@@ -285,14 +286,15 @@ static enum hsr_status write_shape(struct export *e, struct hsr_error *err) {
                                        ? o->shape->solid
                                        : HSR_CELL_POLYGON};
   struct hsr_cells cells;
-  char text[TERMINAL_NUMBER];
+  char text[TERMINAL_NUMBER], told[TERMINAL_NAME];
   enum hsr_status status = o->shape->make(&source, &list, err);
   if (!status)
     status = cell_list_cells(&list, &cells, err);
   if (!status)
     status = hsr_cells_write(&cells, o->output, err);
   if (!status)
-    printf("%s: %s\n", o->output, terminal_number(cells.n, "cells", text));
+    printf("%s: %s\n", streams_tell(o->output, told, sizeof told),
+           terminal_number(cells.n, "cells", text));
   cell_list_free(&list);
   return status;
 }
@@ -374,18 +376,29 @@ static enum hsr_status write_all(struct export *e,
 /* --- What was kept -------------------------------------------------------- */
 
 /* What a scene may have that not every format holds. */
-enum part { OBJECTS, INSTANCES, SIDES, COLOURS, OPACITIES, POLYGONS, VIEWS };
+enum part {
+  OBJECTS,
+  INSTANCES,
+  SIDES,
+  SHARED,
+  COLOURS,
+  OPACITIES,
+  POLYGONS,
+  VIEWS
+};
 static const char *const part_name[] = {
-    [OBJECTS] = "objects", [INSTANCES] = "instances", [SIDES] = "sides",
-    [COLOURS] = "colours", [OPACITIES] = "opacities", [POLYGONS] = "polygons",
-    [VIEWS] = "views"};
+    [OBJECTS] = "objects",   [INSTANCES] = "instances",
+    [SIDES] = "sides",       [SHARED] = "shared vertices",
+    [COLOURS] = "colours",   [OPACITIES] = "opacities",
+    [POLYGONS] = "polygons", [VIEWS] = "views"};
 enum { N_PARTS = VIEWS + 1 };
 
 /* The parts that each format holds. Views are asked for by no other option. */
 static unsigned parts_of(const char *path) {
-  const unsigned looks = 1u << COLOURS | 1u << OPACITIES | 1u << POLYGONS;
+  const unsigned looks =
+      1u << COLOURS | 1u << OPACITIES | 1u << POLYGONS | 1u << SHARED;
   if (hsr_ends_in(path, ".glb"))
-    return ~0u;
+    return ~(1u << SHARED);
   if (hsr_ends_in(path, ".obj"))
     return looks | 1u << OBJECTS;
   if (hsr_ends_in(path, ".stl"))
@@ -399,11 +412,14 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   unsigned parts = 1u << VIEWS;
   parts |= scene->n_instances > 1 ? 1u << OBJECTS : 0;
   parts |= scene->n_instances > scene->n_objects ? 1u << INSTANCES : 0;
+  parts |= hsr_scene_has_colours(scene) ? 1u << COLOURS : 0;
   parts |= hsr_scene_is_transparent(scene) ? 1u << OPACITIES : 0;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
-    parts |= object->rgb || o ? 1u << COLOURS : 0;
     parts |= object->one_sided ? 1u << SIDES : 0;
+    parts |= object->group.vertex && object->group.n_own < object->n_vertices
+                 ? 1u << SHARED
+                 : 0;
     parts |= object->start[object->n_faces] != 3 * object->n_faces
                  ? 1u << POLYGONS
                  : 0;
@@ -411,23 +427,39 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   return parts;
 }
 
-static bool is_byte(float share, float of_byte) {
-  return share >= of_byte && share <= of_byte;
+/* By how much a byte changes a channel, which is linear; of sRGB from 0 to 1. */
+static double channel_change(float linear) {
+  const unsigned char byte = hsr_srgb_byte(linear);
+  const float back = hsr_srgb_decode((float)byte / 255.0f);
+  return memcmp(&back, &linear, sizeof back)
+             ? fabs(hsr_srgb_encode_real((double)linear) - byte / 255.0)
+             : 0;
 }
 
-/* Whether bytes hold all colours and opacities as they are. */
-static bool are_bytes(const struct hsr_scene *scene) {
-  bool are = true;
+static double opacity_change(float opacity) {
+  const float back = (float)lrintf(255 * opacity) / 255.0f;
+  return fabs((double)opacity - (double)back);
+}
+
+/* Where a file has colours and opacities as bytes. */
+static void tell_of_bytes(const struct hsr_scene *scene, const char *told) {
+  double most = 0;
   for (uint32_t o = 0; o < scene->n_objects; o++)
-    for (uint32_t f = 0; f < scene->objects[o].n_faces && are; f++) {
+    for (uint32_t f = 0; f < scene->objects[o].n_faces; f++) {
       const float *rgb = hsr_face_rgb(&scene->objects[o], f);
-      const float opacity = hsr_face_opacity(&scene->objects[o], f);
       for (int k = 0; k < 3; k++)
-        are &= is_byte(rgb[k],
-                       hsr_srgb_decode((float)hsr_srgb_byte(rgb[k]) / 255.0f));
-      are &= is_byte(opacity, (float)lrintf(255 * opacity) / 255.0f);
+        most = fmax(most, channel_change(rgb[k]));
+      most =
+          fmax(most, opacity_change(hsr_face_opacity(&scene->objects[o], f)));
     }
-  return are;
+  if (most > 0)
+    fprintf(stderr,
+            "hsr: %s: %s are rounded to bytes, which changes them by up to "
+            "%.2g; .obj, .vtp and .glb keep them\n",
+            told,
+            hsr_scene_is_transparent(scene) ? "colours and opacities"
+                                            : "colours",
+            most);
 }
 
 /* The counts; and what of the scene the file does not have. */
@@ -435,15 +467,12 @@ static void print_counts(const struct export *e) {
   const char *path = e->options->output;
   const unsigned lost = parts_in(e->scene) & ~parts_of(path);
   char faces[TERMINAL_NUMBER], objects[TERMINAL_NUMBER],
-      instances[TERMINAL_NUMBER];
-  printf("%s: %s, %s, %s", path,
+      instances[TERMINAL_NUMBER], told[TERMINAL_NAME];
+  streams_tell(path, told, sizeof told);
+  printf("%s: %s, %s, %s", told,
          terminal_number(hsr_scene_faces(e->scene), "faces", faces),
          terminal_number(e->scene->n_objects, "objects", objects),
          terminal_number(e->scene->n_instances, "instances", instances));
-  if (hsr_ends_in(path, ".ply") && !are_bytes(e->scene))
-    printf("; %s rounded to bytes", hsr_scene_is_transparent(e->scene)
-                                        ? "colours and opacities"
-                                        : "colours");
   const char *before = "; without its ";
   for (int part = 0; part < N_PARTS; part++)
     if (lost & 1u << part) {
@@ -454,8 +483,12 @@ static void print_counts(const struct export *e) {
   if (e->change > 0)
     fprintf(stderr,
             "hsr: %s: coordinates are rounded to floats, which changes them by "
-            "up to %.2g\n",
-            path, e->change);
+            "up to %.2g%s\n",
+            told, e->change,
+            hsr_ends_in(path, ".stl") ? "; .obj, .ply and .vtp keep them" : "");
+  if (hsr_ends_in(path, ".ply") &&
+      parts_in(e->scene) & (1u << COLOURS | 1u << OPACITIES))
+    tell_of_bytes(e->scene, told);
 }
 
 enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/judge/differences.h"
 #include "common/files/image.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -221,10 +221,12 @@ struct hsr_open_options {
 
 /* Opens a scene: a built-in one with its parameters ("house", "soup:1000:7"),
  * or a file (.obj .off .ply .stl .vtp .gltf .glb .scene.json, volumes and height
- * fields), each as the command hsr names it, with words and cameras after it if wanted
- * ("brain.nii@palette=bone"). The caller frees *scene by hsr_close. HSR_E_USAGE
- * for cameras and palettes that are wrong; HSR_E_INPUT if there is no such
- * scene, or its file is wrong. */
+ * fields), each as the command hsr names it, with words and cameras after it if
+ * wanted ("brain.nii@palette=bone"). Standard views are such words, too:
+ * "a.obj@look=iso:parallel=fit-4x3" has the isometric view alone, which fits a
+ * picture of this shape. The caller frees *scene by hsr_close. HSR_E_USAGE for
+ * cameras and palettes that are wrong; HSR_E_INPUT if there is no such scene, or
+ * its file is wrong. */
 HSR_API enum hsr_status hsr_open(const char *name,
                                  const struct hsr_open_options *options,
                                  struct hsr_scene **scene,

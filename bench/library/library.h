@@ -166,7 +166,7 @@ struct hsr_showing lib_showing(const struct lib_answer *answer,
 
 /* The texts that go into a file. */
 struct lib_texts {
-  char text[300], title[200], description[200];
+  char text[300], title[200], description[600];
 };
 
 /* Makes the texts for a view of a scene, from 1, or 0 if it is none of its own,

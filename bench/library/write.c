@@ -4,10 +4,12 @@
 
 #include "bench/library/library.h"
 #include "common/answers/kinds/segments.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 struct hsr_showing lib_showing(const struct lib_answer *answer,
                                enum hsr_shading_choice shading) {
@@ -79,6 +81,36 @@ static enum hsr_status write_shown(const struct hsr_answer *answer,
   return status;
 }
 
+/* Appends a number with as many digits as it needs. */
+static void add_number(char *text, size_t size, const char *before, double x) {
+  const size_t n = strlen(text);
+  for (int digits = 6; digits <= 17; digits++) {
+    snprintf(text + n, size - n, "%s%.*g", before, digits, x);
+    if (strtod(text + n + strlen(before), NULL) == x)
+      break;
+  }
+}
+
+static void add_place(char *text, size_t size, const char *name,
+                      const double place[3]) {
+  add_number(text, size, name, place[0]);
+  add_number(text, size, ",", place[1]);
+  add_number(text, size, ",", place[2]);
+}
+
+/* As the options of a command that looks from there. */
+static void add_camera(char *text, size_t size, const struct hsr_camera *c) {
+  add_place(text, size, "; --eye ", c->eye);
+  add_place(text, size, " --at ", c->at);
+  add_place(text, size, " --up ", c->up);
+  if (c->parallel > 0)
+    add_number(text, size, " --parallel ", c->parallel);
+  else
+    add_number(text, size, " --fov ", c->fov);
+  if (c->near > 0)
+    add_number(text, size, " --near ", c->near);
+}
+
 void lib_set_texts(struct hsr_showing *showing, struct lib_texts *t, long view,
                    const struct hsr_algorithm *a) {
   snprintf(t->text, sizeof t->text,
@@ -91,6 +123,7 @@ void lib_set_texts(struct hsr_showing *showing, struct lib_texts *t, long view,
     snprintf(t->title, sizeof t->title, "%.150s", showing->scene);
   snprintf(t->description, sizeof t->description,
            "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  add_camera(t->description, sizeof t->description, &showing->view->camera);
   showing->text = t->text;
   showing->title = t->title;
   showing->description = t->description;

@@ -4,7 +4,7 @@
 #define HSR_BENCH_OPTIONS_LINES_H
 
 #include "bench/options/parser.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 enum { MOST_LINE_OPTIONS = 32 };
 struct line_options {

@@ -80,7 +80,7 @@ static const struct argp_option *find_short(const struct argp *argp, char key) {
   return NULL;
 }
 
-/* --NAME, --NAME=VALUE or --NAME VALUE. *k is the last word that is read. */
+/* --NAME, --NAME=VALUE or --NAME VALUE. An optional value has the '='. *k is the last word that is read. */
 static enum hsr_status check_long(const struct words *words, int *k) {
   const char *word = words->argv[*k];
   size_t n = strcspn(word + 2, "=");
@@ -91,7 +91,7 @@ static enum hsr_status check_long(const struct words *words, int *k) {
   if (!o->arg && has_value)
     return hsr_fail(words->err, HSR_E_USAGE, "%s: --%s takes no value",
                     words->command, o->name);
-  if (!o->arg || has_value)
+  if (!o->arg || has_value || o->flags & OPTION_ARG_OPTIONAL)
     return HSR_OK;
   return ++*k < words->argc ? HSR_OK : lacks_value(words, o);
 }

@@ -109,7 +109,9 @@ error_t parse_threads(struct scene_options *options, long *threads,
 
 void say_opened(const char *name, const char *notes, uint64_t n_dropped,
                 int enlarged) {
-  for (const char *note = notes; *note;) {
+  char told[sizeof((struct hsr_import *)NULL)->notes];
+  streams_tell(notes, told, sizeof told);
+  for (const char *note = told; *note;) {
     const int length = (int)strcspn(note, "\n");
     fprintf(stderr, "hsr: %.*s\n", length, note);
     note += length + (note[length] == '\n');

@@ -9,7 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_FOLDER = 200, MOST_PATH = MOST_FOLDER + 100 };
+/* Messages cut a path that is longer than 180 bytes; it would not be known again. */
+enum { MOST_FOLDER = 120, MOST_SUFFIX = 40, MOST_PATH = 180 };
 
 /* Of the whole program, as standard input and output are. */
 static struct {
@@ -76,7 +77,7 @@ static bool make_folder(void) {
 
 static bool name_file(char path[MOST_PATH], const char *name,
                       const char *suffix) {
-  if (strlen(suffix) > 40 || strchr(suffix, '/')) {
+  if (strlen(suffix) > MOST_SUFFIX || strchr(suffix, '/')) {
     errno = EINVAL;
     return false;
   }
@@ -85,6 +86,33 @@ static bool name_file(char path[MOST_PATH], const char *name,
   snprintf(path, MOST_PATH, "%s/%s.%s", streams.folder, name,
            suffix + (*suffix == '.'));
   return true;
+}
+
+/* Whether a text begins with a path; *text is moved behind it. */
+static bool pass(const char **text, const char *path) {
+  size_t n = strlen(path);
+  bool is = n && !strncmp(*text, path, n);
+  *text += is ? n : 0;
+  return is;
+}
+
+const char *streams_tell(const char *text, char *told, size_t size) {
+  size_t used = 0;
+  while (*text && used + 1 < size) {
+    const char *words = NULL;
+    if (pass(&text, streams.input))
+      words = "standard input";
+    else if (pass(&text, streams.output))
+      words = "standard output";
+    else if (pass(&text, streams.folder))
+      text += *text == '/';
+    else
+      told[used++] = *text++;
+    for (; words && *words && used + 1 < size; words++)
+      told[used++] = *words;
+  }
+  told[used] = '\0';
+  return told;
 }
 
 static bool copy(FILE *from, FILE *to) {
@@ -143,13 +171,22 @@ static bool deliver(void) {
   return good;
 }
 
+/* While the paths are known. */
+static void tell_error(struct hsr_error *err) {
+  char told[sizeof err->text];
+  streams_tell(err->text, told, sizeof told);
+  memcpy(err->text, told, sizeof told);
+}
+
 enum hsr_status streams_end(enum hsr_status status, struct hsr_error *err) {
   bool good = status || !*streams.output || deliver() || errno == EPIPE;
   int why = errno;
   leave_out_others();
+  if (!good)
+    status = hsr_fail(err, HSR_E_INPUT,
+                      "standard output: cannot be written: %s", strerror(why));
+  else if (status)
+    tell_error(err);
   remove_all();
-  return good ? status
-              : hsr_fail(err, HSR_E_INPUT,
-                         "standard output: cannot be written: %s",
-                         strerror(why));
+  return status;
 }

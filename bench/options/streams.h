@@ -9,6 +9,7 @@
 #include "common/base/status.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Whether a name stands for standard input or output: "-", or "-.png" with the
  * suffix of a format. */
@@ -25,7 +26,13 @@ const char *stream_input(const char *suffix);
  * streams_end. NULL: errno says why; EBUSY: another file goes there. */
 const char *stream_output(const char *name, const char *suffix);
 
-/* Ends the streams. If `status` is HSR_OK, the output is copied. A pipe that its
+/* Writes a text that may have the paths of such files: "standard input" and
+ * "standard output" take their place. Of another file in their folder, which a file
+ * on standard input names, its name is left. What does not fit in `size` bytes is
+ * cut. Returns `told`. */
+const char *streams_tell(const char *text, char *told, size_t size);
+
+/* Ends the streams, and what *err says is as by streams_tell. If `status` is HSR_OK, the output is copied. A pipe that its
  * reader has closed is no error. HSR_E_INPUT: standard output cannot be
  * written. */
 enum hsr_status streams_end(enum hsr_status status, struct hsr_error *err);

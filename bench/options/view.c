@@ -31,8 +31,8 @@ error_t parse_place_option(struct scene_options *scene,
 
 enum hsr_status aim_scene(struct scene_options *scene,
                           struct view_options *view, struct hsr_error *err) {
-  enum hsr_status status =
-      aim_name(&view->camera, view->view, scene->name, scene->aimed, err);
+  enum hsr_status status = aim_name(&view->camera, view->view, view->m, view->n,
+                                    scene->name, scene->aimed, err);
   scene->name = scene->aimed;
   if (has_camera_words(&view->camera))
     view->view = 1;

@@ -9,7 +9,6 @@
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/files/suffix.h"
-#include "common/paper/lines.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
 
@@ -135,59 +134,6 @@ static void print_report(struct render *r, const struct hsr_algorithm *a) {
                       (unsigned long long)r->tally.count[k]);
     terminal_wrap(stdout, used, 35, a->counters[k].meaning);
   }
-}
-
-/* What is worth saying of the edges of a drawing. */
-struct edge_counts {
-  size_t edges, flat, borders;
-};
-
-/* Counts edges of flat faces, and of one face. */
-static enum hsr_status count_edges(const struct render *r,
-                                   const struct hsr_drawing *drawing,
-                                   struct edge_counts *n,
-                                   struct hsr_error *err) {
-  enum hsr_line_class *of = malloc((drawing->n + 1) * sizeof *of);
-  uint32_t *object = malloc((drawing->n + 1) * sizeof *object);
-  enum hsr_status status =
-      of && object
-          ? hsr_lines_classify(drawing, &r->world, &r->view, 1, of, object, err)
-          : hsr_fail_nomem(err);
-  for (size_t k = 0; k < drawing->n && !status; k++) {
-    const struct hsr_segment *s = &drawing->segment[k];
-    if (k && !hsr_edge_name_compare(&s->edge, &s[-1].edge))
-      continue;
-    n->edges++;
-    n->flat += of[k] == HSR_LINE_SMOOTH || of[k] == HSR_LINE_SEAM;
-    n->borders += of[k] == HSR_LINE_BOUNDARY;
-  }
-  free(of);
-  free(object);
-  return status;
-}
-
-/* What to leave out of a drawing of faces that are divided: an edge within a
- * plane shows nothing. And what to do if most edges are borders: then vertices
- * may nearly meet, as in files of many programs. */
-static enum hsr_status say_seams(const struct render *r,
-                                 struct hsr_error *err) {
-  const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
-  struct edge_counts n = {.edges = 0};
-  if (!drawing || r->options->style.crease >= 0 || !r->options->n_outputs)
-    return HSR_OK;
-  enum hsr_status status = count_edges(r, drawing, &n, err);
-  if (!status && n.flat)
-    fprintf(stderr,
-            "hsr: %zu of %zu edges lie between faces of one plane; --crease=1 "
-            "leaves them out\n",
-            n.flat, n.edges);
-  if (!status && n.borders > n.edges / 2 && hsr_is_mesh_name(r->scene->name) &&
-      !(r->options->scene.import.weld > 0))
-    fprintf(stderr,
-            "hsr: %zu of %zu edges have one face only; if faces ought to meet "
-            "there, --weld=DISTANCE joins them\n",
-            n.borders, n.edges);
-  return status;
 }
 
 /* What each rank tells rank 0 of its work. */
@@ -422,12 +368,13 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     status = options.sort_last         ? make_sort_last(&r, a, &variant, err)
              : options.last_frame >= 0 ? make_frames(&r, a, &variant, err)
              : options.tile            ? make_tiles(&r, err)
+             : options.sheet           ? make_sheet(&r, err)
              : is_series(&options)     ? make_series(&r, err)
                                        : make_picture(&r, err);
   if (!status && !ranks_own())
     print_report(&r, a);
   if (!status && !ranks_own())
-    status = say_seams(&r, err);
+    status = say_notes(&r, err);
   if (!status)
     status = print_ranks(&r, err);
   render_close(&r);

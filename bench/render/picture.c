@@ -60,6 +60,8 @@ struct hsr_showing showing_of(const struct render *r) {
       .depth = true,
       .supersamples = (int)o->supersamples,
       .style = &o->style,
+      .fill = r->fill.body,
+      .hatch = o->hatch,
       .page = o->page,
       .background = {o->has_background,
                      o->no_background,
@@ -107,6 +109,8 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
 
 enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
   enum hsr_status status = draw_picture(r, err);
+  if (!status && r->options->fill)
+    status = draw_fill(r, err);
   if (status || ranks_own())
     return status;
   status = shade_picture(r, err);
@@ -125,6 +129,7 @@ void render_forget(struct render *r) {
 }
 
 void render_forget_scene(struct render *r) {
+  forget_fill(r);
   if (r->setup.algorithm)
     hsr_setup_free(&r->setup);
   hsr_world_free(&r->world);
@@ -136,6 +141,7 @@ void render_forget_scene(struct render *r) {
 }
 
 void render_close(struct render *r) {
+  forget_fill(r);
   if (r->setup.algorithm)
     hsr_setup_free(&r->setup);
   hsr_world_free(&r->world);

@@ -24,6 +24,10 @@ struct render_options {
   struct line_options lines;
   struct hsr_line_style style; /* made of `lines` */
   struct hsr_page page;
+  const char *sheet; /* the list of its views; or NULL */
+  bool first_angle;  /* of the sheet */
+  const char *fill;  /* the algorithm of the faces under lines; or NULL */
+  bool hatch;
   const char *page_option; /* the last one given that is for pages; or NULL */
   bool has_background, no_background;
   float background[3]; /* linear */
@@ -65,6 +69,9 @@ struct render {
   struct hsr_answer answer;
   struct hsr_shaded shaded;
   struct hsr_drawn drawn;
+  struct hsr_answer
+      fill; /* the visible polygons of --fill, and what they need */
+  struct hsr_setup fill_setup;
   float *work;
   struct hsr_tally tally;
   struct hsr_passes passes;
@@ -90,6 +97,11 @@ enum hsr_status make_picture(struct render *r, struct hsr_error *err);
  * make_picture; HSR_E_INPUT also if there are tiles of another picture. */
 enum hsr_status make_tiles(struct render *r, struct hsr_error *err);
 
+/* Draws the standard views of --sheet, and writes them as one drawing
+ * (bench/render/sheet.c). Fails as make_picture; HSR_E_USAGE if a view is none,
+ * or the page is too small. */
+enum hsr_status make_sheet(struct render *r, struct hsr_error *err);
+
 /* Makes the picture of a scene that is drawn in parts, and writes it
  * (bench/render/sort_last.c). Fails as make_picture, and as
  * hsr_scene_open_part; HSR_E_USAGE if there are fewer parts than ranks. */
@@ -102,6 +114,16 @@ enum hsr_status draw_picture(struct render *r, struct hsr_error *err);
 enum hsr_status shade_picture(struct render *r, struct hsr_error *err);
 enum hsr_status write_picture(struct render *r, struct hsr_error *err);
 
+/* Draws the visible polygons of --fill, of the same view. Fails as draw_picture;
+ * HSR_E_USAGE if its algorithm draws none. Freed with all else that is of one
+ * scene. */
+enum hsr_status draw_fill(struct render *r, struct hsr_error *err);
+void forget_fill(struct render *r);
+
+/* Says on stderr what a drawing that was written lacks, or has too much of, and
+ * which option helps. HSR_E_NOMEM. */
+enum hsr_status say_notes(const struct render *r, struct hsr_error *err);
+
 /* Frees what is of one scene, before the next. */
 void render_forget_scene(struct render *r);
 
@@ -110,6 +132,11 @@ void render_forget(struct render *r);
 
 /* Frees all but the scene. All zero is allowed. */
 void render_close(struct render *r);
+
+/* Whether the options go with one another and with what is drawn. HSR_E_USAGE. */
+enum hsr_status check_options(const struct render_options *options,
+                              const struct hsr_variant *variant,
+                              struct hsr_error *err);
 
 /* Whether --passes and the like, if they are given, fit what is drawn.
  * HSR_E_USAGE. */

@@ -136,6 +136,7 @@ static void remove_folder(struct tiles *t) {
 /* --- Drawing -------------------------------------------------------------- */
 
 /* Of a kind that has no tiles of its own, the colours. */
+enum { RGB = 3 };
 static enum hsr_status write_colours(struct tiles *t, long k,
                                      struct hsr_error *err) {
   struct render *r = t->render;
@@ -145,7 +146,7 @@ static enum hsr_status write_colours(struct tiles *t, long k,
       r->kind->shade(&r->answer, &showing, &r->shaded, err);
   return status ? status
                 : hsr_image_write_colour_tile(name_of_tile(t, k), &t->tiling, k,
-                                              r->shaded.rgb, NULL, err);
+                                              RGB, r->shaded.rgb, NULL, err);
 }
 
 static enum hsr_status draw_tile(struct tiles *t, long k,
@@ -203,8 +204,11 @@ static enum hsr_status join(struct tiles *t, struct hsr_error *err) {
   snprintf(text, sizeof text, "Software=hsr\nScene=%.100s\nAlgorithm=%s\n",
            r->options->scene.name, r->setup.algorithm->name);
   enum hsr_status status =
-      (r->kind->join_tiles ? r->kind->join_tiles : hsr_image_join_colour_tiles)(
-          t->path, &t->tiling, tell_and_name, t, text, err);
+      r->kind->join_tiles
+          ? r->kind->join_tiles(t->path, &t->tiling, tell_and_name, t, text,
+                                err)
+          : hsr_image_join_colour_tiles(t->path, &t->tiling, RGB, tell_and_name,
+                                        t, text, err);
   r->write += hsr_seconds_now() - begin;
   if (!status)
     remove_folder(t);

@@ -13,7 +13,7 @@
 #include "common/base/clock.h"
 #include "common/files/image.h"
 #include "common/files/json/json.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 #include "common/view/picture.h"
 
 #include <errno.h>
@@ -89,15 +89,15 @@ static enum hsr_status write_answer(const struct sheet *s,
   bool many = lines && lines->n > MANY_LINES;
   struct hsr_line_style style;
   hsr_line_style_plain(&style, many ? HSR_HIDDEN_NONE : HSR_HIDDEN_THIN);
-  struct hsr_showing showing = {.world = &s->stage.world,
-                                .view = &s->stage.view,
-                                .scene = s->stage.scene->name,
-                                .title = s->stage.scene->name,
-                                .description = answer->form.type->meaning,
-                                .supersamples = 1,
-                                .style = &style,
-                                .background = {.given = lines,
-                                               .rgb = {1, 1, 1}}};
+  struct hsr_showing showing = {
+      .world = &s->stage.world,
+      .view = &s->stage.view,
+      .scene = s->stage.scene->name,
+      .title = s->stage.scene->name,
+      .description = answer->form.type->meaning,
+      .supersamples = 1,
+      .style = &style,
+      .background = {.given = lines, .rgb = {1, 1, 1}}};
   struct hsr_shaded shaded = {.rgb = NULL};
   const struct hsr_answer_type *kind = answer->form.type;
   enum hsr_status status =

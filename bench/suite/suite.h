@@ -22,8 +22,8 @@ struct suite_row {
 /* Ended by .scene == NULL. */
 extern const struct suite_row suite_rows[];
 
-/* The name of a scene in the suite: "house-parallel-fit" of
- * "house@parallel=fit". */
+/* The name of a scene in the suite: "house-parallel-same" of
+ * "house@parallel=same". */
 enum { SUITE_NAME = 64 };
 void suite_name(const char *scene, char name[SUITE_NAME]);
 

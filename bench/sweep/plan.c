@@ -43,7 +43,8 @@ static enum hsr_status add_scene(struct plan *plan, const char *plain,
                                  struct hsr_error *err) {
   char name[MOST_AIMED_NAME];
   enum hsr_status status =
-      aim_name(&plan->options->camera, 1, plain, name, err);
+      aim_name(&plan->options->camera, 1, plan->options->m[0],
+               plan->options->n[0], plain, name, err);
   if (!status)
     status = check_scene_name(name, err);
   if (status)

@@ -162,13 +162,15 @@ static enum hsr_status shade_lines(struct player *p,
                                    unsigned char *rgb, struct hsr_error *err) {
   const size_t n = (size_t)view->m * (size_t)view->n;
   float *linear = malloc(3 * n * sizeof *linear);
-  const struct hsr_page page = {.width = 0};
+  const struct hsr_plot_subject subject = {
+      .drawing = hsr_answer_lines(&p->render.answer),
+      .world = &p->render.world,
+      .view = view};
+  const struct hsr_plot_look look = {.style = &p->options.style};
   struct hsr_plot plot = {.n_layers = 0};
   enum hsr_status status = linear ? HSR_OK : hsr_fail_nomem(err);
   if (!status)
-    status =
-        hsr_plot_init(&plot, hsr_answer_lines(&p->render.answer),
-                      &p->render.world, view, &p->options.style, &page, err);
+    status = hsr_plot_init(&plot, &subject, &look, err);
   plot.has_paper = true;
   if (!status)
     status = hsr_plot_raster(&plot, linear, err);

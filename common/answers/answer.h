@@ -27,6 +27,7 @@ extern "C" {
 
 struct hsr_answer_type;
 struct hsr_line_style;
+struct hsr_polygons;
 struct json_t; /* of jansson */
 
 /* What exactly is asked for: a kind and the values of its options. Two answers
@@ -107,10 +108,12 @@ struct hsr_showing {
   const char *scene, *title, *description;
   const char *text; /* "key=value" lines for a file's metadata, or NULL */
   enum hsr_shading shading;
-  bool depth;             /* depths are wanted as well */
-  int supersamples;       /* s: s x s samples are averaged; 1: none */
+  bool depth;       /* depths are wanted as well */
+  int supersamples; /* s: s x s samples are averaged; 1: none */
   const struct hsr_line_style *style; /* of line drawings; NULL: "screen" */
-  struct hsr_page page;               /* of drawings on paper */
+  const struct hsr_polygons *fill; /* faces under a line drawing; NULL: none */
+  bool hatch;                      /* faces on paper are hatched, not filled */
+  struct hsr_page page;            /* of drawings on paper */
   struct hsr_drawn *drawn; /* is set when a line drawing is written; NULL: it is
                               not asked for */
   /* Where there is no face, and behind splats: a linear colour; or nothing, in
@@ -135,7 +138,8 @@ void hsr_shaded_free(struct hsr_shaded *shaded);
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
-  HSR_LINES,       /* style */
+  HSR_LINES,       /* style, fill */
+  HSR_HATCH,       /* hatch */
   HSR_PALETTE,     /* of a grid */
   HSR_LIGHTING,    /* the view's light */
   HSR_BACKDROP,    /* background */

@@ -73,20 +73,33 @@ static void face_normal(const struct hsr_object *object, uint32_t f,
   }
 }
 
-/* Of each vertex of an object, the sum of its faces' normals. */
-static const double *vertex_normals(struct hsr_shades *s,
-                                    const struct hsr_object *object) {
-  double **normals = &s->normals[object - s->world->roster.scene->objects];
-  if (*normals)
-    return *normals;
-  *normals = HSR_NEW_ZEROED(s->arena, double, 3 * (size_t)object->n_vertices);
-  for (uint32_t f = 0; *normals && f < object->n_faces; f++) {
+/* Adds the normals of an object's faces to those of the vertices of its mesh. */
+static void add_normals(const struct hsr_object *object, double *normals) {
+  for (uint32_t f = 0; f < object->n_faces; f++) {
     double normal[3];
     face_normal(object, f, normal);
-    for (uint32_t i = object->start[f]; i < object->start[f + 1]; i++)
-      for (int k = 0; k < 3; k++)
-        (*normals)[3 * (size_t)object->vertex[i] + (size_t)k] += normal[k];
+    for (uint32_t i = object->start[f]; i < object->start[f + 1]; i++) {
+      const size_t v = hsr_mesh_vertex(object, object->vertex[i]);
+      for (size_t k = 0; k < 3; k++)
+        normals[3 * v + k] += normal[k];
+    }
   }
+}
+
+/* Of each vertex of an object's mesh, the sum of its faces' normals. The groups
+ * of a mesh have one array. */
+static const double *vertex_normals(struct hsr_shades *s,
+                                    const struct hsr_object *object) {
+  const struct hsr_group *group = &object->group;
+  const uint32_t n_groups = group->vertex ? group->of : 1;
+  const size_t n = group->vertex ? group->n_vertices : object->n_vertices;
+  const struct hsr_object *first = object - group->number;
+  double **normals = &s->normals[first - s->world->roster.scene->objects];
+  if (*normals)
+    return *normals;
+  *normals = HSR_NEW_ZEROED(s->arena, double, 3 * n);
+  for (uint32_t g = 0; *normals && g < n_groups; g++)
+    add_normals(&first[g], *normals);
   return *normals;
 }
 
@@ -115,10 +128,10 @@ static bool shade_corners(struct hsr_shades *s, const struct hsr_place *at,
   const float *own =
       object->rgb ? object->rgb + 3 * (size_t)at->face : object->colour;
   for (uint32_t k = 0; normals && k < 3; k++) {
-    size_t v = object->vertex[object->start[at->face] + k];
+    const uint32_t v = object->vertex[object->start[at->face] + k];
     double normal[3], corner[3];
-    place_normal(m, normals + 3 * v, normal);
-    hsr_instance_vertex(m, object->xyz + 3 * v, corner);
+    place_normal(m, normals + 3 * (size_t)hsr_mesh_vertex(object, v), normal);
+    hsr_instance_vertex(m, object->xyz + 3 * (size_t)v, corner);
     bool any = normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
     double light =
         hsr_picture_light(s->view, any ? normal : face->normal, corner);

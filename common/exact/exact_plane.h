@@ -23,24 +23,25 @@ template <class T> Vector3<T> point(const hsr_world *w, uint32_t v) {
 }
 
 // The plane N . (k P - S) = 0 of docs/correct-picture.md, where S is the sum of
-// the face's k vertices. `offset` is N . S.
+// the k vertices of the face, or of a polygon with the same plane. `offset` is
+// N . S.
 template <class T> struct FacePlane {
   Vector3<T> normal;
   T k, offset;
 
   // The plane of the vertices of face f. For a piece, pass its parent's world
   // and number.
-  FacePlane(const hsr_world *w, uint32_t f)
-      : normal(T(0), T(0), T(0)), k(double(hsr_face_size(w, f))) {
-    const uint32_t *vertex = w->mesh.vertex + w->mesh.start[f],
-                   n = hsr_face_size(w, f);
-    Vector3<T> first = point<T>(w, vertex[0]), sum = first;
-    for (uint32_t i = 1; i < n; i++) {
-      Vector3<T> a = point<T>(w, vertex[i]);
+  FacePlane(const hsr_world *w, uint32_t f) : normal(T(0), T(0), T(0)) {
+    const hsr_loop loop = hsr_spanning_loop(w, f);
+    k = T(double(loop.n));
+    Vector3<T> first = point<T>(w, loop.vertex[0]), sum = first;
+    for (uint32_t i = 1; i < loop.n; i++) {
+      Vector3<T> a = point<T>(w, loop.vertex[i]);
       sum = sum + a;
-      if (i + 1 < n)
-        normal = normal + CGAL::cross_product(
-                              a - first, point<T>(w, vertex[i + 1]) - first);
+      if (i + 1 < loop.n)
+        normal = normal +
+                 CGAL::cross_product(a - first,
+                                     point<T>(w, loop.vertex[i + 1]) - first);
     }
     offset = normal * sum;
   }
@@ -77,10 +78,10 @@ inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
 // Returns the exact side: +1 in front, -1 behind, 0 on the plane. May throw
 // std::bad_alloc.
 inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
-  if (hsr_on_plane(w, f, v))
-    return 0;
   if (const int side = rough_side(w, f, v))
     return side;
+  if (hsr_on_plane(w, f, v))
+    return 0;
   return CGAL::sign(FacePlane<Exact>(w, f).height(point<Exact>(w, v)));
 }
 

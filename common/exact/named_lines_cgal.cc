@@ -17,6 +17,11 @@
 //             of a x + b y + c is below 2^-48 (|a x| + |b y| + |c|), and 2^-900
 //             for what is lost below the least double. If a coordinate is not
 //             finite, no comparison holds, and integers decide.
+// Parity      row(v) of a point is det(F, R, U) times the difference of the two
+//             images' y, if v is before the eye. An edge between two rows, with
+//             both ends before the eye, crosses to the right of the point if
+//             both images are there. Two coordinates in doubles tell that if
+//             they differ by more than 2^-48 of their sizes.
 
 #include "common/exact/named_lines.h"
 #include "common/polygon/exact_numbers.h"
@@ -187,11 +192,20 @@ struct Hash_name {
 
 } // namespace
 
+// The coordinates of a point, in doubles.
+static void find_place(const Triple &exact, double at[2]) {
+  const long exponent = exponent_of(exact[2]);
+  const double w = rounded(exact[2], exponent);
+  for (size_t c = 0; c < 2; c++)
+    at[c] = rounded(exact[c], exponent) / w;
+}
+
 struct hsr_named_lines {
   const hsr_world *world;
   const hsr_view *view;
   Vector E, F, R, U;
   Exact m, n;
+  int orientation; // the sign of det(F, R, U)
   bool failed = false;
   uint64_t exact = 0;
 
@@ -209,7 +223,8 @@ struct hsr_named_lines {
       : world(w), view(v), E(hsr::vector<Exact>(v->E)),
         F(hsr::vector<Exact>(v->F)), R(hsr::vector<Exact>(v->R)),
         U(hsr::vector<Exact>(v->U)), m(double(v->m)), n(double(v->n)),
-        depth(w ? w->n_faces : 0), images(w ? w->mesh.n_vertices : 0) {}
+        orientation(CGAL::sign(det(F, R, U))), depth(w ? w->n_faces : 0),
+        images(w ? w->mesh.n_vertices : 0) {}
 
   // --- Functions -------------------------------------------------------------
 
@@ -358,18 +373,48 @@ struct hsr_named_lines {
                      dot(g, U));
   }
 
-  bool surrounds(uint32_t f, const Triple &at) const {
+  bool surrounds(uint32_t f, const Triple &at) {
     const hsr_loop loop = hsr_face_loop(world, f);
     const Ray ray = ray_of(at);
+    double place[2];
+    find_place(at, place);
+    const auto corner = [&](uint32_t k) {
+      return hsr::corner<Exact>(loop, k) - E;
+    };
+    const auto row = [&](uint32_t k) {
+      if (const int below = rough_order(place, loop.vertex[k], 1))
+        return -orientation * below;
+      exact++;
+      return row_sign(ray, corner(k));
+    };
     bool odd = false;
-    for (uint32_t k = 0; k < loop.n; k++) {
-      const Vector a = hsr::corner<Exact>(loop, k) - E,
-                   b = hsr::corner<Exact>(loop, (k + 1) % loop.n) - E;
-      const int row = row_sign(ray, a);
-      if (row != row_sign(ray, b) && edge_sign(ray, a, b) == -row)
-        odd = !odd;
+    int row_a = row(loop.n - 1);
+    for (uint32_t k = 0, l = loop.n - 1; k < loop.n; l = k++) {
+      const int row_b = row(k);
+      if (row_a != row_b) {
+        const int right_l = rough_order(place, loop.vertex[l], 0),
+                  right_k = rough_order(place, loop.vertex[k], 0);
+        if (right_l && right_l == right_k) {
+          odd ^= right_l > 0;
+        } else {
+          exact++;
+          odd ^= edge_sign(ray, corner(l), corner(k)) == -row_a;
+        }
+      }
+      row_a = row_b;
     }
     return odd;
+  }
+
+  // The sign of the difference of a coordinate between a vertex's image and a
+  // point, if the vertex is before the eye and doubles make it certain; else 0.
+  int rough_order(const double place[2], uint32_t vertex, int axis) {
+    const Image &of = image_of(vertex);
+    if (of.w <= 0)
+      return 0;
+    const double own = point_at(of.point).at[axis], at = place[axis];
+    const double bound = SIDE_ERROR * (std::fabs(own) + std::fabs(at)) + LOST;
+    return own - at > bound ? 1 : own - at < -bound ? -1 : 0;
   }
 
   std::array<Exact, 3> border(uint32_t side) const {
@@ -450,6 +495,19 @@ struct hsr_named_lines {
     }
   }
 
+  const Image &image_of(uint32_t vertex) {
+    Image &made = images[vertex];
+    if (made.known)
+      return made;
+    const std::array<Exact, 3> value = image(vertex);
+    made.w = CGAL::sign(value[2]);
+    made.toward[0] = CGAL::sign(value[0]);
+    made.toward[1] = CGAL::sign(value[1]);
+    made.point = add_point(integers_of(value), HSR_NO_LINE, HSR_NO_LINE);
+    made.known = true;
+    return made;
+  }
+
   uint32_t add_crossing(uint32_t k, uint32_t l) {
     return add_point(cross(line_at(k).exact, line_at(l).exact), k, l);
   }
@@ -464,10 +522,7 @@ struct hsr_named_lines {
     if (found != point_by_value.end())
       return found->second;
     Point made = {value, {0, 0}, {k, l}};
-    const long exponent = exponent_of(value[2]);
-    const double w = rounded(value[2], exponent);
-    for (size_t c = 0; c < 2; c++)
-      made.at[c] = rounded(value[c], exponent) / w;
+    find_place(value, made.at);
     const uint32_t number = uint32_t(point.size());
     point.push_back(made);
     point_by_value.emplace(value, number);
@@ -589,17 +644,7 @@ uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
                           uint32_t k, int *w, int toward[2]) {
   try {
     const hsr_mesh &mesh = lines->world->mesh;
-    const uint32_t vertex = mesh.vertex[mesh.start[face] + k];
-    Image &image = lines->images[vertex];
-    if (!image.known) {
-      const std::array<Exact, 3> value = lines->image(vertex);
-      image.w = CGAL::sign(value[2]);
-      image.toward[0] = CGAL::sign(value[0]);
-      image.toward[1] = CGAL::sign(value[1]);
-      image.point =
-          lines->add_point(integers_of(value), HSR_NO_LINE, HSR_NO_LINE);
-      image.known = true;
-    }
+    const Image &image = lines->image_of(mesh.vertex[mesh.start[face] + k]);
     *w = image.w;
     toward[0] = image.toward[0];
     toward[1] = image.toward[1];
@@ -615,8 +660,7 @@ uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
 bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
                         uint32_t p, uint32_t q) {
   try {
-    const Triple &a = lines->point_at(p).exact, &b = lines->point_at(q).exact;
-    lines->exact++;
+    const Triple a = lines->point_at(p).exact, b = lines->point_at(q).exact;
     return lines->surrounds(face,
                             {a[0] * b[2] + b[0] * a[2],
                              a[1] * b[2] + b[1] * a[2], Gmpz(2) * a[2] * b[2]});

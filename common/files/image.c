@@ -86,9 +86,8 @@ enum hsr_status hsr_image_write_tile(const char *path,
                                      const char *text, struct hsr_error *err) {
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
-  return status
-             ? status
-             : images->write_tile(path, tiling, number, false, ids, text, err);
+  return status ? status
+                : images->write_tile(path, tiling, number, 1, ids, text, err);
 }
 
 enum hsr_status hsr_image_join_tiles(const char *path,
@@ -98,32 +97,33 @@ enum hsr_status hsr_image_join_tiles(const char *path,
                                      struct hsr_error *err) {
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
-  return status
-             ? status
-             : images->join_tiles(path, tiling, false, name, whom, text, err);
+  return status ? status
+                : images->join_tiles(path, tiling, 1, name, whom, text, err);
 }
 
 enum hsr_status hsr_image_write_colour_tile(const char *path,
                                             const struct hsr_tile_grid *tiling,
-                                            long number, const float *rgb,
+                                            long number, int channels,
+                                            const float *pixels,
                                             const char *text,
                                             struct hsr_error *err) {
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
-  return status
-             ? status
-             : images->write_tile(path, tiling, number, true, rgb, text, err);
+  return status ? status
+                : images->write_tile(path, tiling, number, channels, pixels,
+                                     text, err);
 }
 
 enum hsr_status
 hsr_image_join_colour_tiles(const char *path,
-                            const struct hsr_tile_grid *tiling,
+                            const struct hsr_tile_grid *tiling, int channels,
                             const char *(*name)(void *whom, long k), void *whom,
                             const char *text, struct hsr_error *err) {
   const struct hsr_image_library *images;
   enum hsr_status status = load(&images, err);
   return status ? status
-                : images->join_tiles(path, tiling, true, name, whom, text, err);
+                : images->join_tiles(path, tiling, channels, name, whom, text,
+                                     err);
 }
 
 enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],

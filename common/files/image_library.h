@@ -21,14 +21,14 @@ struct hsr_image_library {
   enum hsr_status (*read_numbers)(const char *path, const char *channel,
                                   struct hsr_npy *numbers,
                                   struct hsr_error *err);
-  /* If `colours`, pixels are 3 floats each; else they are ids of 32 bits. */
+  /* Pixels are 3 or 4 floats each; or, of one channel, ids of 32 bits. */
   enum hsr_status (*write_tile)(const char *path,
                                 const struct hsr_tile_grid *tiling, long number,
-                                bool colours, const void *pixels,
+                                int channels, const void *pixels,
                                 const char *text, struct hsr_error *err);
   enum hsr_status (*join_tiles)(const char *path,
                                 const struct hsr_tile_grid *tiling,
-                                bool colours,
+                                int channels,
                                 const char *(*name)(void *whom, long k),
                                 void *whom, const char *text,
                                 struct hsr_error *err);

@@ -462,9 +462,10 @@ struct Content {
   TypeDesc type;
   size_t size; /* bytes a pixel */
 };
-Content content_of(bool colours) {
-  return colours ? Content{3, TypeDesc::FLOAT, 3 * sizeof(float)}
-                 : Content{1, TypeDesc::UINT32, sizeof(uint32_t)};
+Content content_of(int channels) {
+  return channels > 1 ? Content{channels, TypeDesc::FLOAT,
+                                size_t(channels) * sizeof(float)}
+                      : Content{1, TypeDesc::UINT32, sizeof(uint32_t)};
 }
 
 /* A window of a picture. */
@@ -480,8 +481,10 @@ ImageSpec spec_of_window(const hsr_tile_grid &tiling, const hsr_window &window,
   spec.tile_width = spec.tile_height = HSR_TILE_GRAIN;
   if (content.channels == 1)
     spec.channelnames = {"id"};
-  else
+  else if (content.channels == 3)
     spec.channelnames = {"R", "G", "B"};
+  else
+    spec.channelnames = {"R", "G", "B", "A"};
   /* Of the levels the fastest for ids; it takes half the time of the standard
    * one, and half as many bytes more. */
   spec.attribute("compression", "zip:2");
@@ -490,12 +493,12 @@ ImageSpec spec_of_window(const hsr_tile_grid &tiling, const hsr_window &window,
 }
 
 enum hsr_status write_tile(const char *path, const struct hsr_tile_grid *tiling,
-                           long number, bool colours, const void *pixels,
+                           long number, int channels, const void *pixels,
                            const char *text, struct hsr_error *err) {
   return guarded(
       [&] {
         const hsr_window tile = hsr_tile_window(tiling, number);
-        const Content content = content_of(colours);
+        const Content content = content_of(channels);
         write_file(path, spec_of_window(*tiling, tile, content, text),
                    content.type, pixels);
       },
@@ -567,13 +570,13 @@ void join(const std::string &part, const std::string &path,
 }
 
 enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
-                           bool colours,
+                           int channels,
                            const char *(*name)(void *whom, long k), void *whom,
                            const char *text, struct hsr_error *err) {
   const std::string part = std::string(path) + ".part";
   enum hsr_status status = guarded(
       [&] {
-        join(part, path, *tiling, content_of(colours), name, whom, text);
+        join(part, path, *tiling, content_of(channels), name, whom, text);
         if (std::rename(part.c_str(), path))
           throw failure(path, std::strerror(errno));
       },

@@ -39,6 +39,14 @@ struct hsr_drawing {
   size_t n, room; /* intervals, and how many there is room for */
 };
 
+/* What else is known of the intervals of a drawing, for files. All borrowed. */
+struct hsr_drawing_facts {
+  const unsigned char *line_class; /* by interval: a number of class_name */
+  const uint32_t *object;          /* by interval: a number of object_name */
+  const char *const *class_name, *const *object_name; /* UTF-8, or nearly */
+  size_t n_classes, n_objects;
+};
+
 /* How the hidden parts of edges are shown. */
 enum hsr_hidden {
   HSR_HIDDEN_NONE,   /* left out */

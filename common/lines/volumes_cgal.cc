@@ -276,8 +276,9 @@ private:
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> number;
     for (uint32_t f = 0; f < n; f++) {
       const uint32_t set = sets.find(f);
-      const auto key =
-          std::make_pair(world_->mesh.instance[f], closed[set] ? set + 1 : 0);
+      const auto key = closed[set]
+                           ? std::make_pair(set, uint32_t{1})
+                           : std::make_pair(world_->mesh.instance[f], 0u);
       const auto found = number.insert({key, uint32_t(bodies.size())});
       if (found.second)
         bodies.push_back({{}, {}, closed[set]});

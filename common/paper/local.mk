@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 libcore_a_SOURCES += \
-  %D%/cells.h \
   %D%/dashes.c \
   %D%/dashes.h \
-  %D%/line_class.c \
-  %D%/line_class.h \
-  %D%/line_faces.cc \
-  %D%/line_faces.h \
-  %D%/line_style.c \
-  %D%/line_style.h \
-  %D%/line_style_json.c \
-  %D%/lines.cc \
-  %D%/lines.h \
+  %D%/hatch.c \
+  %D%/hatch.h \
   %D%/page.c \
   %D%/page.h \
   %D%/pen_travel.c \
-  %D%/places.cc \
-  %D%/places.h \
   %D%/plot.c \
   %D%/plot.h \
   %D%/plot_cairo.c \
   %D%/plot_dxf.cc \
   %D%/plot_files.h \
   %D%/plot_svg.c \
+  %D%/shared_sides.c \
+  %D%/shared_sides.h \
+  %D%/sheet.c \
+  %D%/sheet.h \
   %D%/strokes.c \
   %D%/strokes.h

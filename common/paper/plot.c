@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/paper/plot.h"
 #include "common/files/suffix.h"
-#include "common/paper/lines.h"
+#include "common/paper/hatch.h"
+#include "common/paper/lines/lines.h"
 #include "common/paper/plot_files.h"
 
 #include <float.h>
@@ -85,6 +86,13 @@ static enum hsr_status make_groups(struct hsr_plot *plot, const uint64_t *key,
 
 /* --- Strokes -------------------------------------------------------------- */
 
+static void widen_box(const double at[2], double low[2], double high[2]) {
+  for (int c = 0; c < 2; c++) {
+    low[c] = at[c] < low[c] ? at[c] : low[c];
+    high[c] = at[c] > high[c] ? at[c] : high[c];
+  }
+}
+
 /* The box of what is drawn, in pixels of the picture. */
 static void find_box(const double (*at)[2], size_t n, double low[2],
                      double high[2]) {
@@ -93,19 +101,20 @@ static void find_box(const double (*at)[2], size_t n, double low[2],
     high[c] = -DBL_MAX;
   }
   for (size_t k = 0; k < n; k++)
-    for (int c = 0; c < 2; c++) {
-      low[c] = at[k][c] < low[c] ? at[k][c] : low[c];
-      high[c] = at[k][c] > high[c] ? at[k][c] : high[c];
-    }
+    widen_box(at[k], low, high);
 }
 
+/* The lines' places are those of the picture before, and of the page after. */
 static enum hsr_status lay_out(struct hsr_plot *plot,
-                               const struct hsr_view *view,
+                               const struct hsr_plot_subject *subject,
                                struct hsr_error *err) {
+  const struct hsr_polygons *polygons = subject->polygons;
   double low[2], high[2];
-  find_box(plot->strokes.at, plot->strokes.n_at, low, high);
-  enum hsr_status status =
-      hsr_page_lay_out(&plot->page, view, low, high, &plot->layout, err);
+  find_box((const double(*)[2])plot->strokes.at, plot->strokes.n_at, low, high);
+  for (size_t k = 0; polygons && k < polygons->n_sides; k++)
+    widen_box(polygons->side[k].at, low, high);
+  enum hsr_status status = hsr_page_lay_out(&plot->page, subject->view, low,
+                                            high, &plot->layout, err);
   if (status)
     return status;
   const struct hsr_layout *l = &plot->layout;
@@ -160,57 +169,65 @@ static enum hsr_status join_lines(struct hsr_plot *plot,
   return status;
 }
 
-enum hsr_status
-hsr_plot_init(struct hsr_plot *plot, const struct hsr_drawing *drawing,
-              const struct hsr_world *world, const struct hsr_view *view,
-              const struct hsr_line_style *style, const struct hsr_page *page,
-              struct hsr_error *err) {
-  const struct hsr_scene *scene = world->roster.scene;
+static enum hsr_status add_lines(struct hsr_plot *plot,
+                                 const struct hsr_plot_subject *subject,
+                                 const struct hsr_line_style *style,
+                                 struct hsr_error *err) {
+  const struct hsr_scene *scene = subject->world->roster.scene;
   struct hsr_paper_lines lines = {.n = 0};
-  *plot = (struct hsr_plot){.page = *page,
-                            .m = view->m,
-                            .n = view->n,
-                            .cuts_dashes = style->cuts_dashes,
-                            .paper = {1, 1, 1}};
   enum hsr_status status = hsr_line_pens_init(&plot->pens, style, scene, err);
   if (!status)
-    status = hsr_lines_find(&lines, drawing, world, view, style->crease,
-                            &plot->pens, err);
+    status = hsr_lines_find(&lines, subject->drawing, subject->world,
+                            subject->view, style->crease, &plot->pens, err);
   if (!status)
     status = join_lines(plot, &lines, style, scene, err);
   hsr_lines_free(&lines);
+  return status;
+}
+
+/* The colours of regions. */
+static enum hsr_status add_faces(struct hsr_plot *plot,
+                                 const struct hsr_plot_subject *subject,
+                                 enum hsr_shading shading,
+                                 struct hsr_error *err) {
+  const struct hsr_polygons *polygons = subject->polygons;
+  plot->polygons = polygons;
+  plot->fill = malloc((polygons->n_regions + 1) * sizeof *plot->fill);
+  if (!plot->fill)
+    return hsr_fail_nomem(err);
+  for (size_t r = 0; r < polygons->n_regions; r++)
+    hsr_picture_colour(subject->world, subject->view, polygons->region[r].face,
+                       shading, plot->fill[r].rgb);
+  return hsr_shared_sides_find(&plot->shared, polygons, err);
+}
+
+enum hsr_status hsr_plot_init(struct hsr_plot *plot,
+                              const struct hsr_plot_subject *subject,
+                              const struct hsr_plot_look *look,
+                              struct hsr_error *err) {
+  const struct hsr_view *view = subject->view;
+  *plot = (struct hsr_plot){.page = look->page,
+                            .m = view->m,
+                            .n = view->n,
+                            .cuts_dashes = look->style->cuts_dashes,
+                            .paper = {1, 1, 1}};
+  enum hsr_status status = HSR_OK;
+  if (subject->drawing)
+    status = add_lines(plot, subject, look->style, err);
+  if (!status && subject->polygons && !look->hatch)
+    status = add_faces(plot, subject, look->shading, err);
+  if (!status && plot->polygons && !subject->drawing)
+    hsr_picture_colour(subject->world, view, HSR_BACKGROUND, look->shading,
+                       plot->paper);
   if (!status)
-    status = lay_out(plot, view, err);
-  if (!status && style->by_pen_travel)
+    status = lay_out(plot, subject, err);
+  if (!status && subject->polygons && look->hatch)
+    status = hsr_plot_hatch(plot, subject, err);
+  if (!status && look->style->by_pen_travel)
     status = hsr_strokes_order(&plot->strokes, err);
   if (!status)
     find_groups(plot);
   return status;
-}
-
-enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
-                                       const struct hsr_polygons *polygons,
-                                       const struct hsr_world *world,
-                                       const struct hsr_view *view,
-                                       enum hsr_shading shading,
-                                       const struct hsr_page *page,
-                                       struct hsr_error *err) {
-  *plot = (struct hsr_plot){
-      .page = *page,
-      .m = view->m,
-      .n = view->n,
-      .polygons = polygons,
-      .fill = malloc((polygons->n_regions + 1) * sizeof *plot->fill),
-      .has_paper = true};
-  if (!plot->fill)
-    return hsr_fail_nomem(err);
-  for (size_t r = 0; r < polygons->n_regions; r++)
-    hsr_picture_colour(world, view, polygons->region[r].face, shading,
-                       plot->fill[r].rgb);
-  hsr_picture_colour(world, view, HSR_BACKGROUND, shading, plot->paper);
-  const double all[2] = {view->m, view->n};
-  return hsr_page_lay_out(page, view, (const double[]){0, 0}, all,
-                          &plot->layout, err);
 }
 
 void hsr_plot_free(struct hsr_plot *plot) {
@@ -219,6 +236,7 @@ void hsr_plot_free(struct hsr_plot *plot) {
   free(plot->layer);
   free(plot->group);
   free(plot->fill);
+  hsr_shared_sides_free(&plot->shared);
   *plot = (struct hsr_plot){.n_layers = 0};
 }
 

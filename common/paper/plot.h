@@ -4,7 +4,7 @@
  *
  * Page        x to the right and y down, in pixels of 1/96 inch.
  * Rounded     places are for the eye and the pen only. They are the nodes of
- *             common/paper/lines.h, rounded.
+ *             common/paper/lines/lines.h, rounded.
  * Layers      groups of strokes that people want to show, hide or cut apart.
  *             Each has groups of one pen. */
 #ifndef HSR_COMMON_PAPER_PLOT_H
@@ -12,8 +12,9 @@
 
 #include "common/lines/drawing.h"
 #include "common/lines/polygons.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 #include "common/paper/page.h"
+#include "common/paper/shared_sides.h"
 #include "common/paper/strokes.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"
@@ -54,9 +55,10 @@ struct hsr_plot {
   struct hsr_strokes strokes; /* on the page */
   bool cuts_dashes;
 
-  const struct hsr_polygons *polygons; /* drawn below the strokes; borrowed;
+  const struct hsr_polygons *polygons; /* filled below the strokes; borrowed;
                                           NULL: none */
   struct hsr_fill *fill;               /* by region of the polygons */
+  struct hsr_shared_sides shared;      /* of the polygons: drawn beneath them */
   bool has_paper;                      /* a sheet is drawn */
   float paper[3];                      /* its colour, linear, 0..1 */
 
@@ -65,24 +67,30 @@ struct hsr_plot {
   const char *title, *description; /* NULL; the caller may set them; borrowed */
 };
 
-/* Lays out a drawing of the whole view, each line once. *plot is written in
- * full, and is freed with hsr_plot_free also after a failure. HSR_E_USAGE as
- * hsr_page_lay_out; HSR_E_NOMEM. */
-enum hsr_status
-hsr_plot_init(struct hsr_plot *plot, const struct hsr_drawing *drawing,
-              const struct hsr_world *world, const struct hsr_view *view,
-              const struct hsr_line_style *style, const struct hsr_page *page,
-              struct hsr_error *err);
-/* Lays out visible polygons, which are borrowed, in the colours of `shading`;
- * the paper has that of the background. Freed in the same way. Errors
- * likewise. */
-enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
-                                       const struct hsr_polygons *polygons,
-                                       const struct hsr_world *world,
-                                       const struct hsr_view *view,
-                                       enum hsr_shading shading,
-                                       const struct hsr_page *page,
-                                       struct hsr_error *err);
+/* What is laid out: lines, faces, or lines over faces. All borrowed. */
+struct hsr_plot_subject {
+  const struct hsr_drawing *drawing;   /* of the whole view; NULL: no lines */
+  const struct hsr_polygons *polygons; /* NULL: no faces */
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+};
+
+/* How. */
+struct hsr_plot_look {
+  const struct hsr_line_style *style; /* not NULL */
+  struct hsr_page page;
+  enum hsr_shading shading; /* of faces */
+  bool hatch;               /* faces are hatched, not filled: hatch.h */
+};
+
+/* Lays out a subject, each line once. Without lines the paper has the colour of
+ * the background; else it is white. *plot is written in full, and is freed with
+ * hsr_plot_free also after a failure. HSR_E_USAGE as hsr_page_lay_out;
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_plot_init(struct hsr_plot *plot,
+                              const struct hsr_plot_subject *subject,
+                              const struct hsr_plot_look *look,
+                              struct hsr_error *err);
 
 /* Frees what the plot owns. */
 void hsr_plot_free(struct hsr_plot *plot);

@@ -100,6 +100,23 @@ static void fill_region(cairo_t *cairo, const struct hsr_polygons *p,
   cairo_fill(cairo);
 }
 
+/* Beneath the regions. A pixel of the page is `hair` of the picture's. */
+static void draw_shared(cairo_t *cairo, const struct hsr_plot *plot,
+                        double hair) {
+  const struct hsr_shared_sides *shared = &plot->shared;
+  cairo_set_line_width(cairo, hair * HSR_HAIRLINE);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+  for (size_t k = 0; k < shared->n; k++) {
+    const struct hsr_shared_side *side = &shared->side[k];
+    if (!k || side->region != side[-1].region)
+      set_colour(cairo, plot->fill[side->region].rgb);
+    cairo_move_to(cairo, side->from[0], side->from[1]);
+    cairo_line_to(cairo, side->to[0], side->to[1]);
+    if (k + 1 == shared->n || side[1].region != side->region)
+      cairo_stroke(cairo);
+  }
+}
+
 static void fill_regions(cairo_t *cairo, const struct hsr_plot *plot) {
   cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
   for (size_t r = 0; r < plot->polygons->n_regions; r++) {
@@ -123,6 +140,7 @@ static enum hsr_status draw(const struct hsr_plot *plot,
     cairo_save(cairo);
     cairo_translate(cairo, l->left, l->top);
     cairo_scale(cairo, l->scale, l->scale);
+    draw_shared(cairo, plot, 1 / l->scale);
     fill_regions(cairo, plot);
     cairo_restore(cairo);
   }

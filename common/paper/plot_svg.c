@@ -198,6 +198,26 @@ static void put_region(FILE *out, const struct hsr_plot *plot, size_t r) {
   fputs("\"/>\n", out);
 }
 
+/* The hairlines beneath the regions, a path for each region. */
+static void put_shared(FILE *out, const struct hsr_plot *plot) {
+  const struct hsr_shared_sides *shared = &plot->shared;
+  fputs("<g id=\"joints\" fill=\"none\" stroke-width=\"", out);
+  put_number(out, 1000 * HSR_HAIRLINE);
+  fputs("\">\n", out);
+  for (size_t k = 0; k < shared->n;) {
+    const size_t region = shared->side[k].region;
+    fputs("<path stroke=\"", out);
+    put_colour(out, plot->fill[region].rgb);
+    fputs("\" d=\"", out);
+    for (; k < shared->n && shared->side[k].region == region; k++) {
+      put_place(out, 'M', place_of(plot, shared->side[k].from));
+      put_place(out, 'L', place_of(plot, shared->side[k].to));
+    }
+    fputs("\"/>\n", out);
+  }
+  fputs("</g>\n", out);
+}
+
 static void put_regions(FILE *out, const struct hsr_plot *plot) {
   fputs("<g id=\"faces\" fill-rule=\"evenodd\">\n", out);
   for (size_t r = 0; r < plot->polygons->n_regions; r++)
@@ -244,8 +264,10 @@ static enum hsr_status put_plot(FILE *out, const struct hsr_plot *plot,
     put_colour(out, plot->paper);
     fputs("\"/>\n", out);
   }
-  if (plot->polygons)
+  if (plot->polygons) {
+    put_shared(out, plot);
     put_regions(out, plot);
+  }
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < plot->n_layers && !status; k++)
     status = put_layer(out, plot, &plot->layer[k], dashes, err);

@@ -62,27 +62,42 @@ static void move_face(struct hsr_object *object, uint32_t from,
     object->face_opacity[to] = object->face_opacity[from];
 }
 
+/* Moves the marks up to face f: the next face that is kept will be number
+ * `kept`. */
+static void move_marks(struct hsr_face_marks *left, uint32_t f, uint32_t kept) {
+  for (; left->n && *left->face <= f; left->n--)
+    *left->face++ = kept;
+}
+
 enum hsr_status hsr_object_leave_out_flat(struct hsr_object *object,
-                                          int threads, uint64_t *n) {
+                                          int threads,
+                                          struct hsr_face_marks marks,
+                                          uint64_t *n) {
   enum { RANGE = 4096 }; /* faces that a thread takes at a time */
   struct search search = {.object = object};
   const uint32_t n_faces = object->n_faces;
   uint32_t kept = hsr_share_search(threads, n_faces, RANGE, find_flat, &search);
-  for (uint32_t f = kept; f < n_faces; f++)
+  for (; marks.n && *marks.face < kept; marks.n--)
+    marks.face++; /* those before the first flat face stay */
+  for (uint32_t f = kept; f < n_faces; f++) {
+    move_marks(&marks, f, kept);
     if (!is_flat(&search, f))
       move_face(object, f, object->start[f],
                 object->start[f + 1] - object->start[f], kept++);
+  }
+  move_marks(&marks, n_faces, kept);
   object->n_faces = kept;
   *n = n_faces - kept;
   return atomic_load(&search.out_of_memory) ? HSR_E_NOMEM : HSR_OK;
 }
 
 void hsr_object_change_vertices(struct hsr_object *object, const uint32_t *to,
-                                uint64_t *n) {
+                                struct hsr_face_marks marks, uint64_t *n) {
   const uint32_t n_faces = object->n_faces;
   uint32_t kept = 0, first = 0;
   for (uint32_t f = 0; f < n_faces; f++) {
     const uint32_t end = object->start[f + 1];
+    move_marks(&marks, f, kept);
     for (uint32_t k = first; k < end; k++)
       object->vertex[k] = to[object->vertex[k]];
     const size_t left = hsr_ring_tidy(object->vertex + first, end - first);
@@ -90,6 +105,7 @@ void hsr_object_change_vertices(struct hsr_object *object, const uint32_t *to,
       move_face(object, f, first, (uint32_t)left, kept++);
     first = end;
   }
+  move_marks(&marks, n_faces, kept);
   object->n_faces = kept;
   *n = n_faces - kept;
 }

@@ -7,6 +7,7 @@ libcore_a_SOURCES += \
   %D%/part.h \
   %D%/pieces.h \
   %D%/scene.h \
+  %D%/standard.h \
   %D%/unused.h \
   %D%/world.h
 libcore_a_SOURCES += \

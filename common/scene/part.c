@@ -93,6 +93,8 @@ static enum hsr_status move_object(struct cut *cut, uint32_t o) {
   free(to->name);
   free(to->start);
   *to = cut->from->objects[o];
+  free(to->group.vertex); /* of a part, no object is a group */
+  to->group = empty.group;
   cut->from->objects[o] = empty;
   cut->object = o;
   cut->moved = cut->to->n_objects - 1;

@@ -49,7 +49,7 @@ void hsr_scene_part_set(struct hsr_scene_part *part, uint32_t all);
  * views, and frees the other faces. Sets first, n_faces and all of *part. The
  * face with id first + k gets id k. A grid becomes faces, unless
  * part->keeps_grid. A part may have no face. What is known of motions is
- * dropped. HSR_E_NOMEM. */
+ * dropped, and no object is a group of a mesh any more. HSR_E_NOMEM. */
 enum hsr_status hsr_scene_cut(struct hsr_scene *scene,
                               struct hsr_scene_part *part,
                               struct hsr_error *err);

@@ -90,13 +90,13 @@ static inline uint32_t hsr_world_parent(const struct hsr_world *world,
   return world->pieces ? world->pieces->parent[f] : f;
 }
 
-/* Returns the polygon that defines the plane of face f: the face itself or, in
- * a world of pieces, its parent. The world must be laid out. */
+/* Returns a polygon that defines the plane of face f: that of the face itself
+ * or, in a world of pieces, of its parent. The world must be laid out. */
 static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
                                              uint32_t f) {
   const struct hsr_pieces *pieces = world->pieces;
-  return pieces ? hsr_face_loop(pieces->whole, pieces->parent[f])
-                : hsr_face_loop(world, f);
+  return pieces ? hsr_spanning_loop(pieces->whole, pieces->parent[f])
+                : hsr_spanning_loop(world, f);
 }
 
 #pragma GCC visibility pop

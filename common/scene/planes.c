@@ -23,7 +23,12 @@
  * anchor's times |N|_1, one rounding of the difference, and three of the
  * products and sums. All are added and doubled. If that leaves open whether
  * every vertex is on the plane, the exact predicate decides; for a
- * quadrilateral, it decides whether the four vertices are coplanar. */
+ * quadrilateral, it decides whether the four vertices are coplanar.
+ *
+ * Spans. The exact plane of a flat face takes as long as the face has corners,
+ * and it may be asked for as often as there are other faces. So three corners
+ * far from one another stand for many. Doubles choose them, and exact numbers
+ * check that their normal is not zero and which way it points. */
 #include "common/scene/planes.h"
 #include "common/base/numbers.h"
 #include "common/base/share.h"
@@ -244,10 +249,110 @@ void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
   world->mesh.deviation[f] = find_deviation(world, f, out_of_memory);
 }
 
+/* --- Spans ---------------------------------------------------------------- */
+
+/* From vertex v to vertex w. */
+static void way_to(const struct hsr_mesh *mesh, uint32_t v, uint32_t w,
+                   double way[3]) {
+  way[0] = mesh->x[w] - mesh->x[v];
+  way[1] = mesh->y[w] - mesh->y[v];
+  way[2] = mesh->z[w] - mesh->z[v];
+}
+
+static double sum_of_squares(const double v[3]) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+/* Finds a span of face f, which is flat. False if doubles do not lead to one.
+ */
+static bool find_span(const struct hsr_world *world, uint32_t f,
+                      struct hsr_span *span, bool *out_of_memory) {
+  const struct hsr_mesh *mesh = &world->mesh;
+  const uint32_t *vertex = mesh->vertex + mesh->start[f];
+  uint32_t n = hsr_face_size(world, f), *v = span->vertex;
+  span->face = f;
+  v[0] = v[1] = v[2] = vertex[0];
+  double way[3], side[3], most = 0;
+  for (uint32_t k = 1; k < n; k++) {
+    way_to(mesh, v[0], vertex[k], way);
+    if (sum_of_squares(way) > most) {
+      most = sum_of_squares(way);
+      v[1] = vertex[k];
+    }
+  }
+  way_to(mesh, v[0], v[1], side);
+  most = 0;
+  for (uint32_t k = 1; k < n; k++) {
+    double normal[3], size[3];
+    way_to(mesh, v[0], vertex[k], way);
+    cross(side, way, normal, size);
+    if (sum_of_squares(normal) > most) {
+      most = sum_of_squares(normal);
+      v[2] = vertex[k];
+    }
+  }
+  const double normal[3] = {fabs(mesh->nx[f]), fabs(mesh->ny[f]),
+                            fabs(mesh->nz[f])};
+  int axis = normal[0] >= normal[1] && normal[0] >= normal[2] ? 0
+             : normal[1] >= normal[2]                         ? 1
+                                                              : 2;
+  struct hsr_loop three = hsr_face_loop(world, f);
+  three.vertex = v;
+  three.n = 3;
+  int own = hsr_exact_normal_sign(hsr_face_loop(world, f), axis, out_of_memory),
+      found = hsr_exact_normal_sign(three, axis, out_of_memory);
+  if (own && found == -own) {
+    uint32_t swapped = v[1];
+    v[1] = v[2];
+    v[2] = swapped;
+  }
+  return own && found;
+}
+
+/* Finds the spans of all flat faces with many corners. HSR_E_NOMEM. */
+static enum hsr_status find_spans(struct hsr_world *world) {
+  struct hsr_mesh *mesh = &world->mesh;
+  bool out_of_memory = false;
+  uint32_t n = 0;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    n += hsr_face_size(world, f) > HSR_SMALL_FACE && mesh->deviation[f] == 0;
+  mesh->span = n ? HSR_NEW(&world->arena, struct hsr_span, n) : NULL;
+  if (n && !mesh->span)
+    return HSR_E_NOMEM;
+  for (uint32_t f = 0; n && f < world->n_faces; f++)
+    if (hsr_face_size(world, f) > HSR_SMALL_FACE && mesh->deviation[f] == 0)
+      mesh->n_spans +=
+          find_span(world, f, &mesh->span[mesh->n_spans], &out_of_memory);
+  return out_of_memory ? HSR_E_NOMEM : HSR_OK;
+}
+
+struct hsr_loop hsr_spanning_loop(const struct hsr_world *world, uint32_t f) {
+  struct hsr_loop loop = hsr_face_loop(world, f);
+  if (loop.n <= HSR_SMALL_FACE)
+    return loop;
+  const struct hsr_span *span = world->mesh.span;
+  uint32_t k = 0, end = world->mesh.n_spans;
+  while (k <
+         end) { /* all before k are of lesser faces, from end on of others */
+    uint32_t middle = k + (end - k) / 2;
+    if (span[middle].face < f)
+      k = middle + 1;
+    else
+      end = middle;
+  }
+  if (k < world->mesh.n_spans && span[k].face == f) {
+    loop.vertex = span[k].vertex;
+    loop.n = 3;
+  }
+  return loop;
+}
+
 enum hsr_status hsr_world_find_planes(struct hsr_world *world,
                                       struct hsr_error *err) {
   enum hsr_status status = find_all(world, err);
   if (status)
     return status;
-  return hsr_world_classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
+  return hsr_world_classify_planes(world) || find_spans(world)
+             ? hsr_fail_nomem(err)
+             : HSR_OK;
 }

@@ -8,6 +8,7 @@
 #include "common/scene/motion.h"
 #include "common/scene/part.h"
 #include "common/scene/planes.h"
+#include "common/scene/standard.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -42,6 +43,7 @@ static void object_free(struct hsr_object *object) {
   free(object->vertex);
   free(object->rgb);
   free(object->face_opacity);
+  free(object->group.vertex);
 }
 
 void hsr_scene_delete(struct hsr_scene *scene) {
@@ -91,7 +93,7 @@ struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name) {
   if (!reserve(&scene->objects, &scene->cap_objects, scene->n_objects + 1,
                sizeof *scene->objects))
     return NULL;
-  struct hsr_object object = {.colour = {0.6f, 0.6f, 0.6f}, .opacity = 1};
+  struct hsr_object object = {.colour = HSR_STANDARD_COLOUR, .opacity = 1};
   object.name = strdup(name);
   object.start = malloc(16 * sizeof *object.start);
   if (!object.name || !object.start) {

@@ -33,6 +33,20 @@ extern "C" {
 enum hsr_scene_subject { HSR_FACES, HSR_GRID, HSR_N_SCENE_SUBJECTS };
 extern const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS];
 
+/* Of an object that is a group of a mesh: how it shares vertices with the other
+ * groups. The groups of a mesh are objects that follow one another. They are in
+ * one frame. While they are placed alike and none moves, a vertex of the mesh is
+ * one vertex of the world. So an edge between two groups is one edge, with a
+ * face on either side. */
+struct hsr_group {
+  uint32_t
+      *vertex;    /* by vertex of the object: its number in the mesh; NULL: the
+                       object is no group. The object owns it */
+  uint32_t n_own; /* the first n_own vertices are in no group before this one */
+  uint32_t number, of; /* group `number` of `of`, from 0 */
+  uint32_t n_vertices; /* of the mesh. Each is in a group */
+};
+
 /* Faces that share vertices, in the object's own frame. Vertex v is
  * xyz[3v .. 3v+2]. Face f is the polygon vertex[start[f]], ...,
  * vertex[start[f+1] - 1], counter-clockwise when seen from its front. A face
@@ -50,6 +64,7 @@ struct hsr_object {
   float *rgb;       /* 3 * n_faces, linear, 0..1; NULL: all have `colour` */
   float colour[3];  /* of faces without a colour of their own, linear, 0..1 */
   float *face_opacity; /* n_faces, 0..1; NULL: all have `opacity` */
+  struct hsr_group group;
   uint32_t n_vertices, n_faces;
   uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
   float opacity;  /* 0..1. The default, 1, hides everything behind the face.
@@ -177,6 +192,13 @@ static inline const float *hsr_face_rgb(const struct hsr_object *object,
 static inline float hsr_face_opacity(const struct hsr_object *object,
                                      uint32_t face) {
   return object->face_opacity ? object->face_opacity[face] : object->opacity;
+}
+
+/* Returns the number of vertex v of an object in its mesh: v, unless the object
+ * is a group. */
+static inline uint32_t hsr_mesh_vertex(const struct hsr_object *object,
+                                       uint32_t v) {
+  return object->group.vertex ? object->group.vertex[v] : v;
 }
 
 /* Appends an instance of object number `object`. m is as in hsr_instance; NULL

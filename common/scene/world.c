@@ -4,6 +4,7 @@
 #include "common/scene/planes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum hsr_status hsr_world_allocate(struct hsr_world *world,
                                    struct hsr_arena *arena) {
@@ -40,31 +41,14 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world,
   return all ? HSR_OK : HSR_E_NOMEM;
 }
 
-/* Counts the vertices and corners. */
-static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
-  const struct hsr_scene *scene = world->roster.scene;
-  uint64_t nv = 0, nc = 0;
-  for (uint32_t i = 0; i < scene->n_instances; i++) {
-    const struct hsr_object *object =
-        &scene->objects[scene->instances[i].object];
-    nv += object->n_vertices;
-    nc += object->start[object->n_faces];
-  }
-  if (nv >= UINT32_MAX || nc >= UINT32_MAX)
-    return hsr_fail(err, HSR_E_NOMEM,
-                    "the scene is too large to be laid out: %u faces",
-                    world->n_faces);
-  world->mesh.n_vertices = (uint32_t)nv;
-  world->mesh.n_corners = (uint32_t)nc;
-  return HSR_OK;
-}
-
 /* Instances are expanded in parts of so many vertices, faces and corners. */
 enum { RANGE = 16384 };
 
 /* Where an instance begins in the arrays, and which is its first part. */
 struct place {
-  uint32_t v, f, c, part;
+  uint64_t v, c; /* vertex 0 of the object, or of its mesh; and the corners */
+  uint32_t f, part;
+  bool shares; /* the object is a group, and shares the vertices of its mesh */
 };
 
 struct expanding {
@@ -76,17 +60,74 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-static void find_places(const struct hsr_scene *scene, struct place *place) {
-  place[0] = (struct place){0, 0, 0, 0};
-  for (uint32_t i = 0; i < scene->n_instances; i++) {
-    const struct hsr_object *object =
-        &scene->objects[scene->instances[i].object];
-    uint32_t nv = object->n_vertices, nf = object->n_faces,
-             nc = object->start[nf];
-    place[i + 1] = (struct place){
-        place[i].v + nv, place[i].f + nf, place[i].c + nc,
-        place[i].part + hsr_n_ranges(larger(nv, larger(nf, nc)), RANGE)};
+/* How many instances an object has, of which the first is `first`. */
+static uint32_t count_instances(const struct hsr_scene *scene, uint32_t object,
+                                uint32_t first) {
+  uint32_t i = first;
+  while (i < scene->n_instances && scene->instances[i].object == object)
+    i++;
+  return i - first;
+}
+
+/* Whether the groups of a mesh are placed alike, so that they can share
+ * vertices. `first` is the first instance of the first group. */
+static bool are_placed_alike(const struct hsr_scene *scene, uint32_t first) {
+  const uint32_t object = scene->instances[first].object,
+                 n = count_instances(scene, object, first),
+                 of = scene->objects[object].group.of;
+  for (uint32_t g = 0, i = first; g < of; g++, i += n) {
+    if (scene->objects[object + g].moves ||
+        count_instances(scene, object + g, i) != n)
+      return false;
+    for (uint32_t k = 0; k < n; k++)
+      if (memcmp(scene->instances[i + k].m, scene->instances[first + k].m,
+                 sizeof scene->instances->m) != 0)
+        return false;
   }
+  return true;
+}
+
+/* The last place is the end of all. Its v is the number of vertices. */
+static void find_places(const struct hsr_scene *scene, struct place *place) {
+  uint64_t v = 0;              /* vertices of the world so far */
+  uint32_t first = 0, own = 0; /* instances: of the first group of a mesh, and
+                                  of this object */
+  bool alike = false;
+  place[0] = (struct place){.f = 0};
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const uint32_t o = scene->instances[i].object;
+    const struct hsr_object *object = &scene->objects[o];
+    const struct hsr_group *group = &object->group;
+    const uint32_t nv = object->n_vertices, nf = object->n_faces,
+                   nc = object->start[nf];
+    if (!i || scene->instances[i - 1].object != o)
+      own = i;
+    if (group->vertex && group->number == 0 && own == i)
+      alike = are_placed_alike(scene, first = i);
+    place[i].shares = group->vertex && alike;
+    const bool is_later = place[i].shares && group->number > 0;
+    place[i].v = is_later ? place[first + (i - own)].v : v;
+    if (!is_later)
+      v += place[i].shares ? group->n_vertices : nv;
+    place[i + 1] =
+        (struct place){.v = v,
+                       .f = place[i].f + nf,
+                       .c = place[i].c + nc,
+                       .part = place[i].part +
+                               hsr_n_ranges(larger(nv, larger(nf, nc)), RANGE)};
+  }
+}
+
+/* Counts the vertices and corners. */
+static enum hsr_status measure(struct hsr_world *world, const struct place *end,
+                               struct hsr_error *err) {
+  if (end->v >= UINT32_MAX || end->c >= UINT32_MAX)
+    return hsr_fail(err, HSR_E_NOMEM,
+                    "the scene is too large to be laid out: %u faces",
+                    world->n_faces);
+  world->mesh.n_vertices = (uint32_t)end->v;
+  world->mesh.n_corners = (uint32_t)end->c;
+  return HSR_OK;
 }
 
 static uint32_t instance_of_part(const struct expanding *e, uint32_t part) {
@@ -115,38 +156,48 @@ static void expand_part(void *context, uint32_t part, int thread) {
   const struct hsr_instance *instance = &e->world->roster.scene->instances[i];
   const struct hsr_object *object =
       &e->world->roster.scene->objects[instance->object];
-  struct hsr_range r = clipped(object->n_vertices, part - at.part);
+  const uint32_t *number = at.shares ? object->group.vertex : NULL;
+  struct hsr_range r = clipped(
+      number ? object->group.n_own : object->n_vertices, part - at.part);
   (void)thread;
   for (uint32_t k = r.from; k < r.to; k++) {
     double p[3];
+    const size_t v = at.v + (number ? number[k] : k);
     hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)k, p);
-    mesh->x[at.v + k] = p[0];
-    mesh->y[at.v + k] = p[1];
-    mesh->z[at.v + k] = p[2];
+    mesh->x[v] = p[0];
+    mesh->y[v] = p[1];
+    mesh->z[v] = p[2];
   }
   r = clipped(object->n_faces, part - at.part);
   for (uint32_t k = r.from; k < r.to; k++) {
-    mesh->start[at.f + k] = at.c + object->start[k];
+    mesh->start[at.f + k] = (uint32_t)at.c + object->start[k];
     mesh->object[at.f + k] = instance->object;
     mesh->instance[at.f + k] = i;
     mesh->one_sided[at.f + k] = object->one_sided;
   }
   r = clipped(object->start[object->n_faces], part - at.part);
-  for (uint32_t k = r.from; k < r.to; k++)
-    mesh->vertex[at.c + k] = at.v + object->vertex[k];
+  for (uint32_t k = r.from; k < r.to; k++) {
+    const uint32_t v = object->vertex[k];
+    mesh->vertex[at.c + k] = (uint32_t)at.v + (number ? number[v] : v);
+  }
 }
 
-static enum hsr_status expand(struct hsr_world *world) {
+static enum hsr_status expand(struct hsr_world *world, struct hsr_error *err) {
   const struct hsr_scene *scene = world->roster.scene;
-  uint32_t n = scene->n_instances;
+  const uint32_t n = scene->n_instances;
   struct expanding e = {world, malloc((n + (size_t)1) * sizeof *e.place)};
   if (!e.place)
-    return HSR_E_NOMEM;
+    return hsr_fail_nomem(err);
   find_places(scene, e.place);
-  hsr_share(scene->threads, e.place[n].part, expand_part, &e);
-  world->mesh.start[e.place[n].f] = e.place[n].c;
+  enum hsr_status status = measure(world, &e.place[n], err);
+  if (!status && hsr_world_allocate(world, &world->arena))
+    status = hsr_fail_nomem(err);
+  if (!status) {
+    hsr_share(scene->threads, e.place[n].part, expand_part, &e);
+    world->mesh.start[e.place[n].f] = world->mesh.n_corners;
+  }
   free(e.place);
-  return HSR_OK;
+  return status;
 }
 
 enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
@@ -155,12 +206,8 @@ enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
   if (!status)
     status = hsr_scene_make_faces(scene, err);
   if (!status)
-    status = measure(world, err);
-  if (status)
-    return status;
-  if (hsr_world_allocate(world, &world->arena) || expand(world))
-    return hsr_fail_nomem(err);
-  return hsr_world_find_planes(world, err);
+    status = expand(world, err);
+  return status ? status : hsr_world_find_planes(world, err);
 }
 
 uint32_t hsr_most_corners(const struct hsr_world *world) {

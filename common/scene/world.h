@@ -8,6 +8,9 @@
  *             of the error.
  * Equal       faces on exactly the same plane share a plane class. So a tie is
  *             found by comparing two integers.
+ * Vertices    those of an instance, in their order, follow those of the instance
+ *             before it; but the groups of a mesh share its vertices
+ *             (hsr_group), which have the order of the mesh.
  * Pieces      the faces of one world may be divided into those of another: see
  *             common/scene/pieces.h. A piece lies on its parent's plane.
  * Roster      a scene with too many faces to be laid out has only a roster:
@@ -33,6 +36,12 @@ struct hsr_roster {
   uint32_t *first;    /* n_instances + 1: the first face of each instance, then
                          the number of faces */
   bool all_triangles; /* every face of this world is a triangle */
+};
+
+/* Three corners of a flat face that define its plane: their normal points to
+ * the side that the face's does. */
+struct hsr_span {
+  uint32_t face, vertex[3];
 };
 
 /* Faces laid out: vertices, corners and planes. All 0 and NULL in a world that
@@ -62,6 +71,11 @@ struct hsr_mesh {
   double *deviation;                   /* n_faces */
   uint32_t *plane;                     /* n_faces: plane class */
   uint32_t n_planes;
+
+  /* Of flat faces with more than HSR_SMALL_FACE corners, by ascending face.
+   * None where faces are laid out anew one by one. */
+  struct hsr_span *span;
+  uint32_t n_spans;
 };
 
 struct hsr_world {
@@ -183,6 +197,12 @@ static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
                           hsr_face_size(world, f)};
   return loop;
 }
+
+/* Returns a polygon with exactly the plane of face f: three of its corners if
+ * the mesh has a span of it, else the face. It borrows the arrays of the
+ * mesh. */
+#define HSR_SMALL_FACE 16
+struct hsr_loop hsr_spanning_loop(const struct hsr_world *world, uint32_t f);
 
 /* Whether face f is exactly flat and v is one of its vertices. If true, v is
  * exactly on the plane of f. If false, v may be on it or not. */

@@ -150,8 +150,9 @@ void hsr_put_box(struct hsr_eight_boxes *boxes, int o,
 /* Returns which of eight boxes meet a planar convex polygon, bit o for box o,
  * by the last paragraph of section A.4 of the thesis. `normal` may have any
  * length and may be rounded. Seen from its side, the corners go
- * counterclockwise. If the polygon is not convex, the result has every box that
- * meets its convex hull, and perhaps others. `slack` is for a polygon with
+ * counterclockwise. If the polygon is not convex, or has more than 64
+ * corners, the result has every box that meets its convex hull, and perhaps
+ * others. `slack` is for a polygon with
  * points outside the hull of its corners, because these were rounded or the
  * plane does not pass through all of them. No point may be farther than
  * `slack`, in world units, from the hull in any coordinate. */

@@ -11,6 +11,10 @@
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
 
+/* The lines of edges are tried only if a polygon has no more corners: it takes
+ * the square of their number. */
+enum { MANY = 64 };
+
 void hsr_put_box(struct hsr_eight_boxes *boxes, int o,
                  const struct hsr_box *box) {
   boxes->size[o] = 0;
@@ -139,7 +143,7 @@ hsr_boxes_that_meet_polygon(const struct hsr_eight_boxes *boxes,
     q.margin[o] = slack + 16 * U * hsr_max(boxes->size[o], size);
   look_beyond(&q, 0, normal[0], 1, normal[1], 2, normal[2]);
   look_beyond(&q, 0, -normal[0], 1, -normal[1], 2, -normal[2]);
-  for (int u = 0; u < 3 && without_gap(&q); u++)
+  for (int u = 0; u < 3 && polygon.n <= MANY && without_gap(&q); u++)
     look_outside(&q, u, normal);
   return without_gap(&q);
 }

@@ -5,10 +5,12 @@ libcore_a_SOURCES += \
   %D%/gouraud.h \
   %D%/line_name.h \
   %D%/picture.h \
+  %D%/standard.h \
   %D%/view.h
 libcore_a_SOURCES += \
   %D%/clip.c \
   %D%/gouraud.c \
   %D%/matrices_cgal.cc \
   %D%/picture.c \
+  %D%/standard.c \
   %D%/view.c

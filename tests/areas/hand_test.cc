@@ -295,9 +295,9 @@ int main() {
   check_floor();
   check_slope();
   check_scene("house", 3);
-  check_scene("harbor@parallel=fit", 1);
+  check_scene("harbor@parallel=same", 1);
   check_scene("penetration", 3);
-  check_scene("lattice:30:5@parallel=fit", 3);
+  check_scene("lattice:30:5@parallel=same", 3);
   check_doubles();
   return finish(&tests);
 }

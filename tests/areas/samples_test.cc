@@ -131,7 +131,7 @@ void check_scene(struct tap *tap, uint64_t seed, const char *name) {
 int main(int argc, char **argv) {
   const uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
   struct tap tap = plan(5 * 3);
-  for (const char *name : {"house", "house@parallel=fit", "penetration",
+  for (const char *name : {"house", "house@parallel=same", "penetration",
                            "t-junction", "lattice:40:3"})
     check_scene(&tap, seed, name);
   return finish(&tap);

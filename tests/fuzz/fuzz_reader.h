@@ -10,15 +10,24 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <unistd.h>
 
-/* The path of a file that only this process uses. */
+inline std::string fuzz_folder; /* that fuzz_path made */
+
+/* The path of a file that only this process uses: in memory, if the system has
+ * such files. A disk would take most of the time, since a file that is written
+ * over goes there at once. The folder is removed at the end. */
 inline std::string fuzz_path(const char *name) {
-  char directory[] = "/tmp/hsr-fuzz-XXXXXX";
-  if (!mkdtemp(directory))
-    std::abort();
-  return std::string(directory) + "/" + name;
+  for (std::string folder :
+       {"/dev/shm/hsr-fuzz-XXXXXX", "/tmp/hsr-fuzz-XXXXXX"})
+    if (mkdtemp(&folder[0])) {
+      fuzz_folder = folder;
+      std::atexit([] { std::filesystem::remove_all(fuzz_folder); });
+      return folder + "/" + name;
+    }
+  std::abort();
 }
 
 inline void fuzz_write(const std::string &path, const uint8_t *data,

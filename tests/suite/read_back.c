@@ -4,6 +4,7 @@
  * each picture, the ids are those that an algorithm draws, which shares no code
  * with the oracle; depths and matrices agree with formulas of their own. */
 #include "common/base/arena.h"
+#include "common/files/cells/cells.h"
 #include "common/files/json/scene_json.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/npy.h"
@@ -75,8 +76,8 @@ static bool is_same_mesh(const struct hsr_world *world, const char *path) {
   return same;
 }
 
-/* Whether the property one_sided is the last byte of each face, after its colour
- * and, where faces are transparent, its opacity. */
+/* Whether the property one_sided is the last byte of each face, after its colour,
+ * if the scene has any, and, where faces are transparent, its opacity. */
 static bool ply_tells_sides(const struct hsr_world *world, const char *path) {
   unsigned char *bytes;
   size_t size;
@@ -87,7 +88,10 @@ static bool ply_tells_sides(const struct hsr_world *world, const char *path) {
   bool same = at != NULL;
   if (at)
     at += strlen(end) + 24 * (size_t)world->mesh.n_vertices;
-  const size_t look = hsr_scene_is_transparent(world->roster.scene) ? 4 : 3;
+  const struct hsr_scene *scene = world->roster.scene;
+  const size_t look = hsr_scene_is_transparent(scene) ? 4
+                      : hsr_scene_has_colours(scene)  ? 3
+                                                      : 0;
   for (uint32_t f = 0; f < world->n_faces && same; f++) {
     at += 1 + 4 * (size_t)at[0] + look;
     same = at < bytes + size && *at == world->mesh.one_sided[f];

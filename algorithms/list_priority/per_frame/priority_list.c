@@ -240,13 +240,15 @@ static int face_side(const struct hsr_priority_list *s, uint32_t a, uint32_t b,
   return side;
 }
 
-/* Whether the line of an edge of f has f to one side and g to the other. */
+/* Whether the line of an edge of f has f to one side and g to the other. If f
+ * has many corners, this is not tried: it takes the square of their number. */
 static bool edge_separates(const struct hsr_priority_list *s, uint32_t f,
                            uint32_t g) {
+  enum { MANY = 64 };
   const struct hsr_world *world = s->job->world;
   const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f);
-  for (uint32_t k = 0, l = n - 1; k < n; l = k++) {
+  for (uint32_t k = 0, l = n - 1; k < n && n < MANY; l = k++) {
     int side = face_side(s, vertex[l], vertex[k], f);
     if (side && face_side(s, vertex[l], vertex[k], g) == -side)
       return true;

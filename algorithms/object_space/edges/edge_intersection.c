@@ -105,16 +105,17 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
       !network->face_box || !network->part || !network->drawn ||
       !network->known || !network->invisibility || !network->waiting)
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < network->sight.n_faces; k++) {
-    uint32_t f = network->sight.faces[k];
+  for (uint32_t f = 0; f < job->world->n_faces; f++)
     network->face_box[f] = box_of(
         &network->sight, job->world->mesh.vertex + job->world->mesh.start[f],
         hsr_face_size(job->world, f));
-  }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
   if (hsr_near_boxes_make(&network->faces, network->face_box,
-                          network->sight.faces, network->sight.n_faces, arena))
+                          network->sight.faces, network->sight.n_faces,
+                          arena) ||
+      hsr_near_boxes_make(&network->loose, network->face_box,
+                          network->sight.loose, network->sight.n_loose, arena))
     return HSR_E_NOMEM;
   return hsr_near_boxes_make(&network->contours, network->box, network->contour,
                              network->n_contour, arena);
@@ -318,21 +319,35 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   return add_interval(network, e, t, part->to.t, count, visible_only);
 }
 
-/* Puts face f to the edge by itself: takes it away where it was counted (sign
- * -1), or adds it (+1). */
-static enum hsr_status count_apart(struct hsr_network *network, uint32_t e,
-                                   uint32_t f, int sign, int64_t *count) {
+/* Takes face f, in whose plane the edge lies, away where it was counted. */
+static enum hsr_status take_away(struct hsr_network *network, uint32_t e,
+                                 uint32_t f, int64_t *count) {
   bool hidden;
   size_t first = network->events.n;
   HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
-           HSR_FACE(f), HSR_NOWHERE, sign > 0);
+           HSR_FACE(f), HSR_NOWHERE, 0);
   if (hsr_sight_face(&network->sight, e, f, network->job->scratch,
                      &network->events, &hidden))
     return HSR_E_NOMEM;
-  *count += hidden ? sign : 0;
+  *count -= hidden;
   for (size_t k = first; k < network->events.n; k++)
-    events_of(network)[k].change *= sign;
+    events_of(network)[k].change *= -1;
   return HSR_OK;
+}
+
+enum hsr_status hsr_network_put_loose(struct hsr_network *network, uint32_t e,
+                                      uint32_t k, bool *hidden) {
+  const struct hsr_sight *sight = &network->sight;
+  uint32_t f = sight->loose[k];
+  *hidden = false;
+  if (hsr_is_own(network->edges, e, f) || hsr_sight_in_plane(sight, e, f))
+    return HSR_OK;
+  HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
+           HSR_FACE(f), HSR_NOWHERE, 1);
+  if (!network->loose.near[k])
+    return HSR_OK;
+  return hsr_sight_face(sight, e, f, network->job->scratch, &network->events,
+                        hidden);
 }
 
 /* Takes away the faces in whose plane the edge lies, and adds the loose ones.
@@ -344,19 +359,22 @@ static enum hsr_status count_faces_apart(struct hsr_network *network,
   for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++) {
     const struct hsr_touch *touch = &edges->touch[k];
     if (touch->in_plane && sight->regular[touch->face] &&
-        count_apart(network, e, touch->face, -1, count))
+        take_away(network, e, touch->face, count))
       return HSR_E_NOMEM;
   }
   for (uint32_t k = edges->side_start[e];
        edges->name[e].implied && k < edges->side_start[e + 1]; k++)
     if (sight->regular[edges->side[k].face] &&
-        count_apart(network, e, edges->side[k].face, -1, count))
+        take_away(network, e, edges->side[k].face, count))
       return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < sight->n_loose; k++) {
-    uint32_t f = sight->loose[k];
-    if (!hsr_is_own(edges, e, f) && !hsr_sight_in_plane(sight, e, f) &&
-        count_apart(network, e, f, 1, count))
+  const struct hsr_near_boxes *loose = &network->loose;
+  hsr_near_boxes_find(&network->loose, &network->box[e]);
+  for (uint32_t k = hsr_near_boxes_next(loose, 0); k < loose->n;
+       k = hsr_near_boxes_next(loose, k + 1)) {
+    bool hidden;
+    if (hsr_network_put_loose(network, e, k, &hidden))
       return HSR_E_NOMEM;
+    *count += hidden;
   }
   return HSR_OK;
 }

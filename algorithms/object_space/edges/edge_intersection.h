@@ -36,7 +36,7 @@
 #ifndef HSR_ALGORITHMS_EDGE_INTERSECTION_H
 #define HSR_ALGORITHMS_EDGE_INTERSECTION_H
 
-#include "algorithms/object_space/edges/near_boxes.h"
+#include "algorithms/engines/boxes/near_boxes.h"
 #include "common/lines/sight/sight.h"
 
 #ifdef __cplusplus
@@ -61,8 +61,9 @@ struct hsr_network {
   uint32_t *contour, n_contour;
   struct hsr_image_box *box;      /* by edge: of its image */
   struct hsr_corner_boxes boxes;  /* the edges' boxes, if they are sorted */
-  struct hsr_image_box *face_box; /* by face: of the regular ones */
+  struct hsr_image_box *face_box; /* by face: of those that exist */
   struct hsr_near_boxes faces;    /* the boxes of sight.faces */
+  struct hsr_near_boxes loose;    /* the boxes of sight.loose */
   struct hsr_near_boxes contours; /* the boxes of contour[] */
   struct hsr_edge_part *part;     /* by edge */
   bool *drawn;                    /* by edge: it has been drawn */
@@ -143,6 +144,13 @@ void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
                                      uint32_t invisibility);
+
+/* Puts loose face sight.loose[k] to edge e, and adds the events that
+ * hsr_sight_face finds. *hidden is as there; false if the face is a side of e,
+ * or its plane holds e. network->loose must have been asked about the box of e.
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_network_put_loose(struct hsr_network *network, uint32_t e,
+                                      uint32_t k, bool *hidden);
 
 /* Finds which of network->faces have the image of point p in their box. */
 void hsr_network_find_faces(struct hsr_network *network, uint32_t p);

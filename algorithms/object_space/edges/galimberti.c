@@ -235,19 +235,15 @@ static void begin(struct state *s, const struct hsr_network *network,
 /* Puts the loose faces to the edge, since they are not carried. */
 static enum hsr_status
 add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
-  const struct hsr_sight *sight = &network->sight;
-  for (uint32_t k = 0; k < sight->n_loose; k++) {
-    uint32_t f = sight->loose[k];
+  const struct hsr_near_boxes *loose = &network->loose;
+  hsr_near_boxes_find(&network->loose, &network->box[e]);
+  for (uint32_t k = hsr_near_boxes_next(loose, 0); k < loose->n;
+       k = hsr_near_boxes_next(loose, k + 1)) {
     bool hidden;
-    if (s->member[f].apart || hsr_sight_in_plane(sight, e, f))
-      continue;
-    HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
-             HSR_FACE(f), HSR_NOWHERE, 1);
-    if (hsr_sight_face(sight, e, f, network->job->scratch, &network->events,
-                       &hidden))
+    if (hsr_network_put_loose(network, e, k, &hidden))
       return HSR_E_NOMEM;
     if (hidden)
-      enter(s, f, 1);
+      enter(s, network->sight.loose[k], 1);
   }
   return HSR_OK;
 }

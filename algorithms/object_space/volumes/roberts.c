@@ -39,15 +39,13 @@
  *             environment. Alone, a face that is not convex is as many volumes
  *             as it has convex parts: with n corners, up to n of them for each
  *             of its n edges */
-#include "algorithms/engines/boxes/box_rows.h"
-#include "algorithms/engines/boxes/corner_boxes.h"
+#include "algorithms/engines/boxes/near_boxes.h"
 #include "common/answers/kinds/segments.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
   BACK_CULL,
@@ -89,7 +87,8 @@ struct condition {
 /* A volume that an edge may be behind. Its conditions are contour[first_line],
  * ... and front[first_plane], ... up to the next one's. */
 struct volume {
-  struct hsr_extent extent;
+  struct hsr_extent extent; /* of a part of a face: that of the face */
+  struct hsr_image_box box; /* the volume's own; no greater */
   uint32_t first_line, first_plane;
   uint32_t collection;
 };
@@ -118,7 +117,8 @@ struct frame {
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
-  uint32_t *apart, n_apart;   /* faces that are no volumes in this view */
+  uint32_t *apart, n_apart; /* faces that are no volumes in this view */
+  struct hsr_near_boxes apart_boxes; /* of these */
   bool *outside;              /* by plane of a volume: the eye is outside */
   struct hsr_growing volume;  /* struct volume; one more ends the last one */
   struct hsr_growing bodies;  /* struct collection; likewise */
@@ -129,10 +129,7 @@ struct frame {
   struct hsr_growing kept;           /* memory for the next `visible` */
   struct hsr_growing events;         /* of a face apart */
 
-  struct hsr_box_rows body_box; /* of a body that has volumes */
-  bool *occupied;               /* a body: it has volumes */
-  uint8_t *near; /* a body: 1 if its box overlaps that of the current edge */
-
+  struct hsr_near_boxes near;    /* the boxes of the volumes, if not sorted */
   struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
   bool sorted;
   uint32_t n_near; /* how many of them are near the current edge */
@@ -213,6 +210,19 @@ static bool is_out_of_the_way(const struct hsr_extent *edge,
          object->nearest < edge->farthest;
 }
 
+static struct hsr_image_box image_box(const struct hsr_extent *extent) {
+  return (struct hsr_image_box){extent->x0, extent->y0, extent->x1, extent->y1};
+}
+
+/* Of volume v, a convex part of a face: its rims are the sides of that part. */
+static struct hsr_image_box box_of_flat(const struct frame *frame, uint32_t v) {
+  const struct hsr_volumes *volumes = frame->volumes;
+  struct hsr_extent extent = nowhere;
+  for (uint32_t r = volumes->rim_start[v]; r < volumes->rim_start[v + 1]; r++)
+    enclose(&extent, &frame->sight, volumes->line[r].a);
+  return image_box(&extent);
+}
+
 /* --- What is in the way --------------------------------------------------- */
 
 static bool add_condition(struct frame *frame, struct hsr_growing *list,
@@ -224,21 +234,23 @@ static bool add_condition(struct frame *frame, struct hsr_growing *list,
   return true;
 }
 
-static bool begin_volume(struct frame *frame, const struct hsr_extent *extent) {
+static bool begin_volume(struct frame *frame, const struct hsr_extent *extent,
+                         struct hsr_image_box box) {
   if (!hsr_arena_grow(frame->job->scratch, &frame->volume,
                       sizeof(struct volume)))
     return false;
   ((struct volume *)frame->volume.items)[frame->volume.n - 1] =
-      (struct volume){*extent, (uint32_t)frame->contour.n,
+      (struct volume){*extent, box, (uint32_t)frame->contour.n,
                       (uint32_t)frame->front.n, (uint32_t)frame->bodies.n - 1};
   return true;
 }
 
 /* Adds volume v: its front planes, and its contour. */
 static bool add_volume(struct frame *frame, uint32_t v,
-                       const struct hsr_extent *extent) {
+                       const struct hsr_extent *extent,
+                       struct hsr_image_box box) {
   const struct hsr_volumes *volumes = frame->volumes;
-  if (!begin_volume(frame, extent))
+  if (!begin_volume(frame, extent, box))
     return false;
   for (uint32_t i = volumes->plane_start[v]; i < volumes->plane_start[v + 1];
        i++) {
@@ -269,7 +281,7 @@ static bool add_face(struct frame *frame, uint32_t f) {
       extent_of(&frame->sight, world->mesh.vertex + world->mesh.start[f],
                 hsr_face_size(world, f));
   for (uint32_t v = volumes->flat[f]; v < volumes->flat[f + 1]; v++)
-    if (!add_volume(frame, v, &extent))
+    if (!add_volume(frame, v, &extent, box_of_flat(frame, v)))
       return false;
   return true;
 }
@@ -294,7 +306,7 @@ static bool add_body(struct frame *frame, uint32_t b) {
     for (uint32_t v = first; v < end; v++) {
       if (end - first > 1)
         extent = extent_of_part(frame, v);
-      if (!add_volume(frame, v, &extent))
+      if (!add_volume(frame, v, &extent, image_box(&extent)))
         return false;
     }
     return true;
@@ -322,12 +334,8 @@ static struct hsr_subject volume_subject(const void *context, uint32_t v) {
   return HSR_VOLUME(v);
 }
 
-static struct hsr_image_box image_box(const struct hsr_extent *extent) {
-  return (struct hsr_image_box){extent->x0, extent->y0, extent->x1, extent->y1};
-}
-
-/* Sorts the volumes' boxes. */
-static enum hsr_status sort_boxes(struct frame *frame) {
+/* Makes the boxes of the volumes, and sorts them if that is asked for. */
+static enum hsr_status make_boxes(struct frame *frame) {
   struct hsr_arena *arena = frame->job->scratch;
   uint32_t n = (uint32_t)frame->volume.n - 1;
   struct hsr_image_box *box = HSR_NEW(arena, struct hsr_image_box, n);
@@ -335,9 +343,12 @@ static enum hsr_status sort_boxes(struct frame *frame) {
   if (!box || !item)
     return HSR_E_NOMEM;
   for (uint32_t v = 0; v < n; v++) {
-    box[v] = image_box(&((struct volume *)frame->volume.items)[v].extent);
+    const struct volume *volume = (struct volume *)frame->volume.items + v;
+    box[v] = frame->sorted ? image_box(&volume->extent) : volume->box;
     item[v] = v;
   }
+  if (!frame->sorted)
+    return hsr_near_boxes_make(&frame->near, box, item, n, arena);
   frame->boxes = (struct hsr_corner_boxes){.box = box,
                                            .item = item,
                                            .n = n,
@@ -355,34 +366,26 @@ static uint32_t end_of_body(const struct frame *frame, uint32_t c) {
                                  : (uint32_t)frame->volume.n - 1;
 }
 
-static struct hsr_float_box float_box(const struct hsr_extent *extent) {
-  return (struct hsr_float_box){
-      hsr_float_below(extent->x0), hsr_float_below(extent->y0),
-      hsr_float_above(extent->x1), hsr_float_above(extent->y1)};
-}
-
-/* Puts the bodies' boxes side by side. */
-static enum hsr_status list_boxes(struct frame *frame) {
-  struct hsr_arena *arena = frame->job->scratch;
-  const struct collection *body = frame->bodies.items;
-  size_t n = frame->bodies.n;
-  float *bound = HSR_NEW(arena, float, 4 * n);
-  frame->near = HSR_NEW(arena, uint8_t, n);
-  frame->occupied = HSR_NEW(arena, bool, n);
-  if (!bound || !frame->near || !frame->occupied)
+/* Collects the faces that are no volumes, and their boxes. */
+static enum hsr_status collect_apart(struct frame *frame) {
+  const struct hsr_sight *sight = &frame->sight;
+  const struct hsr_world *world = frame->edges->world;
+  struct hsr_image_box *box =
+      HSR_NEW(frame->job->scratch, struct hsr_image_box, world->n_faces);
+  if (!box)
     return HSR_E_NOMEM;
-  frame->body_box =
-      (struct hsr_box_rows){bound, bound + n, bound + 2 * n, bound + 3 * n};
-  for (uint32_t c = 0; c < n; c++) {
-    frame->occupied[c] = body[c].first < end_of_body(frame, c);
-    struct hsr_float_box box =
-        frame->occupied[c] ? float_box(&body[c].extent) : hsr_no_float_box();
-    frame->body_box.x0[c] = box.x0;
-    frame->body_box.y0[c] = box.y0;
-    frame->body_box.x1[c] = box.x1;
-    frame->body_box.y1[c] = box.y1;
+  for (uint32_t k = 0; k < sight->n_loose; k++) {
+    uint32_t f = sight->loose[k];
+    if (is_behind(frame, f))
+      continue;
+    struct hsr_extent extent =
+        extent_of(sight, world->mesh.vertex + world->mesh.start[f],
+                  hsr_face_size(world, f));
+    box[f] = image_box(&extent);
+    frame->apart[frame->n_apart++] = f;
   }
-  return HSR_OK;
+  return hsr_near_boxes_make(&frame->apart_boxes, box, frame->apart,
+                             frame->n_apart, frame->job->scratch);
 }
 
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
@@ -400,16 +403,15 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->apart = HSR_NEW(job->scratch, uint32_t, frame->sight.n_loose);
   if (status || !frame->outside || !frame->apart)
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < frame->sight.n_loose; k++)
-    if (!is_behind(frame, frame->sight.loose[k]))
-      frame->apart[frame->n_apart++] = frame->sight.loose[k];
+  if (collect_apart(frame))
+    return HSR_E_NOMEM;
   for (uint32_t b = 0; b < volumes->n_bodies; b++)
     if (!add_body(frame, b))
       return HSR_E_NOMEM;
   frame->sorted = job->option[BOXES] == HSR_BY_CORNER;
-  if (!begin_volume(frame, &nowhere))
+  if (!begin_volume(frame, &nowhere, image_box(&nowhere)))
     return HSR_E_NOMEM;
-  return frame->sorted ? sort_boxes(frame) : list_boxes(frame);
+  return make_boxes(frame);
 }
 
 /* --- The edge/volume test ------------------------------------------------- */
@@ -467,11 +469,52 @@ static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
   return some;
 }
 
+/* Whether the contour of a volume, a part of a face, lies on one side of the
+ * edge's image, as far as doubles make that certain. */
+static bool is_beside(const struct frame *frame, uint32_t e,
+                      const struct volume *volume) {
+  const struct hsr_sight *sight = &frame->sight;
+  const struct condition *contour = frame->contour.items;
+  uint32_t a = frame->edges->a[e], b = frame->edges->b[e];
+  int side = 0;
+  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++) {
+    const struct hsr_sight_line *line = &sight->line[contour[k].subject];
+    const uint32_t ends[2] = {line->a, line->b};
+    for (int i = 0; i < 2; i++) {
+      double bound, turn = hsr_sight_turn(sight, a, b, ends[i], &bound);
+      int here = turn > bound ? 1 : turn < -bound ? -1 : 0;
+      if (line->of_planes || !here || here == -side)
+        return false;
+      side = here;
+    }
+  }
+  return side && sight->ahead[a] && sight->ahead[b];
+}
+
+/* Whether doubles show that the volume hides nothing of the edge. */
+static bool is_outside(const struct frame *frame, uint32_t e,
+                       const struct volume *volume) {
+  const struct hsr_sight *sight = &frame->sight;
+  const struct condition *contour = frame->contour.items;
+  const struct condition *front = frame->front.items;
+  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
+    if (hsr_sight_excludes(sight, e, HSR_AT_LINE, contour[k].subject,
+                           contour[k].side))
+      return true;
+  for (uint32_t k = volume->first_plane; k < volume[1].first_plane; k++)
+    if (hsr_sight_excludes(sight, e, HSR_AT_PLANE, front[k].subject,
+                           front[k].side))
+      return true;
+  return is_beside(frame, e, volume);
+}
+
 /* Narrows the fragment to where all conditions hold. False: nowhere. */
 static bool solve(const struct frame *frame, uint32_t e,
                   const struct volume *volume, struct fragment *fragment) {
   const struct condition *contour = frame->contour.items;
   const struct condition *front = frame->front.items;
+  if (!HSR_COUNTING && is_outside(frame, e, volume))
+    return false; /* the counting build narrows, and counts each condition */
   for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
     if (!narrow(frame, e, HSR_AT_LINE, &contour[k], fragment))
       return false;
@@ -521,62 +564,34 @@ static bool is_in_the_way(const struct frame *frame, uint32_t e,
   return true;
 }
 
-/* Body c is out of the way of an edge, by the minimax test. */
-static void count_body_out(const struct frame *frame, uint32_t e, uint32_t c) {
-  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(c), HSR_NOWHERE, BODY_OUT);
-  HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(c), HSR_NOWHERE, 0);
-}
-
 /* Whether body c is out of the way of an edge, by the minimax test. */
 static bool is_body_out(const struct frame *frame, uint32_t e,
                         const struct hsr_extent *extent, uint32_t c) {
   const struct collection *body = frame->bodies.items;
-  if (is_out_of_the_way(extent, &body[c].extent)) {
-    count_body_out(frame, e, c);
-    return true;
-  }
+  bool out = is_out_of_the_way(extent, &body[c].extent);
   HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(c), HSR_NOWHERE, BODY_IN_THE_WAY);
-  return false;
+           HSR_VOLUME(c), HSR_NOWHERE, out ? BODY_OUT : BODY_IN_THE_WAY);
+  if (out)
+    HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
+             HSR_VOLUME(c), HSR_NOWHERE, 0);
+  return out;
 }
 
-/* The first body from c on whose box may overlap the edge's; or how many bodies
- * there are. Those before it fail the minimax test. */
-static uint32_t next_near_body(const struct frame *frame, uint32_t e,
-                               uint32_t c) {
-  uint32_t n = (uint32_t)frame->bodies.n;
-  const uint8_t *found = memchr(frame->near + c, 1, n - c);
-  uint32_t next = found ? (uint32_t)(found - frame->near) : n;
-  for (; HSR_COUNTING && c < next; c++)
-    if (frame->occupied[c])
-      count_body_out(frame, e, c);
-  return next;
-}
-
-/* The first volume from v on that is in the way. */
+/* The first volume from v on that is in the way. Those whose boxes are apart
+ * from that of the edge are passed over, or counted one by one. */
 static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
                                 const struct hsr_extent *extent, uint32_t v) {
   const struct volume *volume = frame->volume.items;
   const struct collection *body = frame->bodies.items;
-  uint32_t n = (uint32_t)frame->volume.n - 1,
-           n_bodies = (uint32_t)frame->bodies.n;
-  while (v < n) {
+  uint32_t n = frame->near.n;
+  while ((v = hsr_near_boxes_next(&frame->near, v)) < n) {
     uint32_t c = volume[v].collection;
-    if (v == body[c].first) {
-      c = next_near_body(frame, e, c);
-      if (c == n_bodies)
-        return n;
-      v = body[c].first;
-      if (is_body_out(frame, e, extent, c)) {
-        v = end_of_body(frame, c);
-        continue;
-      }
-    }
-    if (is_in_the_way(frame, e, extent, v))
+    if (v == body[c].first && is_body_out(frame, e, extent, c))
+      v = end_of_body(frame, c);
+    else if (is_in_the_way(frame, e, extent, v))
       break;
-    v++;
+    else
+      v++;
   }
   return v;
 }
@@ -654,19 +669,24 @@ static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
 /* Takes out of what is visible the parts that faces hide which are no volumes.
  * The definition of the drawing tells where each of them hides the edge. */
 static bool hide_apart(struct frame *frame, uint32_t e,
+                       const struct hsr_image_box *box,
                        const struct fragment *all) {
   const struct hsr_edges *edges = frame->edges;
   const struct hsr_sight *sight = &frame->sight;
-  for (uint32_t k = 0; k < frame->n_apart && frame->visible.n; k++) {
+  struct hsr_near_boxes *boxes = &frame->apart_boxes;
+  hsr_near_boxes_find(boxes, box);
+  for (uint32_t k = hsr_near_boxes_next(boxes, 0);
+       k < boxes->n && frame->visible.n;
+       k = hsr_near_boxes_next(boxes, k + 1)) {
     uint32_t f = frame->apart[k];
-    bool own = false, hidden;
+    bool own = false, hidden = false;
     for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++)
       own |= edges->side[s].face == f;
     if (own || hsr_sight_in_plane(sight, e, f))
       continue;
     frame->events.n = 0;
-    if (hsr_sight_face(sight, e, f, frame->job->scratch, &frame->events,
-                       &hidden))
+    if (boxes->near[k] && hsr_sight_face(sight, e, f, frame->job->scratch,
+                                         &frame->events, &hidden))
       return false;
     HSR_STEP(frame->tally, APART, hsr_edge_subject(edges, e), HSR_FACE(f),
              HSR_NOWHERE, hidden);
@@ -685,13 +705,14 @@ static bool hide_apart(struct frame *frame, uint32_t e,
 }
 
 static enum hsr_status add_interval(const struct frame *frame, uint32_t e,
-                                    const struct hsr_sight_event *from,
-                                    const struct hsr_sight_event *to,
-                                    bool is_hidden) {
+                                    struct hsr_sight_event from,
+                                    struct hsr_sight_event to, bool is_hidden) {
+  hsr_sight_locate(&frame->sight, e, &from);
+  hsr_sight_locate(&frame->sight, e, &to);
   struct hsr_segment segment = {.edge = frame->edges->name[e],
                                 .invisibility = is_hidden,
-                                .t0 = from->t,
-                                .t1 = fmax(from->t, to->t)};
+                                .t0 = from.t,
+                                .t1 = fmax(from.t, to.t)};
   hsr_edge_point(frame->edges, e, segment.t0, segment.from);
   hsr_edge_point(frame->edges, e, segment.t1, segment.to);
   HSR_ACCEPTED(frame->tally, DRAWN, hsr_edge_subject(frame->edges, e),
@@ -706,13 +727,13 @@ static enum hsr_status draw(const struct frame *frame, uint32_t e,
   const struct hsr_sight_event *at = &all->from;
   for (size_t k = 0; k < frame->visible.n; k++) {
     if ((!is_same(at, &visible[k].from) &&
-         add_interval(frame, e, at, &visible[k].from, true)) ||
-        add_interval(frame, e, &visible[k].from, &visible[k].to, false))
+         add_interval(frame, e, *at, visible[k].from, true)) ||
+        add_interval(frame, e, visible[k].from, visible[k].to, false))
       return HSR_E_NOMEM;
     at = &visible[k].to;
   }
   return is_same(at, &all->to) ? HSR_OK
-                               : add_interval(frame, e, at, &all->to, true);
+                               : add_interval(frame, e, *at, all->to, true);
 }
 
 /* The culls: whether any part of the edge may be drawn, and which. */
@@ -742,16 +763,15 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
   const uint32_t ends[2] = {frame->edges->a[e], frame->edges->b[e]};
   struct hsr_extent extent = extent_of(&frame->sight, ends, 2);
   frame->stack.n = frame->visible.n = 0;
+  struct hsr_image_box image = image_box(&extent);
   if (frame->sorted) {
-    struct hsr_image_box box = image_box(&extent);
-    frame->n_near = hsr_corner_boxes_find(&frame->boxes, &box,
+    frame->n_near = hsr_corner_boxes_find(&frame->boxes, &image,
                                           hsr_edge_subject(frame->edges, e));
   } else {
-    struct hsr_float_box box = float_box(&extent);
-    hsr_box_rows_near(&frame->body_box, 0, frame->bodies.n, &box, frame->near);
+    hsr_near_boxes_find(&frame->near, &image);
   }
   if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
-      !hide_apart(frame, e, &all))
+      !hide_apart(frame, e, &image, &all))
     return HSR_E_NOMEM;
   return draw(frame, e, &all);
 }

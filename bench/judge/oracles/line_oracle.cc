@@ -19,13 +19,15 @@
  *             Numbers are intervals first; where these leave open which sign
  *             or which of two places is first, rational.
  * Invariants  a face is passed over only if it hides nothing of the edge:
- *             may_hide() and is_beside() have the proofs.
+ *             may_hide() and is_beside() have the proofs. A side of a broad face
+ *             is passed over only if it does not matter: `broad` has the proof.
  * Ties        a form that is zero at P(t) has the sign of its derivative along
  *             R, and if that is zero, along -U. t and w stay as they are.
  * Departures  none: there is no paper.
  * Cost        five comparisons for every edge and every face in the cells of the
  *             screen that the edge's box meets; some hundred operations where
- *             boxes overlap. Rational numbers where edges meet by place, not by
+ *             boxes overlap, and of a broad face some dozens for each side in the
+ *             rows of the edge. Rational numbers where edges meet by place, not by
  *             vertex number, and where a vertex lies in the plane of a face
  *             that it is not of.
  *
@@ -231,11 +233,12 @@ bool overlap(const box &a, const box &b) {
 }
 
 /* Whether a flat face has vertices on both sides of another's plane. If it has
- * not, the plane meets it in its border at most. */
-bool is_astride(const hsr_world &world, uint32_t f, uint32_t g) {
+ * not, the plane meets it in its border at most. `p` is that plane from the first
+ * vertex of g. */
+bool is_astride(const hsr_world &world, uint32_t f, uint32_t g,
+                const plane<Interval> &p) {
   const uint32_t O = world.mesh.vertex[world.mesh.start[g]];
   const vec<Interval> near_O = vertex<Interval>(world, O);
-  const plane<Interval> p = make_plane<Interval>(world, g, near_O);
   std::optional<vec<Exact>> exact_O;
   std::optional<plane<Exact>> q;
   bool before = false, behind = false;
@@ -338,9 +341,13 @@ void penetrate(const hsr_world &world, uint32_t f, uint32_t g, shape *made) {
 
 void find_implied(const hsr_world &world, shape *made) {
   std::vector<box> boxes;
-  for (uint32_t f = 0; f < world.n_faces; f++)
+  std::vector<plane<Interval>> planes;
+  for (uint32_t f = 0; f < world.n_faces; f++) {
+    const uint32_t O = world.mesh.vertex[world.mesh.start[f]];
+    planes.push_back(make_plane(world, f, vertex<Interval>(world, O)));
     if (made->flat[f])
       boxes.push_back(face_box(world, f));
+  }
   std::sort(boxes.begin(), boxes.end(),
             [](const box &a, const box &b) { return a.low[0] < b.low[0]; });
   for (size_t i = 0; i < boxes.size(); i++)
@@ -348,8 +355,8 @@ void find_implied(const hsr_world &world, shape *made) {
          j < boxes.size() && boxes[j].low[0] <= boxes[i].high[0]; j++) {
       const uint32_t f = std::min(boxes[i].face, boxes[j].face);
       const uint32_t g = std::max(boxes[i].face, boxes[j].face);
-      if (overlap(boxes[i], boxes[j]) && is_astride(world, f, g) &&
-          is_astride(world, g, f))
+      if (overlap(boxes[i], boxes[j]) && is_astride(world, f, g, planes[g]) &&
+          is_astride(world, g, f, planes[f]))
         penetrate(world, f, g, made);
     }
   std::sort(made->implied.begin(), made->implied.end(),
@@ -451,6 +458,22 @@ struct grid {
   void add(uint32_t number, const screen_box &box);
 };
 
+/* A flat face of many corners, all before the eye. In each of `grid::SIDE` rows of
+ * the screen it has its sides, by the corner that they end in, whose y come into
+ * that row. Where the y of a ray is in another row, both ends of a side are
+ * strictly above the ray or both below, so that the signs of their rows are equal,
+ * and the side does not count for the parity. Nor does an edge cross a side whose
+ * image is apart from its own.
+ * Let a side's ends a and b have rows of opposite signs, a above the ray. With o =
+ * det(F, R, U), row(a) has the sign of o, and edge(a, b) that of o times the turn
+ * from a to b to the ray. It counts if these are opposite, and so if the turn is
+ * to the right: if the side crosses the ray's height to the right of the ray. */
+struct broad {
+  static constexpr uint32_t FEWEST = 64; /* corners */
+  std::vector<std::vector<uint32_t>> row{grid::SIDE};
+  std::vector<screen_box> image; /* a corner of the face */
+};
+
 struct edge {
   hsr_edge_name name;
   const side *own; /* the own faces, of an edge of faces */
@@ -498,6 +521,7 @@ private:
   bool exists(uint32_t f) const;
   void extend(screen_box *all, const vec<Interval> &u) const;
   void add_hider(uint32_t f);
+  void add_broad(uint32_t f);
 
   /* An edge. */
   enum hsr_status draw_edge();
@@ -529,6 +553,10 @@ private:
   int sign_at(const recipe &which, point *p);
   int row(uint32_t v, point *p);
   bool is_parity_odd(uint32_t f, point *p);
+  bool is_broad_parity_odd(uint32_t f, point *p, const screen_box &at);
+  bool crosses_right(uint32_t a, uint32_t b, point *p);
+  void add_sides(uint32_t f);
+  void add_sides_of_broad(uint32_t f);
   bool hides(uint32_t f, point *p);
 
   const hsr_job &job;
@@ -541,9 +569,11 @@ private:
   std::vector<std::unique_ptr<plane<Exact>>> exact_planes;
   std::vector<signed char> c; /* a face: the sign of its c */
   std::vector<hider> hiders;
-  grid cells; /* numbers of hiders */
+  grid cells;                                 /* numbers of hiders */
+  std::vector<std::unique_ptr<broad>> broads; /* a face, or NULL */
   std::vector<uint32_t>
-      looked;           /* a hider: the last edge it was looked at for */
+      looked,           /* a hider: the last edge it was looked at for */
+      looked_side;      /* a side of a broad face, by corner: likewise */
   uint32_t n_edges = 0; /* begun so far */
 
   edge e;
@@ -658,7 +688,8 @@ artist::artist(const hsr_job &a_job, const shape &a_shape)
         const Nearest to_nearest;
         return make_frame<Exact>(*job.view);
       }()),
-      exact_planes(world.n_faces), c(world.n_faces) {
+      exact_planes(world.n_faces), c(world.n_faces), broads(world.n_faces),
+      looked_side(world.mesh.n_corners) {
   v.reserve(world.mesh.n_vertices);
   for (uint32_t k = 0; k < world.mesh.n_vertices; k++)
     v.push_back(vertex<Interval>(world, k) - about.E);
@@ -741,9 +772,35 @@ void artist::add_hider(uint32_t f) {
     bounds = whole_screen;
   if (!flat)
     bounds.nearest = -infinity;
-  if (!(bounds.left > 1 || bounds.right < -1 || bounds.low > 1 ||
-        bounds.high < -1))
-    hiders.push_back({bounds, f});
+  if (bounds.left > 1 || bounds.right < -1 || bounds.low > 1 ||
+      bounds.high < -1)
+    return;
+  hiders.push_back({bounds, f});
+  if (flat && bounds.left > -infinity &&
+      (bounds.nearest > 0 || about.parallel) &&
+      hsr_face_size(&world, f) >= broad::FEWEST)
+    add_broad(f);
+}
+
+screen_box hull(const screen_box &a, const screen_box &b) {
+  return {std::min(a.left, b.left),       std::max(a.right, b.right),
+          std::min(a.low, b.low),         std::max(a.high, b.high),
+          std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
+}
+
+void artist::add_broad(uint32_t f) {
+  broads[f] = std::make_unique<broad>();
+  broad &made = *broads[f];
+  const uint32_t n = hsr_face_size(&world, f), first = world.mesh.start[f];
+  for (uint32_t i = 0; i < n; i++) {
+    made.image.push_back(empty_image);
+    extend(&made.image.back(), v[world.mesh.vertex[first + i]]);
+  }
+  for (uint32_t l = n - 1, i = 0; i < n; l = i++) {
+    const screen_box side = hull(made.image[l], made.image[i]);
+    for (int y = grid::along(side.low); y <= grid::along(side.high); y++)
+      made.row[static_cast<size_t>(y)].push_back(i);
+  }
 }
 
 /* ---- Places on an edge ---- */
@@ -892,8 +949,46 @@ int artist::row(uint32_t number, point *p) {
   return sign ? sign : 1;
 }
 
+/* Whether a side crosses to the right of the point. */
+bool artist::crosses_right(uint32_t a, uint32_t b, point *p) {
+  const int row_a = row(a, p);
+  if (row_a == row(b, p))
+    return false;
+  const recipe which = {SIDE, std::min(a, b), std::max(a, b)};
+  return sign_at(which, p) * (a < b ? 1 : -1) == -row_a;
+}
+
+/* The parity of a broad face at a point, by the sides in the row that the point
+ * is in, which must be one. */
+bool artist::is_broad_parity_odd(uint32_t f, point *p, const screen_box &at) {
+  const broad &face = *broads[f];
+  const uint32_t n = hsr_face_size(&world, f),
+                 *corner = world.mesh.vertex + world.mesh.start[f];
+  bool odd = false;
+  for (uint32_t i : face.row[static_cast<size_t>(grid::along(at.low))]) {
+    const uint32_t l = i ? i - 1 : n - 1;
+    const screen_box &a = face.image[l], &b = face.image[i];
+    if ((a.low > at.high && b.low > at.high) ||
+        (a.high < at.low && b.high < at.low) ||
+        (a.right < at.left && b.right < at.left))
+      continue;
+    const bool is_right = a.left > at.right && b.left > at.right,
+               is_across = (a.low > at.high && b.high < at.low) ||
+                           (a.high < at.low && b.low > at.high);
+    if ((is_right && is_across) || crosses_right(corner[l], corner[i], p))
+      odd = !odd;
+  }
+  return odd;
+}
+
 bool artist::is_parity_odd(uint32_t f, point *p) {
   bool odd = false;
+  if (broads[f]) {
+    screen_box at = empty_image;
+    extend(&at, p->u);
+    if (grid::along(at.low) == grid::along(at.high))
+      return is_broad_parity_odd(f, p, at);
+  }
   uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
   int row_a = row(a, p);
   for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
@@ -973,17 +1068,9 @@ void artist::add_candidate(const recipe &which) {
     candidates.push_back(there);
 }
 
-/* The events of one face. The parity changes only where the ray crosses a side:
- * both ends of which are then not on one side of the plane through the eye and
- * the edge. Where a side's line passes through the eye, it is skipped, and the
- * parity may change with a row; the face is then not flat, or c were 0. */
-void artist::hide(uint32_t f) {
-  HSR_STEP(job.tally, LINE_PAIR, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
-  candidates.clear();
-  if (is_beside(f) || !may_hide(f))
-    return;
-  if (job.view->near > 0 || about.parallel)
-    add_candidate({NEAR, f, 0});
+/* The places where the edge crosses sides of a face: both ends of such a side
+ * are not on one side of the plane through the eye and the edge. */
+void artist::add_sides(uint32_t f) {
   const uint32_t *corner = world.mesh.vertex + world.mesh.start[f];
   const uint32_t n = hsr_face_size(&world, f);
   for (uint32_t i = n - 1, k = 0; k < n; i = k++) {
@@ -993,7 +1080,44 @@ void artist::hide(uint32_t f) {
     if (!known.flat[f])
       add_candidate({ROW, corner[k], 0});
   }
+}
 
+/* The same, of sides in the rows of the edge. */
+void artist::add_sides_of_broad(uint32_t f) {
+  const broad &face = *broads[f];
+  const uint32_t n = hsr_face_size(&world, f), first = world.mesh.start[f],
+                 *corner = world.mesh.vertex + first;
+  for (int y = grid::along(image.low); y <= grid::along(image.high); y++)
+    for (uint32_t i : face.row[static_cast<size_t>(y)]) {
+      const uint32_t l = i ? i - 1 : n - 1, a = corner[l], b = corner[i];
+      if (looked_side[first + i] == n_edges)
+        continue;
+      looked_side[first + i] = n_edges;
+      const screen_box side = hull(face.image[l], face.image[i]);
+      if (side.left > image.right || side.right < image.left ||
+          side.low > image.high || side.high < image.low)
+        continue;
+      const int sign = sign_of(at(across, v[a]));
+      if (sign == UNKNOWN || sign == 0 || sign != sign_of(at(across, v[b])))
+        add_candidate({SIDE, std::min(a, b), std::max(a, b)});
+    }
+}
+
+/* The events of one face. The parity changes only where the ray crosses a side:
+ * both ends of which are then not on one side of the plane through the eye and
+ * the edge. Where a side's line passes through the eye, it is skipped, and the
+ * parity may change with a row; the face is then not flat, or c were 0. */
+void artist::hide(uint32_t f) {
+  HSR_STEP(job.tally, LINE_PAIR, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
+  candidates.clear();
+  if ((!broads[f] && is_beside(f)) || !may_hide(f))
+    return;
+  if (job.view->near > 0 || about.parallel)
+    add_candidate({NEAR, f, 0});
+  if (broads[f])
+    add_sides_of_broad(f);
+  else
+    add_sides(f);
   sort_places();
   for (size_t i = 1; i < candidates.size(); i++) {
     point p = between(candidates[i - 1], candidates[i]);

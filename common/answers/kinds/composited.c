@@ -3,7 +3,7 @@
  * equal if all channels of all pixels are. */
 #include "common/answers/kinds/composited.h"
 #include "common/answers/coded.h"
-#include "common/files/image.h"
+#include "common/files/colour_tiles.h"
 #include "common/files/npy.h"
 #include "common/files/srgb.h"
 #include "common/files/suffix.h"
@@ -305,6 +305,31 @@ static enum hsr_status write(const struct hsr_answer *answer,
   return status;
 }
 
+static enum hsr_status write_tile(const struct hsr_answer *tile,
+                                  const struct hsr_tile_grid *tiling,
+                                  long number, const char *text,
+                                  const char *path, struct hsr_error *err) {
+  const uint16_t *rgba = rgba_of(tile);
+  float *pixels = malloc(count(tile) * sizeof *pixels);
+  if (!pixels)
+    return hsr_fail_nomem(err);
+  for (size_t k = 0; k < count(tile); k++)
+    pixels[k] = (float)rgba[k] / 65535;
+  enum hsr_status status = hsr_image_write_colour_tile(
+      path, tiling, number, CHANNELS, pixels, text, err);
+  free(pixels);
+  return status;
+}
+
+static enum hsr_status join_tiles(const char *path,
+                                  const struct hsr_tile_grid *tiling,
+                                  const char *(*name)(void *whom, long k),
+                                  void *whom, const char *text,
+                                  struct hsr_error *err) {
+  return hsr_image_join_colour_tiles(path, tiling, CHANNELS, name, whom, text,
+                                     err);
+}
+
 static bool fits(const char *path) {
   return hsr_is_colour_file(path) ||
          (hsr_is_array_file(path) && !hsr_is_depth_file(path));
@@ -379,6 +404,8 @@ const struct hsr_answer_type hsr_answer_composited = {
     .shade = shade,
     .fits = fits,
     .write = write,
+    .write_tile = write_tile,
+    .join_tiles = join_tiles,
     .print = print,
     .paint = paint,
     .sketch = sketch,

@@ -80,17 +80,29 @@ static enum hsr_status shade(const struct hsr_answer *answer,
 
 static bool fits(const char *path) {
   return !hsr_is_array_file(path) && !hsr_is_depth_file(path) &&
-         !hsr_ends_in(path, ".json") && !hsr_ends_in(path, ".dxf");
+         !hsr_ends_in(path, ".json");
 }
 
 /* On paper. */
-static enum hsr_status write_plot(const struct hsr_answer *answer,
-                                  const struct hsr_showing *showing,
-                                  const char *path, struct hsr_error *err) {
+static enum hsr_status write_paper(const struct hsr_answer *answer,
+                                   const struct hsr_showing *showing,
+                                   const char *path, struct hsr_error *err) {
   struct hsr_plot plot;
-  enum hsr_status status =
-      hsr_plot_init_polygons(&plot, answer->body, showing->world, showing->view,
-                             showing->shading, &showing->page, err);
+  struct hsr_line_style screen;
+  hsr_line_style_plain(&screen, HSR_HIDDEN_NONE);
+  if (hsr_ends_in(path, ".dxf") && !showing->hatch)
+    return hsr_fail(
+        err, HSR_E_USAGE,
+        "%.200s: holds no filled faces; --hatch draws their hatches", path);
+  const struct hsr_plot_subject subject = {
+      .polygons = answer->body, .world = showing->world, .view = showing->view};
+  const struct hsr_plot_look look = {.style = showing->style ? showing->style
+                                                             : &screen,
+                                     .page = showing->page,
+                                     .shading = showing->shading,
+                                     .hatch = showing->hatch};
+  enum hsr_status status = hsr_plot_init(&plot, &subject, &look, err);
+  plot.has_paper = !showing->hatch || showing->background.given;
   if (showing->background.given)
     memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
   plot.title = showing->title;
@@ -109,7 +121,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
   if (hsr_ends_in(path, ".vtp"))
     return hsr_polygons_write_vtp(answer->body, showing->view, path, err);
   if (hsr_is_line_file(path))
-    return write_plot(answer, showing, path, err);
+    return write_paper(answer, showing, path, err);
   struct hsr_picture picture = {.m = answer->m,
                                 .n = answer->n,
                                 .depth = shaded->depth,
@@ -199,7 +211,7 @@ const struct hsr_answer_type hsr_answer_polygons = {
     .draws = "polygons",
     .places = "faces",
     .grains = "pixels",
-    .takes = 1 << HSR_SHADING | 1 << HSR_BACKDROP,
+    .takes = 1 << HSR_HATCH | 1 << HSR_SHADING | 1 << HSR_BACKDROP,
     .make = make,
     .clear = clear,
     .free = free_body,

@@ -7,6 +7,7 @@
 #include "common/files/json/drawing_json.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/suffix.h"
+#include "common/paper/lines/lines.h"
 #include "common/paper/plot.h"
 
 #include <math.h>
@@ -94,11 +95,15 @@ static enum hsr_status write_paper(const struct hsr_answer *answer,
   struct hsr_line_style screen;
   hsr_line_style_plain(&screen, HSR_HIDDEN_NONE);
   const bool vector = hsr_is_paper_file(path);
-  const struct hsr_page whole = {.width = 0};
-  enum hsr_status status =
-      hsr_plot_init(&plot, answer->body, showing->world, showing->view,
-                    showing->style ? showing->style : &screen,
-                    vector ? &showing->page : &whole, err);
+  const struct hsr_plot_subject subject = {answer->body, showing->fill,
+                                           showing->world, showing->view};
+  struct hsr_plot_look look = {.style =
+                                   showing->style ? showing->style : &screen,
+                               .shading = showing->shading,
+                               .hatch = showing->hatch};
+  if (vector)
+    look.page = showing->page;
+  enum hsr_status status = hsr_plot_init(&plot, &subject, &look, err);
   if (!status &&
       hsr_line_pens_draw_all(&plot.pens, showing->world->roster.scene))
     plot.drawing = answer->body; /* nothing is left out */
@@ -117,18 +122,62 @@ static enum hsr_status write_paper(const struct hsr_answer *answer,
 }
 
 /* A .vtp file holds all intervals, in world space, and a .json file holds them
- * along their edges. */
+ * along their edges. Both hold what is known of their edges. */
+static enum hsr_status write_facts(const struct hsr_answer *answer,
+                                   const struct hsr_drawing_facts *facts,
+                                   const char *path, struct hsr_error *err) {
+  return hsr_ends_in(path, ".vtp")
+             ? hsr_drawing_write_vtp(answer->body, facts, path, err)
+             : hsr_drawing_json_write(path, answer->body, facts, answer->m,
+                                      answer->n, err);
+}
+
+/* Finds what is known, and writes it. */
+static enum hsr_status write_intervals(const struct hsr_answer *answer,
+                                       const struct hsr_showing *showing,
+                                       const char *path,
+                                       struct hsr_error *err) {
+  const struct hsr_drawing *drawing = answer->body;
+  const struct hsr_scene *scene = showing->world->roster.scene;
+  const double crease = showing->style ? showing->style->crease : -1;
+  const char *class_name[HSR_N_LINE_CLASSES];
+  enum hsr_line_class *found = malloc((drawing->n + 1) * sizeof *found);
+  unsigned char *line_class = malloc(drawing->n + 1);
+  uint32_t *object = malloc((drawing->n + 1) * sizeof *object);
+  const char **object_name =
+      malloc(((size_t)scene->n_objects + 1) * sizeof *object_name);
+  const struct hsr_drawing_facts facts = {line_class,         object,
+                                          class_name,         object_name,
+                                          HSR_N_LINE_CLASSES, scene->n_objects};
+  enum hsr_status status = found && line_class && object && object_name
+                               ? HSR_OK
+                               : hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_lines_classify(drawing, showing->world, showing->view, crease,
+                                found, object, err);
+  for (size_t k = 0; k < drawing->n && !status; k++)
+    line_class[k] = (unsigned char)found[k];
+  for (int k = 0; k < HSR_N_LINE_CLASSES; k++)
+    class_name[k] = hsr_line_class_name((enum hsr_line_class)k);
+  for (uint32_t o = 0; o < scene->n_objects && !status; o++)
+    object_name[o] = scene->objects[o].name;
+  if (!status)
+    status = write_facts(answer, &facts, path, err);
+  free(found);
+  free(line_class);
+  free(object);
+  free(object_name);
+  return status;
+}
+
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
   (void)shaded;
-  if (hsr_ends_in(path, ".vtp"))
-    return hsr_drawing_write_vtp(answer->body, path, err);
-  if (hsr_ends_in(path, ".json"))
-    return hsr_drawing_json_write(path, answer->body, answer->m, answer->n,
-                                  err);
-  return write_paper(answer, showing, path, err);
+  return hsr_ends_in(path, ".vtp") || hsr_ends_in(path, ".json")
+             ? write_intervals(answer, showing, path, err)
+             : write_paper(answer, showing, path, err);
 }
 
 static bool fits(const char *path) {
@@ -238,7 +287,7 @@ const struct hsr_answer_type hsr_answer_segments = {
     .draws = "lines",
     .places = "edges",
     .grains = "samples",
-    .takes = 1 << HSR_LINES | 1 << HSR_BACKDROP,
+    .takes = 1 << HSR_LINES | 1 << HSR_HATCH | 1 << HSR_BACKDROP,
     .make = make,
     .clear = clear,
     .free = free_body,

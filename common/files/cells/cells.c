@@ -5,6 +5,7 @@
 #include "common/adapt/adapt.h"
 #include "common/files/library.h"
 #include "common/files/suffix.h"
+#include "common/scene/standard.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -45,6 +46,16 @@ static int compare(const void *a, const void *b) {
     if (x[k] < y[k] || x[k] > y[k])
       return x[k] < y[k] ? -1 : 1;
   return 0;
+}
+
+bool hsr_scene_has_colours(const struct hsr_scene *scene) {
+  static const float standard[3] = HSR_STANDARD_COLOUR;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    for (uint32_t f = 0; f < scene->objects[o].n_faces; f++)
+      if (memcmp(hsr_face_rgb(&scene->objects[o], f), standard,
+                 sizeof standard) != 0)
+        return true;
+  return false;
 }
 
 static void get_colour(const struct hsr_object *object, uint32_t face,

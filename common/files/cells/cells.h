@@ -72,6 +72,9 @@ struct hsr_colours {
   uint32_t *of; /* by face, object by object: the index of its colour */
 };
 
+/* Whether a face has another colour than that which nothing has given it. */
+bool hsr_scene_has_colours(const struct hsr_scene *scene);
+
 /* Finds the colours of the faces of n_objects objects. *colours is written in
  * full, and is freed with hsr_colours_free also after a failure.
  * HSR_E_NOMEM. */
@@ -88,9 +91,11 @@ enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
 
 /* Writes a world that is laid out as binary .ply, with coordinates in full
- * precision: polygons in the order of their ids, and of each its colour, its
- * opacity if one is below 1, both as bytes, and whether it is one-sided. HSR_E_INPUT if the file cannot be written, or there are more than
- * 2^31 - 1 vertices. */
+ * precision: polygons in the order of their ids, and of each whether it is
+ * one-sided; its colour, if the scene has colours, or opacities below 1; and its
+ * opacity, if one is below 1. Colours and opacities are rounded to bytes.
+ * HSR_E_INPUT if the file cannot be written, or there are more than 2^31 - 1
+ * vertices. */
 enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
                                     const char *path, struct hsr_error *err);
 

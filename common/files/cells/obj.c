@@ -58,19 +58,27 @@ static void print_materials(const struct hsr_colours *colours, FILE *out) {
   }
 }
 
-/* A name as one word. */
-static void print_word(const char *name, FILE *out) {
-  for (; *name; name++)
-    fputc(*name > ' ' && *name < 127 ? *name : '_', out);
+/* A name, which is the rest of its line. What would end it, or begin a comment,
+ * becomes '_'. */
+static void print_name(const char *name, FILE *out) {
+  for (; *name; name++) {
+    const unsigned char c = (unsigned char)*name;
+    fputc(c < ' ' || c == '#' || c == '\\' || c == 127 ? '_' : c, out);
+  }
 }
 
-/* Whether the object of an instance has no other one. Those of an object follow
- * one another. */
+static const char *name_of(const struct hsr_scene *scene, uint32_t instance) {
+  return scene->objects[scene->instances[instance].object].name;
+}
+
+/* Whether the instances before and after this one are of objects with other
+ * names. Those of an object follow one another. A reader takes neighbours of one
+ * name for one object. */
 static bool is_alone(const struct hsr_scene *scene, uint32_t instance) {
-  const uint32_t object = scene->instances[instance].object;
-  return !(instance && scene->instances[instance - 1].object == object) &&
-         !(instance + 1 < scene->n_instances &&
-           scene->instances[instance + 1].object == object);
+  const char *name = name_of(scene, instance);
+  return (!instance || strcmp(name_of(scene, instance - 1), name) != 0) &&
+         (instance + 1 == scene->n_instances ||
+          strcmp(name_of(scene, instance + 1), name) != 0);
 }
 
 /* The faces of one instance. `of` are the colours of its object's faces. */
@@ -79,7 +87,7 @@ static void print_instance(const struct hsr_world *world, uint32_t instance,
   const struct hsr_scene *scene = world->roster.scene;
   const uint32_t *first = world->roster.first + instance;
   fputs("o ", out);
-  print_word(scene->objects[scene->instances[instance].object].name, out);
+  print_name(name_of(scene, instance), out);
   if (is_alone(scene, instance))
     fputs("\n", out);
   else

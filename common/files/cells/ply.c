@@ -24,29 +24,31 @@ static void put_real(double x, FILE *out) {
 
 /* Many readers take no more than 255 corners; where there are more, a face says
  * so in four bytes. */
-static void put_header(const struct hsr_world *world, bool wide, bool alpha,
-                       FILE *out) {
+static void put_header(const struct hsr_world *world, bool wide, bool colour,
+                       bool alpha, FILE *out) {
   fprintf(out,
           "ply\nformat binary_little_endian 1.0\n"
           "element vertex %u\n"
           "property double x\nproperty double y\nproperty double z\n"
           "element face %u\n"
           "property list %s int vertex_indices\n"
-          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-          "%s"
+          "%s%s"
           "property uchar one_sided\n"
           "end_header\n",
           world->mesh.n_vertices, world->n_faces, wide ? "uint" : "uchar",
+          colour ? "property uchar red\nproperty uchar green\n"
+                   "property uchar blue\n"
+                 : "",
           alpha ? "property uchar alpha\n" : "");
 }
 
 /* Of a piece, all is said of its parent. */
-static void put_look(const struct hsr_world *world, uint32_t f, bool alpha,
-                     FILE *out) {
+static void put_look(const struct hsr_world *world, uint32_t f, bool colour,
+                     bool alpha, FILE *out) {
   const struct hsr_place place =
       hsr_place_of(world, hsr_world_parent(world, f));
   const float *rgb = hsr_face_rgb(place.object, place.face);
-  for (int k = 0; k < 3; k++)
+  for (int k = 0; k < 3 && colour; k++)
     fputc(hsr_srgb_byte(rgb[k]), out);
   if (alpha)
     fputc((int)lrintf(255 * hsr_face_opacity(place.object, place.face)), out);
@@ -58,6 +60,7 @@ enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
   const struct hsr_mesh *mesh = &world->mesh;
   const bool wide = hsr_most_corners(world) > 255;
   const bool alpha = hsr_scene_is_transparent(world->roster.scene);
+  const bool colour = alpha || hsr_scene_has_colours(world->roster.scene);
   struct hsr_whole_file file;
   if (mesh->n_vertices > INT32_MAX)
     return hsr_fail(err, HSR_E_INPUT,
@@ -66,7 +69,7 @@ enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
   enum hsr_status status = hsr_whole_file_open(&file, path, err);
   if (status)
     return status;
-  put_header(world, wide, alpha, file.stream);
+  put_header(world, wide, colour, alpha, file.stream);
   for (uint32_t v = 0; v < mesh->n_vertices; v++) {
     put_real(mesh->x[v], file.stream);
     put_real(mesh->y[v], file.stream);
@@ -76,7 +79,7 @@ enum hsr_status hsr_world_write_ply(const struct hsr_world *world,
     put_bytes(hsr_face_size(world, f), wide ? 4 : 1, file.stream);
     for (uint32_t k = mesh->start[f]; k < mesh->start[f + 1]; k++)
       put_bytes(mesh->vertex[k], 4, file.stream);
-    put_look(world, f, alpha, file.stream);
+    put_look(world, f, colour, alpha, file.stream);
   }
   return hsr_whole_file_close(&file, HSR_OK, err);
 }

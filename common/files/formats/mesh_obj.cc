@@ -3,7 +3,8 @@
 //
 // Source      Wavefront Advanced Visualizer manual, appendix B1
 // Departures  of geometry only vertices and faces are read; free-form surfaces,
-//             lines, points and groups are passed over. Of materials only the
+//             lines and points are passed over. Groups are the objects, "o", of
+//             a file that has any, or else its groups, "g". Of materials only the
 //             colours and opacities are read. Vertices may have a colour, "v x y
 //             z r g b", as many programs write it, and behind it an opacity: 0
 //             to 1, or to 255 if any is above 1. A weight, "v x y z w", is
@@ -40,13 +41,13 @@ private:
 };
 
 constexpr Word PASSED_OVER[] = {
-    "vt",        "vn",       "vp",     "p",      "l",      "curv",
-    "curv2",     "surf",     "cstype", "deg",    "bmat",   "step",
-    "parm",      "trim",     "hole",   "scrv",   "sp",     "end",
-    "con",       "g",        "s",      "mg",     "o",      "bevel",
-    "c_interp",  "d_interp", "lod",    "usemap", "maplib", "shadow_obj",
-    "trace_obj", "ctech",    "stech",  "call",   "csh",    "bsp",
-    "bzp",       "cdc",      "cdp",    "res"};
+    "vt",    "vn",     "vp",     "p",          "l",         "curv",
+    "curv2", "surf",   "cstype", "deg",        "bmat",      "step",
+    "parm",  "trim",   "hole",   "scrv",       "sp",        "end",
+    "con",   "s",      "mg",     "bevel",      "c_interp",  "d_interp",
+    "lod",   "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
+    "stech", "call",   "csh",    "bsp",        "bzp",       "cdc",
+    "cdp",   "res"};
 
 bool Passed_over::takes(Word name) {
   if (std::find(std::begin(PASSED_OVER), std::end(PASSED_OVER), name) ==
@@ -76,11 +77,56 @@ void Passed_over::note(Mesh_builder &builder) const {
   add(n_free_forms_, "curv' or 'surf", "free-form curves and surfaces");
 }
 
+/* How many bytes the character of UTF-8 at `at` has; 0: there is none, or it is
+ * a control character. */
+size_t character(const std::string &text, size_t at) {
+  const auto byte = [&](size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned first = byte(at);
+  const size_t n = first < 0x80   ? 1
+                   : first < 0xc2 ? 0
+                   : first < 0xe0 ? 2
+                   : first < 0xf0 ? 3
+                   : first < 0xf5 ? 4
+                                  : 0;
+  uint32_t code = n > 1 ? first & (0x7fu >> n) : first;
+  for (size_t k = 1; k < n; k++) {
+    if ((byte(at + k) & 0xc0u) != 0x80)
+      return 0;
+    code = code << 6 | (byte(at + k) & 0x3fu);
+  }
+  const bool is_long = (n == 3 && code < 0x800) || (n == 4 && code < 0x10000);
+  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
+  return code < 0x20 || code == 0x7f || is_long || is_surrogate ||
+                 code > 0x10ffff
+             ? 0
+             : n;
+}
+
+/* A name in UTF-8: a byte that is of no character becomes '?'. */
+std::string plain_name(std::string name) {
+  for (size_t k = 0, n; k < name.size(); k += n) {
+    n = character(name, k);
+    if (n == 0) {
+      name[k] = '?';
+      n = 1;
+    }
+  }
+  return name;
+}
+
 /* A statement mtllib or usemtl, before a face of its block. */
 struct Material_line {
   bool is_library;
   size_t face;
   std::string names;
+};
+
+/* A statement o or g, before a face of its block. */
+struct Group_line {
+  size_t face;
+  std::string name;
 };
 
 struct Block {
@@ -90,6 +136,7 @@ struct Block {
   std::vector<Rgba> look;               /* of its vertices, as they stand */
   size_t n_opacities = 0;               /* of these */
   std::vector<Material_line> materials;
+  std::vector<Group_line> objects, groups; /* by o, and by g */
   Passed_over passed_over;
 };
 
@@ -107,6 +154,7 @@ private:
   void vertex();
   void face();
   uint32_t corner();
+  void group(std::vector<Group_line> &lines);
   void other(Word name);
 
   Text text_;
@@ -182,11 +230,20 @@ void Block_reader::face() {
   block_.sizes.push_back(static_cast<uint32_t>(n));
 }
 
-/* A line of materials, or one that is passed over. */
+/* Of several such lines before a face, the last one counts. */
+void Block_reader::group(std::vector<Group_line> &lines) {
+  if (!lines.empty() && lines.back().face == block_.sizes.size())
+    lines.pop_back();
+  lines.push_back({block_.sizes.size(), text_.rest()});
+}
+
+/* A line of materials or groups, or one that is passed over. */
 void Block_reader::other(Word name) {
   if (name == "mtllib" || name == "usemtl")
     block_.materials.push_back(
         {name == "mtllib", block_.sizes.size(), text_.rest()});
+  else if (name == "o" || name == "g")
+    group(name == "o" ? block_.objects : block_.groups);
   else if (!block_.passed_over.takes(name))
     text_.refuse("'%s' is not a statement", shown_word(name).c_str());
 }
@@ -216,6 +273,8 @@ private:
   bool may_start(const char *line) const;
   bool count(std::vector<Block> &blocks);
   void find_colours(const std::vector<Block> &blocks);
+  void find_groups(const std::vector<Block> &blocks);
+  void begin_group(const std::string &name);
   void give(const Block &block);
   void material(const Material_line &line);
   void face(const uint32_t *corners, size_t n);
@@ -226,6 +285,7 @@ private:
   size_t n_vertices_ = 0;
   double *xyz_ = nullptr;
   std::vector<Rgba> of_vertices_; /* or empty */
+  bool has_objects_ = false;      /* statements o */
   Materials materials_;
   const Material *material_ = nullptr; /* of the faces that follow */
 };
@@ -295,17 +355,38 @@ void Obj_reader::face(const uint32_t *corners, size_t n) {
     builder_.opacity(material_->look[3]);
 }
 
+void Obj_reader::find_groups(const std::vector<Block> &blocks) {
+  bool has_groups = false;
+  for (const Block &block : blocks) {
+    has_objects_ |= !block.objects.empty();
+    has_groups |= !block.groups.empty();
+  }
+  if (has_objects_ || has_groups)
+    begin_group("");
+}
+
+/* A name that is none is that of the file. */
+void Obj_reader::begin_group(const std::string &name) {
+  builder_.group(name.empty() ? builder_.name() : plain_name(name));
+}
+
 void Obj_reader::give(const Block &block) {
   const uint32_t *corners = block.corners.data();
+  const auto &groups = has_objects_ ? block.objects : block.groups;
   auto line = block.materials.begin();
+  auto group = groups.begin();
   for (size_t f = 0; f < block.sizes.size(); f++) {
     for (; line != block.materials.end() && line->face == f; ++line)
       material(*line);
+    if (group != groups.end() && group->face == f)
+      begin_group((group++)->name);
     face(corners, block.sizes[f]);
     corners += block.sizes[f];
   }
   for (; line != block.materials.end(); ++line)
     material(*line);
+  if (group != groups.end())
+    begin_group(group->name);
 }
 
 void Obj_reader::note(const std::vector<Block> &blocks) const {
@@ -338,6 +419,7 @@ void Obj_reader::read() {
   builder_.reserve(0, n_faces);
   builder_.took_vertices(n_vertices_);
   find_colours(blocks);
+  find_groups(blocks);
   for (const Block &block : blocks)
     give(block);
   note(blocks);

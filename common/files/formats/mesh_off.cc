@@ -5,7 +5,7 @@
 // Colours     of vertices, 0..1, or 0..255 if any is above 1; of faces, 0..255 if
 //             all their numbers are integers, else 0..1. A fourth number is an
 //             opacity. One number is an index into a map that is not part of the
-//             file: it is passed over, with a note.
+//             file: it is passed over, with a note. Two are refused.
 // Departures  one vertex or face a line of a text; a header word; no other
 //             dimensions than 3.
 // Method      where several threads read, the lines of each block of the text
@@ -116,10 +116,16 @@ Rgba face_colour(const double *value, size_t n, bool integers) {
 
 constexpr Rgba NO_COLOUR = {0, 0, 0, NO_OPACITY};
 
-void note_map(Mesh_builder &builder, size_t n) {
+void note_map(Mesh_builder &builder, size_t n, const char *one,
+              const char *several) {
   if (n)
-    builder.note(std::to_string(n) + (n > 1 ? " faces have" : " face has") +
+    builder.note(std::to_string(n) + (n > 1 ? several : one) +
                  " the number of a colour in a map, which is passed over");
+}
+
+void note_maps(Mesh_builder &builder, size_t n_vertices, size_t n_faces) {
+  note_map(builder, n_vertices, " vertex has", " vertices have");
+  note_map(builder, n_faces, " face has", " faces have");
 }
 
 /* ---- The lines of a block ---- */
@@ -131,6 +137,7 @@ struct Block {
   std::vector<Rgba> looks;       /* of its faces up to the last that has one */
   std::vector<Rgba> of_vertices; /* as they stand */
   size_t n_in_map = 0;           /* faces with the number of a colour */
+  size_t n_vertices_in_map = 0;
 };
 
 class Block_reader {
@@ -167,16 +174,20 @@ void Block_reader::vertex(size_t v) {
     if (n < MOST)
       value[n] = number;
   }
-  if (n != without && !(header_.has_colour && n > without && n <= without + 4))
+  /* Those of a colour: none, one of a map, or three or four. */
+  const size_t extra = n - without;
+  if (n < without ||
+      (n > without && (!header_.has_colour || extra == 2 || extra > 4)))
     text_.refuse("vertex %zu has %zu numbers, not %zu", v, n, without);
   for (size_t k = 0; k < 3; k++)
     xyz_[3 * v + k] = value[k] / (header_.homogeneous ? value[3] : 1);
-  if (n < without + 3)
+  block_.n_vertices_in_map += extra == 1;
+  if (extra < 3)
     return;
   const double *colour = value.data() + before;
-  block_.of_vertices.push_back(
-      {float(colour[0]), float(colour[1]), float(colour[2]),
-       n == without + 4 ? float(colour[3]) : NO_OPACITY});
+  block_.of_vertices.push_back({float(colour[0]), float(colour[1]),
+                                float(colour[2]),
+                                extra == 4 ? float(colour[3]) : NO_OPACITY});
 }
 
 uint32_t Block_reader::corner(size_t f) {
@@ -298,10 +309,11 @@ std::vector<Rgba> colours_of(const std::vector<Block> &blocks,
 void give(const std::vector<Block> &blocks, size_t n_vertices,
           Mesh_builder &builder) {
   const std::vector<Rgba> of_vertices = colours_of(blocks, n_vertices, builder);
-  size_t n_in_map = 0;
+  size_t n_in_map = 0, n_vertices_in_map = 0;
   for (const Block &block : blocks) {
     const uint32_t *corners = block.corners.data();
     n_in_map += block.n_in_map;
+    n_vertices_in_map += block.n_vertices_in_map;
     for (size_t f = 0; f < block.sizes.size(); f++) {
       Rgba mean;
       const bool has_own =
@@ -313,7 +325,7 @@ void give(const std::vector<Block> &blocks, size_t n_vertices,
       corners += block.sizes[f];
     }
   }
-  note_map(builder, n_in_map);
+  note_maps(builder, n_vertices_in_map, n_in_map);
 }
 
 void read_text(const Mesh_file &file, const Text &text, const Header &header,
@@ -436,7 +448,7 @@ void Binary_reader::read() {
   decode_all(of_vertices_);
   for (size_t f = 0; f < header_.n_faces; f++)
     face(f);
-  note_map(builder_, n_in_map_);
+  note_maps(builder_, 0, n_in_map_);
   if (at_ != file_.end)
     builder_.note(std::to_string(file_.end - at_) +
                   " bytes after the last face passed over");

@@ -12,36 +12,62 @@ static const char SCHEMA[] = "hsr-drawing/1";
 
 /* --- Writing -------------------------------------------------------------- */
 
+/* A name that is not UTF-8 is left out. */
+static bool put_facts(FILE *out, const struct hsr_drawing_facts *facts,
+                      size_t k) {
+  json_t *name = json_string(facts->object_name[facts->object[k]]);
+  fprintf(out, ", \"class\": \"%s\"", facts->class_name[facts->line_class[k]]);
+  if (!name)
+    return true;
+  fputs(", \"object\": ", out);
+  const bool good = !json_dumpf(name, out, JSON_ENCODE_ANY);
+  json_decref(name);
+  return good;
+}
+
 static void put_segment(FILE *out, const struct hsr_segment *s) {
   const struct hsr_edge_name *e = &s->edge;
   if (e->implied)
     fprintf(out, "{\"implied\": [%u, %u, %u]", e->a, e->b, e->part);
   else
     fprintf(out, "{\"edge\": [%u, %u]", e->a, e->b);
-  fprintf(out, ", \"t\": [%.17g, %.17g], \"invisibility\": %u}", s->t0, s->t1,
+  fprintf(out, ", \"t\": [%.17g, %.17g], \"invisibility\": %u", s->t0, s->t1,
           s->invisibility);
 }
 
-void hsr_drawing_json_print(FILE *out, const struct hsr_drawing *drawing, int m,
-                            int n) {
+/* False: out of memory. */
+static bool put_drawing(FILE *out, const struct hsr_drawing *drawing,
+                        const struct hsr_drawing_facts *facts, int m, int n) {
+  bool good = true;
   fprintf(out, "{\"schema\": \"%s\", \"size\": [%d, %d], \"segments\": [",
           SCHEMA, m, n);
   for (size_t k = 0; k < drawing->n; k++) {
     fputs(k ? ",\n" : "\n", out);
     put_segment(out, &drawing->segment[k]);
+    if (facts)
+      good &= put_facts(out, facts, k);
+    fputc('}', out);
   }
   fputs("]}\n", out);
+  return good;
+}
+
+void hsr_drawing_json_print(FILE *out, const struct hsr_drawing *drawing, int m,
+                            int n) {
+  put_drawing(out, drawing, NULL, m, n);
 }
 
 enum hsr_status hsr_drawing_json_write(const char *path,
-                                       const struct hsr_drawing *drawing, int m,
-                                       int n, struct hsr_error *err) {
+                                       const struct hsr_drawing *drawing,
+                                       const struct hsr_drawing_facts *facts,
+                                       int m, int n, struct hsr_error *err) {
   struct hsr_whole_file file;
   enum hsr_status status = hsr_whole_file_open(&file, path, err);
   if (status)
     return status;
-  hsr_drawing_json_print(file.stream, drawing, m, n);
-  return hsr_whole_file_close(&file, HSR_OK, err);
+  status = put_drawing(file.stream, drawing, facts, m, n) ? HSR_OK
+                                                          : hsr_fail_nomem(err);
+  return hsr_whole_file_close(&file, status, err);
 }
 
 /* --- Reading -------------------------------------------------------------- */
@@ -122,6 +148,8 @@ static enum hsr_status take_segment(const struct hsr_json_node *at, void *to) {
       {"implied", take_numbers, &implied, false, {NULL}},
       {"t", take_interval, t, true, {NULL}},
       {"invisibility", take_number, &s.invisibility, true, {NULL}},
+      {.key = "class"},
+      {.key = "object"},
       {.key = NULL}};
   enum hsr_status status = hsr_json_object(at, rules);
   if (status)

@@ -7,7 +7,8 @@
  *
  * Each element is an interval of an edge: of the edge from vertex 3 to vertex
  * 7, or of number 0 of the implied edges of faces 1 and 4. docs/correct-drawing.md
- * says what the numbers mean. */
+ * says what the numbers mean. An interval may also have a "class": "crease", and
+ * an "object": the name of its edge's first face's. */
 #ifndef HSR_COMMON_FILES_DRAWING_JSON_H
 #define HSR_COMMON_FILES_DRAWING_JSON_H
 
@@ -20,13 +21,14 @@
 extern "C" {
 #endif
 
-/* Writes a drawing of m x n pixels, completely or not at all. HSR_E_INPUT if
- * the file cannot be written; HSR_E_NOMEM. */
+/* Writes a drawing of m x n pixels, completely or not at all. `facts` may be
+ * NULL. HSR_E_INPUT if the file cannot be written; HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_json_write(const char *path,
-                                       const struct hsr_drawing *drawing, int m,
-                                       int n, struct hsr_error *err);
+                                       const struct hsr_drawing *drawing,
+                                       const struct hsr_drawing_facts *facts,
+                                       int m, int n, struct hsr_error *err);
 
-/* The same text, to a stream: it is fit to stand in XML. */
+/* The same text without facts, to a stream: it is fit to stand in XML. */
 void hsr_drawing_json_print(FILE *out, const struct hsr_drawing *drawing, int m,
                             int n);
 

@@ -268,7 +268,7 @@ enum hsr_status hsr_json_check_schema(const struct hsr_json_node *root,
   struct hsr_json_node schema = hsr_json_member(root, "schema");
   const char *text = "";
   if (!schema.value)
-    return hsr_json_refuse(root, "'schema' is missing");
+    return hsr_json_refuse(root, "'schema' is missing: it must be '%s'", known);
   enum hsr_status status = hsr_json_string(&schema, &text);
   return status || !strcmp(text, known)
              ? status

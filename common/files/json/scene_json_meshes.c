@@ -108,6 +108,21 @@ static enum hsr_status read_new_mesh(struct reader *reader, char *path) {
   return status;
 }
 
+/* Groups of a mesh that is taken again share vertices among themselves. */
+static enum hsr_status copy_group(struct hsr_object *to,
+                                  const struct hsr_object *from) {
+  const size_t size = (size_t)from->n_vertices * sizeof *from->group.vertex;
+  if (!from->group.vertex)
+    return HSR_OK;
+  uint32_t *vertex = malloc(size);
+  if (!vertex)
+    return HSR_E_NOMEM;
+  memcpy(vertex, from->group.vertex, size);
+  to->group = from->group;
+  to->group.vertex = vertex;
+  return HSR_OK;
+}
+
 /* Appends another object that is as `from` was when it was read. */
 static enum hsr_status copy_object(struct reader *reader, uint32_t number,
                                    const struct hsr_object *as_read) {
@@ -130,6 +145,8 @@ static enum hsr_status copy_object(struct reader *reader, uint32_t number,
     if (!status)
       status = hsr_object_set_opacity(to, f, hsr_face_opacity(as_read, f));
   }
+  if (!status)
+    status = copy_group(to, from);
   return status ? hsr_fail_nomem(reader->input.err) : HSR_OK;
 }
 

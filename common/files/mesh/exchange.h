@@ -44,8 +44,9 @@ struct hsr_import {
 bool hsr_is_mesh_name(const char *path);
 
 /* Appends what is in `path` to the scene. A .gltf or .glb file has objects with
- * their instances, and may have views. Any other file is one object, named
- * after the file, without an instance. The format is that of the suffix, in
+ * their instances, and may have views. An .obj file has an object of each of its
+ * groups, which share vertices (hsr_group). Any other file is one object, named
+ * after the file. None of these has an instance. The format is that of the suffix, in
  * upper or lower case; docs/files.md tells what is read of each. Behind it may be
  * .gz. Memory is at most a small multiple of the file's size, whatever counts it
  * claims; of a compressed file, of the size of what was compressed. `import` may
@@ -68,9 +69,11 @@ enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
 
 /* Writes a drawing as lines in world units, one for each interval, in the
  * drawing's order. The cell data are invisibility, edge_a, edge_b, edge_part
- * and implied, as in hsr_segment. HSR_E_INPUT if the file cannot be written or
+ * and implied, as in hsr_segment. With facts, which may be NULL, they are class and
+ * object as well, and the names of these are field data. HSR_E_INPUT if the file cannot be written or
  * this build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL if VTK fails. */
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const struct hsr_drawing_facts *facts,
                                       const char *path, struct hsr_error *err);
 
 /* Writes visible polygons in world units, on the planes of their faces. Each

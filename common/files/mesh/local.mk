@@ -10,6 +10,8 @@ libcore_a_SOURCES += \
   %D%/mesh_corners.h \
   %D%/mesh_file.cc \
   %D%/mesh_file.h \
+  %D%/mesh_groups.cc \
+  %D%/mesh_groups.h \
   %D%/mesh_scene.cc \
   %D%/mesh_scene.h \
   %D%/mesh_solid.cc \

@@ -311,6 +311,17 @@ void Mesh_builder::opacity(float opacity) {
     throw std::bad_alloc();
 }
 
+void Mesh_builder::group(const std::string &name) {
+  const bool is_empty =
+      !groups_.first.empty() && groups_.first.back() == object_->n_faces;
+  if (is_empty) {
+    groups_.name.back() = name;
+    return;
+  }
+  groups_.name.push_back(name);
+  groups_.first.push_back(object_->n_faces);
+}
+
 void Mesh_builder::set_look(const float rgb[3], float opacity) {
   std::copy_n(rgb, 3, object_->colour);
   object_->opacity = opacity;
@@ -330,7 +341,7 @@ void Mesh_builder::settle_unused() {
 
 void Mesh_builder::leave_out_flat() {
   uint64_t n = 0;
-  if (!strict_ && hsr_object_leave_out_flat(object_, threads_, &n))
+  if (!strict_ && hsr_object_leave_out_flat(object_, threads_, marks(), &n))
     throw std::bad_alloc();
   n_dropped_ += n;
 }

@@ -8,6 +8,7 @@
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
+#include "common/scene/flat.h"
 #include "common/scene/scene.h"
 
 #include <array>
@@ -60,6 +61,13 @@ using Rgba = std::array<float, 4>;
  * that has no opacity there. */
 constexpr float NO_OPACITY = -1;
 
+/* Named groups of the faces of a mesh: group g has the faces from first[g] to
+ * first[g + 1] or, if it is the last one, to the end. */
+struct Groups {
+  std::vector<std::string> name;
+  std::vector<uint32_t> first;
+};
+
 /* Builds one object and checks what it is given. The vertices of a face must be
  * given before the face. Functions throw Refused and std::bad_alloc. */
 class Mesh_builder {
@@ -69,6 +77,8 @@ public:
   Mesh_builder(struct hsr_object *object, const char *path, bool strict,
                int threads)
       : object_(object), path_(path), strict_(strict), threads_(threads) {}
+  /* The name of the object. */
+  std::string name() const { return object_->name; }
   /* How many threads may read the file (common/base/share.h). */
   int threads() const { return threads_; }
   /* Makes room. The caller has checked that the file can hold so many. */
@@ -93,6 +103,10 @@ public:
   /* Gives the face that was given last an opacity of its own, 0..1, unless it
    * was left out. */
   void opacity(float opacity);
+  /* The faces that follow are of a group with this name. A file without groups
+   * is one object; else all its faces are in a group. */
+  void group(const std::string &name);
+  const Groups &groups() const { return groups_; }
   /* The colour and opacity of all faces that have none of their own. */
   void set_look(const float rgb[3], float opacity);
   /* Appends n triangles without colours, and returns the room for their 3 n
@@ -140,6 +154,11 @@ private:
   uint64_t n_given_ = 0, n_dropped_ = 0;
   bool is_last_there_ = false; /* the face that was given last */
   std::vector<uint32_t> ring_; /* of a face, without repeats */
+  struct hsr_face_marks marks() {
+    return {groups_.first.data(), groups_.first.size()};
+  }
+
+  Groups groups_;
   std::vector<std::string> notes_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/mesh/mesh_scene.h"
+#include "common/files/mesh/mesh_groups.h"
 
 #include <cstring>
 #include <memory>
@@ -13,6 +14,16 @@ Mesh_scene::Mesh_scene(const char *path, const struct hsr_import *import)
       threads_(import ? import->threads : 1), scene_(hsr_scene_new("")) {
   if (!scene_)
     throw std::bad_alloc();
+}
+
+/* Of groups of a mesh that is not closed, some may be so on their own. */
+void Mesh_scene::find_sides(struct hsr_scene &groups) const {
+  for (uint32_t g = 0; g < groups.n_objects; g++) {
+    bool solid = false;
+    if (hsr_object_is_solid(&groups.objects[g], threads_, &solid))
+      throw std::bad_alloc();
+    groups.objects[g].one_sided = solid && !two_sided_;
+  }
 }
 
 uint32_t Mesh_scene::object(const std::string &name,
@@ -38,7 +49,10 @@ uint32_t Mesh_scene::object(const std::string &name,
   if (!builder.says_sides() && hsr_object_is_solid(object, threads_, &solid))
     throw std::bad_alloc();
   object->one_sided = solid && !two_sided_;
-  if (hsr_scene_take(scene_, one.get()))
+  const Divided groups = divide_mesh(*object, builder.groups());
+  if (groups && !solid && !builder.says_sides())
+    find_sides(*groups);
+  if (hsr_scene_take(scene_, groups ? groups.get() : one.get()))
     throw std::bad_alloc();
   return scene_->n_objects - 1;
 }

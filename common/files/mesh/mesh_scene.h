@@ -25,8 +25,8 @@ public:
   Mesh_scene &operator=(const Mesh_scene &) = delete;
 
   static constexpr uint32_t NONE = UINT32_MAX;
-  /* Makes an object of what `fill` gives to the builder. Returns its number, or
-   * NONE if none of its faces has an area. */
+  /* Makes an object of what `fill` gives to the builder, or one of each group.
+   * Returns the number of the last, or NONE if no face has an area. */
   uint32_t object(const std::string &name,
                   const std::function<void(Mesh_builder &)> &fill);
   /* Places an object. Objects must be placed in ascending order. */
@@ -43,6 +43,8 @@ public:
   void deliver(struct hsr_scene *scene, struct hsr_import *import);
 
 private:
+  void find_sides(struct hsr_scene &groups) const;
+
   const char *path_;
   const bool strict_, two_sided_;
   const double weld_; /* 0: no vertices are joined */

@@ -85,7 +85,7 @@ void Mesh_builder::weld(double distance) {
   Welder welder(*object_, distance);
   const std::vector<uint32_t> to = welder.join();
   uint64_t n = 0;
-  hsr_object_change_vertices(object_, to.data(), &n);
+  hsr_object_change_vertices(object_, to.data(), marks(), &n);
   n_dropped_ += n;
   const uint32_t joined = welder.n_joined();
   note(std::to_string(joined) + (joined == 1 ? " vertex" : " vertices") +

@@ -7,6 +7,8 @@ libcore_a_SOURCES += \
   %D%/volume_check.c \
   %D%/volume_check.h \
   %D%/volume_data.h \
+  %D%/volume_fields.c \
+  %D%/volume_fields.h \
   %D%/volume_heights.c \
   %D%/volume_meta.c \
   %D%/volume_nifti.c \

@@ -192,6 +192,31 @@ enum hsr_status hsr_volume_check_parts(struct hsr_volume_file *file,
   return HSR_OK;
 }
 
+/* A packed byte holds at most 1,032, and a number in a text takes two. */
+enum hsr_status hsr_volume_check_coded(struct hsr_volume_file *file,
+                                       double least, struct hsr_error *err) {
+  const struct hsr_volume_bytes *bytes = &file->bytes;
+  uint64_t size = 0;
+  if (bytes->n != 1)
+    return hsr_volume_refuse(
+        file, err,
+        "has its samples in %zu files, which are read only "
+        "if they are plain numbers",
+        bytes->n);
+  enum hsr_status status = find_part(file, 0, &size, err);
+  if (status)
+    return status;
+  double left = (double)size - (double)bytes->offset,
+         n = hsr_volume_samples(file);
+  return left >= least &&
+                 (bytes->encoding == HSR_PACKED
+                      ? n * hsr_volume_type_bytes(bytes->type) <= 1032 * left
+                      : 2 * n <= left + 1)
+             ? HSR_OK
+             : hsr_volume_refuse(file, err,
+                                 "is too short for the samples that it claims");
+}
+
 /* --- VTK's older format --------------------------------------------------- */
 
 /* A place in a text; the text ends with a 0. */

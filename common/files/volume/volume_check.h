@@ -73,6 +73,11 @@ enum hsr_status hsr_volume_add_numbered(struct hsr_volume_file *file,
 enum hsr_status hsr_volume_check_parts(struct hsr_volume_file *file,
                                        bool at_end, struct hsr_error *err);
 
+/* The same of samples that are packed or text, of which there must be one file, with
+ * at least `least` bytes. HSR_E_INPUT. */
+enum hsr_status hsr_volume_check_coded(struct hsr_volume_file *file,
+                                       double least, struct hsr_error *err);
+
 /* The parts of hsr_volume_check for HSR_NIFTI, HSR_META_IMAGE, HSR_NRRD. */
 enum hsr_status hsr_volume_check_nifti(struct hsr_volume_file *file,
                                        struct hsr_error *err);

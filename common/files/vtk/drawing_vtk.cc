@@ -5,9 +5,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -46,8 +48,34 @@ void add_lines(vtkPolyData *data, const hsr_drawing &drawing) {
   data->SetLines(lines);
 }
 
+/* What the numbers of an array mean. */
+void add_names(vtkPolyData *data, const char *name, const char *const *names,
+               size_t n) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (size_t k = 0; k < n; k++)
+    array->InsertNextValue(names[k]);
+  data->GetFieldData()->AddArray(array);
+}
+
+void add_facts(vtkPolyData *data, const hsr_drawing &drawing,
+               const hsr_drawing_facts &facts) {
+  const auto number = [&](const hsr_segment &s) {
+    return &s - drawing.segment;
+  };
+  add_data<vtkUnsignedCharArray>(
+      data, "class", drawing,
+      [&](const hsr_segment &s) { return facts.line_class[number(s)]; });
+  add_data<vtkUnsignedIntArray>(
+      data, "object", drawing,
+      [&](const hsr_segment &s) { return facts.object[number(s)]; });
+  add_names(data, "class_names", facts.class_name, facts.n_classes);
+  add_names(data, "object_names", facts.object_name, facts.n_objects);
+}
+
 /* The file's text; empty if VTK cannot make it. */
-std::string text_of(const hsr_drawing &drawing) {
+std::string text_of(const hsr_drawing &drawing,
+                    const hsr_drawing_facts *facts) {
   vtkNew<vtkPolyData> data;
   add_lines(data, drawing);
   using Interval = const hsr_segment &;
@@ -61,13 +89,16 @@ std::string text_of(const hsr_drawing &drawing) {
                                 [](Interval s) { return s.edge.part; });
   add_data<vtkUnsignedCharArray>(data, "implied", drawing,
                                  [](Interval s) { return s.edge.implied; });
+  if (facts)
+    add_facts(data, drawing, *facts);
   return hsr::vtk_text<vtkXMLPolyDataWriter>(data.Get());
 }
 
 } // namespace
 
 enum hsr_status hsr::write_vtp(const struct hsr_drawing *drawing,
+                               const struct hsr_drawing_facts *facts,
                                const char *path, struct hsr_error *err) {
   return write_vtk_text(
-      path, [&] { return text_of(*drawing); }, err);
+      path, [&] { return text_of(*drawing, facts); }, err);
 }

@@ -11,6 +11,7 @@ bool hsr_exchange_has_vtk(void) {
 }
 
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
+                                      const struct hsr_drawing_facts *,
                                       const char *path, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_INPUT,
                   "%s: this build of hsr, without VTK, does not write .vtp",
@@ -21,7 +22,7 @@ enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *,
                                        const struct hsr_view *,
                                        const char *path,
                                        struct hsr_error *err) {
-  return hsr_drawing_write_vtp(nullptr, path, err);
+  return hsr_drawing_write_vtp(nullptr, nullptr, path, err);
 }
 
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *,

@@ -24,10 +24,11 @@ bool hsr_exchange_has_vtk(void) {
 }
 
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const struct hsr_drawing_facts *facts,
                                       const char *path, struct hsr_error *err) {
   const hsr_vtk_library *vtk;
   enum hsr_status status = load(vtk, err);
-  return status ? status : vtk->write_vtp(drawing, path, err);
+  return status ? status : vtk->write_vtp(drawing, facts, path, err);
 }
 
 enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *polygons,

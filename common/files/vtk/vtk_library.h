@@ -11,6 +11,7 @@
 /* As the functions of exchange.h and volume_data.h. */
 struct hsr_vtk_library {
   enum hsr_status (*write_vtp)(const struct hsr_drawing *drawing,
+                               const struct hsr_drawing_facts *facts,
                                const char *path, struct hsr_error *err);
   /* point: where each side begins, as of hsr_polygon_points */
   enum hsr_status (*write_polygons)(const struct hsr_polygons *polygons,

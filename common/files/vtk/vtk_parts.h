@@ -10,8 +10,9 @@
 
 namespace hsr {
 
-enum hsr_status write_vtp(const struct hsr_drawing *drawing, const char *path,
-                          struct hsr_error *err);
+enum hsr_status write_vtp(const struct hsr_drawing *drawing,
+                          const struct hsr_drawing_facts *facts,
+                          const char *path, struct hsr_error *err);
 enum hsr_status write_polygons(const struct hsr_polygons *polygons,
                                const double *point, const char *path,
                                struct hsr_error *err);

@@ -210,7 +210,8 @@ enum hsr_event_at {
 /* Something that happens at a place of an edge. */
 struct hsr_sight_event {
   double t;     /* the place, in [0, 1] */
-  double error; /* a bound of the error of t, at most 1e-13 t */
+  double error; /* a bound of the error of t; at most 1e-13 t, unless
+                   hsr_sight_narrow found the place */
   enum hsr_event_at at;
   uint32_t subject;
   int change;    /* of the number of hiding faces, as t grows */
@@ -244,7 +245,8 @@ int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
 /* Narrows the part of edge e between *from and *to, which is in the picture, to
  * one side of a plane or of the image of a line: +1 or -1. False if nothing is
- * left; *from and *to are then meaningless.
+ * left; *from and *to are then meaningless. Their t may be rough, since most of
+ * what is found here is narrowed again: hsr_sight_locate makes it good.
  *
  * HSR_AT_PLANE: the plane of face `subject`; +1 is in front of it. An edge in
  * the plane is on neither side.
@@ -257,6 +259,11 @@ int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);
+
+/* Whether doubles make it certain that hsr_sight_narrow would leave nothing of
+ * edge e, whatever the part of it. */
+bool hsr_sight_excludes(const struct hsr_sight *sight, uint32_t e,
+                        enum hsr_event_at at, uint32_t subject, int side);
 
 /* Finds where A'B', the displaced edge e, pierces regular face f. False if it
  * does not. e may touch f, but f must not be a side of e, and neither end of e

@@ -25,12 +25,7 @@ void hsr_sight_locate(const struct hsr_sight *sight, uint32_t e,
                       struct hsr_sight_event *event) {
   const Numbers &n = *sight->numbers;
   try {
-    Interval t(0, 1);
-    {
-      CGAL::Protect_FPU_rounding<true> upwards;
-      const Place<Interval> place = place_of<Interval>(n, e, *event);
-      t = place.from / (place.from - place.to);
-    }
+    Interval t = rough_place(n, e, *event);
     // 2^-44 is less than 1e-13.
     if (!(t.sup() - t.inf() <= 0x1p-44 * t.inf())) {
       count_exact(n, HSR_ASK_PLACE);

@@ -5,6 +5,14 @@
 // Method      Whether one face hides the edge changes at few places, each the
 //             root of a linear function along the edge. Between two successive
 //             places it is the same as at any point between them.
+// Apart       A face hides nothing outside the hull of its corners' images.
+//             Let a line have no corner of the face on its positive side, and
+//             let the edge be there but for an end that is a corner. (Or let
+//             the edge be on the line, and of the corners at most one, which is
+//             an end of the edge.) Then the hull holds no point of the edge
+//             between its ends. It is closed, so it holds no displaced point
+//             either. Most faces near an edge are its neighbours, for which
+//             this is certain in doubles.
 #include "common/lines/sight/sight_numbers.h"
 
 #include <algorithm>
@@ -15,6 +23,57 @@ using hsr::Exact;
 using hsr::Interval;
 
 namespace {
+
+// --- Apart -------------------------------------------------------------------
+
+// The side of the line from c to d on which p lies, if doubles make it certain;
+// else 0. All three are ahead.
+int rough_turn(const hsr_sight *sight, uint32_t c, uint32_t d, uint32_t p) {
+  double bound;
+  const double turn = hsr_sight_turn(sight, c, d, p, &bound);
+  return turn > bound ? 1 : turn < -bound ? -1 : 0;
+}
+
+// The side of the line from c to d on which all the points certainly lie but
+// those that are c or d. 0 if there is no such side, or no such point.
+int common_side(const hsr_sight *sight, uint32_t c, uint32_t d,
+                const uint32_t *point, uint32_t n) {
+  int side = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    if (point[k] == c || point[k] == d)
+      continue;
+    const int one = rough_turn(sight, c, d, point[k]);
+    if (!one || one == -side)
+      return 0;
+    side = one;
+  }
+  return side;
+}
+
+bool are_apart(const hsr_sight *sight, uint32_t e, uint32_t f) {
+  const hsr_mesh &mesh = sight->world->mesh;
+  const uint32_t ends[2] = {sight->edges->a[e], sight->edges->b[e]};
+  const uint32_t *corner = mesh.vertex + mesh.start[f];
+  const uint32_t n = hsr_face_size(sight->world, f);
+  const auto is_ahead = [&](uint32_t p) { return sight->ahead[p]; };
+  if (!std::all_of(ends, ends + 2, is_ahead) ||
+      !std::all_of(corner, corner + n, is_ahead))
+    return false;
+  const auto has = [&](uint32_t p) {
+    return std::find(corner, corner + n, p) != corner + n;
+  };
+  if (!(has(ends[0]) && has(ends[1])) &&
+      common_side(sight, ends[0], ends[1], corner, n))
+    return true;
+  for (uint32_t k = 0, l = n - 1; k < n; l = k++) {
+    const int side = common_side(sight, corner[l], corner[k], ends, 2);
+    if (side && common_side(sight, corner[l], corner[k], corner, n) == -side)
+      return true;
+  }
+  return false;
+}
+
+// --- At a point --------------------------------------------------------------
 
 // P(t) of an edge, t = from / (from - to), as a point.
 template <class T>
@@ -32,11 +91,14 @@ Point<T> point_at(const Numbers &n, uint32_t e, const T &numerator,
 class At_point {
 public:
   At_point(const Numbers &n, uint32_t e, uint32_t f, double t)
-      : n_(n), e_(e), f_(f), exact_{Exact(t), Exact(1)}, rough_{t, 1} {}
+      : n_(n), e_(e), f_(f), exact_{Exact(t), Exact(1)} {
+    set_rough(t, 1);
+  }
   At_point(const Numbers &n, uint32_t e, uint32_t f, const Exact &numerator,
            const Exact &denominator)
-      : n_(n), e_(e), f_(f), exact_{numerator, denominator},
-        rough_{hsr::interval_of(numerator), hsr::interval_of(denominator)} {}
+      : n_(n), e_(e), f_(f), exact_{numerator, denominator} {
+    set_rough(hsr::interval_of(numerator), hsr::interval_of(denominator));
+  }
 
   bool hides() const {
     if (!is_before())
@@ -50,18 +112,20 @@ private:
   const Numbers &n_;
   uint32_t e_, f_;
 
-  template <class T> struct Ratio { T numerator, denominator; };
-  Ratio<Exact> exact_;
-  Ratio<Interval> rough_;
+  struct {
+    Exact numerator, denominator;
+  } exact_;
+  Point<Interval> rough_;
 
-  template <class T> const Ratio<T> &t() const {
-    if constexpr (std::is_same<T, Exact>::value)
-      return exact_;
-    else
-      return rough_;
+  void set_rough(const Interval &numerator, const Interval &denominator) {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    rough_ = point_at(n_, e_, numerator, denominator);
   }
   template <class T> Point<T> point() const {
-    return point_at<T>(n_, e_, t<T>().numerator, t<T>().denominator);
+    if constexpr (std::is_same<T, Exact>::value)
+      return point_at(n_, e_, exact_.numerator, exact_.denominator);
+    else
+      return rough_;
   }
 
   int row(uint32_t q) const {
@@ -149,7 +213,8 @@ public:
         s->ahead[b] ? hsr_sight_event{1, 0, HSR_AT_END, 0, 0} : near_border();
     for (uint32_t k = s->world->mesh.start[f]; k < s->world->mesh.start[f + 1];
          k++) {
-      add(HSR_AT_SIDE, k);
+      if (may_cross_side(k))
+        add(HSR_AT_SIDE, k);
       // The line of this side passes through the eye, so the side itself does
       // not count. Parity may change at its ends, since one may be counted
       // without the other.
@@ -180,6 +245,20 @@ private:
     return event;
   }
 
+  // Whether e may cross the image of the side that ends in corner k. It does
+  // not if it begins or ends on it, or if doubles show that both of its ends,
+  // which are ahead, are on one side.
+  bool may_cross_side(uint32_t k) const {
+    const hsr_sight *s = n_.sight;
+    const uint32_t ends[2] = {s->edges->a[e_], s->edges->b[e_]};
+    const uint32_t c = side_begins(s->world, k), d = s->world->mesh.vertex[k];
+    for (uint32_t p : ends)
+      if (p == c || p == d)
+        return false;
+    return !(s->ahead[ends[0]] && s->ahead[ends[1]] && s->ahead[c] &&
+             s->ahead[d] && common_side(s, c, d, ends, 2));
+  }
+
   void add(enum hsr_event_at at, uint32_t subject) {
     hsr_sight_event event = {0, 0, at, subject, 0};
     const auto sign_at = [&](bool at_a) {
@@ -200,12 +279,8 @@ private:
 
 // Whether both ends of e are certainly before the plane of face f.
 bool lies_before(const hsr_sight *sight, uint32_t e, uint32_t f) {
-  const Numbers &n = *sight->numbers;
-  CGAL::Protect_FPU_rounding<true> upwards;
-  using T = Interval;
-  const Plane<T> plane = n.plane<T>(f);
   for (uint32_t p : {sight->edges->a[e], sight->edges->b[e]})
-    if (certain_sign(plane.height(n.point<T>(p))) != sight->facing[f])
+    if (certain_side(*sight->numbers, f, p) != sight->facing[f])
       return false;
   return true;
 }
@@ -217,7 +292,7 @@ enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
                                struct hsr_growing *events, bool *hidden) {
   const Numbers &n = *sight->numbers;
   *hidden = false;
-  if (lies_before(sight, e, f))
+  if (are_apart(sight, e, f) || lies_before(sight, e, f))
     return HSR_OK;
   try {
     const std::vector<hsr_sight_event> places = Places(n, e, f).places;
@@ -249,10 +324,7 @@ enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
 bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f) {
   const Numbers &n = *sight->numbers;
   for (uint32_t p : {sight->edges->a[e], sight->edges->b[e]})
-    if (sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
-          using T = decltype(t);
-          return n.plane<T>(f).height(n.point<T>(p));
-        }))
+    if (plane_sign(n, f, p))
       return false;
   return true;
 }

@@ -326,6 +326,32 @@ inline int height_sign(const Numbers &n, uint32_t f, uint32_t p) {
   });
 }
 
+// The side of the plane of face f that point p, not displaced, is on, as far as
+// it is certain without exact numbers; else 0.
+inline int certain_side(const Numbers &n, uint32_t f, uint32_t p) {
+  const hsr_world *w = n.sight->world;
+  if (p < w->mesh.n_vertices)
+    if (const int side = hsr::rough_side(w, f, p))
+      return side;
+  CGAL::Protect_FPU_rounding<true> upwards;
+  return certain_sign(n.plane<Interval>(f).height(n.point<Interval>(p)));
+}
+
+// The same, by exact numbers where needed.
+inline int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
+  const hsr_world *w = n.sight->world;
+  if (p < w->mesh.n_vertices) {
+    if (const int side = hsr::rough_side(w, f, p))
+      return side;
+    if (hsr_on_plane(w, f, p))
+      return 0;
+  }
+  return sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
+    using T = decltype(t);
+    return n.plane<T>(f).height(n.point<T>(p));
+  });
+}
+
 // +1 if the eye is in front of the plane of face f, -1 behind, 0 on it.
 inline int facing_sign(const Numbers &n, uint32_t f) {
   return -sign_of(n, HSR_ASK_FACING, [&](auto t) {
@@ -460,6 +486,14 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
     }
   }
   return {from * n.eye<T>().weight(B), to * n.eye<T>().weight(A)};
+}
+
+// An interval that holds the place.
+inline Interval rough_place(const Numbers &n, uint32_t e,
+                            const hsr_sight_event &event) {
+  CGAL::Protect_FPU_rounding<true> upwards;
+  const Place<Interval> place = place_of<Interval>(n, e, event);
+  return place.from / (place.from - place.to);
 }
 
 inline int border_sign(const Numbers &n, uint32_t border, uint32_t p) {

@@ -42,27 +42,21 @@ int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f) {
 
 namespace {
 
-int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
-  const hsr_world *w = n.sight->world;
-  if (p < w->mesh.n_vertices) {
-    if (hsr_on_plane(w, f, p))
-      return 0;
-    if (const int sign = hsr::rough_side(w, f, p))
-      return sign;
-  }
-  return sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
-    using T = decltype(t);
-    return n.plane<T>(f).height(n.point<T>(p));
-  });
+// The side of a line through two points, as far as doubles make it certain; else
+// 0.
+int rough_line_sign(const Numbers &n, const hsr_sight_line &line, uint32_t p) {
+  double bound, turn = hsr_sight_turn(n.sight, line.a, line.b, p, &bound);
+  return n.sight->ahead[p] && (turn > bound || turn < -bound)
+             ? turn > 0 ? 1 : -1
+             : 0;
 }
 
 int line_sign(const Numbers &n, const hsr_sight_line &line, uint32_t p) {
   if (!line.of_planes) {
     if (p == line.a || p == line.b)
       return 0;
-    double bound, turn = hsr_sight_turn(n.sight, line.a, line.b, p, &bound);
-    if (n.sight->ahead[p] && (turn > bound || turn < -bound))
-      return turn > 0 ? 1 : -1;
+    if (const int side = rough_line_sign(n, line, p))
+      return side;
   }
   return sign_of(n, HSR_ASK_EDGE, [&](auto t) {
     using T = decltype(t);
@@ -80,7 +74,38 @@ int displaced_line_sign(const Numbers &n, const hsr_sight_line &line) {
   });
 }
 
+// Fills t and error of an event, however great the error is.
+void locate_roughly(const Numbers &n, uint32_t e, hsr_sight_event *event) {
+  const Interval t = rough_place(n, e, *event);
+  const double least = t.inf() > 0 ? t.inf() : 0; // also if that is NaN
+  const double most = t.sup() < 1 ? t.sup() : 1;
+  event->t = least + (most - least) / 2;
+  event->error = most - least;
+}
+
 } // namespace
+
+bool hsr_sight_excludes(const struct hsr_sight *sight, uint32_t e,
+                        enum hsr_event_at at, uint32_t subject, int side) {
+  const Numbers &n = *sight->numbers;
+  const hsr_world *w = sight->world;
+  const hsr_sight_line *line =
+      at == HSR_AT_LINE ? &sight->line[subject] : nullptr;
+  if (line && line->of_planes)
+    return false;
+  int n_on_line = 0;
+  for (uint32_t p : {sight->edges->a[e], sight->edges->b[e]}) {
+    if (line && (p == line->a || p == line->b)) {
+      n_on_line++;
+      continue;
+    }
+    if (p >= w->mesh.n_vertices ||
+        (line ? rough_line_sign(n, *line, p)
+              : hsr::rough_side(w, subject, p)) != -side)
+      return false;
+  }
+  return n_on_line < 2;
+}
 
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
@@ -100,7 +125,7 @@ bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
   if (a >= 0 && b >= 0)
     return true;
   hsr_sight_event event = {0, 0, at, subject, 0};
-  hsr_sight_locate(sight, e, &event);
+  locate_roughly(n, e, &event);
   if (a < 0 && hsr_sight_compare(sight, e, &event, from) > 0)
     *from = event;
   if (b < 0 && hsr_sight_compare(sight, e, &event, to) < 0)

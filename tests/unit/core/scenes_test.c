@@ -265,7 +265,7 @@ static void check_cameras(struct tap *tap) {
          house->views[0].near == 0.5,
      "an angle makes a view perspective again");
   hsr_scene_delete(house);
-  house = open_scene("house@parallel=fit");
+  house = open_scene("house@parallel=same");
   camera = house->views[2];
   ok(tap,
      house->n_views == n_views &&

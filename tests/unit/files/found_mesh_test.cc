@@ -254,6 +254,14 @@ void try_off(tap *t) {
          {{1, 0, 0, .2}, GREY, {0, .5, 1, 1}, GREY},
          "1 face has the number of a colour in a map"),
      "colours of some faces, with alpha");
+  ok(t,
+     has(read("m.off", "COFF 3 1 0\n0 0 0 5\n1 0 0 7\n0 1 0 5\n3 0 1 2\n"),
+         {GREY}, "3 vertices have the number of a colour in a map"),
+     "and of vertices");
+  const std::string two =
+      read("n.off", "COFF 3 1 0\n0 0 0 1 0\n1 0 0\n0 1 0\n3 0 1 2\n").error;
+  ok(t, two.find("vertex 0 has 5 numbers, not 3") != std::string::npos,
+     "two numbers are no colour");
 }
 
 std::string big_endian(const std::vector<uint32_t> &words) {
@@ -392,7 +400,7 @@ void try_compressed(tap *t) {
 int main() {
   if (!make_directory())
     return 99;
-  struct tap t = plan(3 + 5 + 3 + 4 + 1 + 4 + 6 + 5 + 8 + 5);
+  struct tap t = plan(3 + 5 + 3 + 4 + 1 + 4 + 8 + 5 + 8 + 5);
   try_materials(&t);
   try_paths(&t);
   try_seven_numbers(&t);

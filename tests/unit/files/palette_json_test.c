@@ -156,7 +156,7 @@ static const struct {
     {"{\"schema\": \"hsr-palette/1\"", ":1: ", false},
     {HEAD ",\n\"ambient\": 1, \"ambient\": 1}", ":2: duplicate", true},
     {"[]", "json: must be an object, not an array", false},
-    {"{}", "json: 'schema' is missing", false},
+    {"{}", "json: 'schema' is missing: it must be 'hsr-palette/1'", false},
     {"{\"schema\": 1}", "/schema: must be a string, not a number", false},
     {"{\"schema\": \"hsr-scene/1\"}",
      "/schema: must be 'hsr-palette/1', not 'hsr-scene/1'", false},

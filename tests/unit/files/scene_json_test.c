@@ -512,7 +512,7 @@ static const struct {
 
     /* The whole */
     {"[]", ": must be an object, not an array"},
-    {"{}", ": 'schema' is missing"},
+    {"{}", ": 'schema' is missing: it must be 'hsr-scene/1'"},
     {"{\"schema\": 1}", ": /schema: must be a string, not a number"},
     {"{\"schema\": \"hsr-scene/2\", \"new\": 1}",
      ": /schema: must be 'hsr-scene/1', not 'hsr-scene/2'"},

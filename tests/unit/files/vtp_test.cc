@@ -244,7 +244,7 @@ void try_drawing(tap *t) {
   hsr_drawing drawing = {segments, 3, 3};
   const std::string path = directory + "/lines.vtp";
   hsr_error err = {HSR_OK, ""};
-  ok(t, !hsr_drawing_write_vtp(&drawing, path.c_str(), &err),
+  ok(t, !hsr_drawing_write_vtp(&drawing, nullptr, path.c_str(), &err),
      "a drawing is written");
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
@@ -255,10 +255,11 @@ void try_drawing(tap *t) {
     good = good && is_line(data, k, segments[k]);
   ok(t, good, "VTK reads every bit of it");
   drawing.n = 0;
-  ok(t, !hsr_drawing_write_vtp(&drawing, path.c_str(), &err),
+  ok(t, !hsr_drawing_write_vtp(&drawing, nullptr, path.c_str(), &err),
      "an empty drawing is written");
   ok(t,
-     hsr_drawing_write_vtp(&drawing, (directory + "/none/a.vtp").c_str(),
+     hsr_drawing_write_vtp(&drawing, nullptr,
+                           (directory + "/none/a.vtp").c_str(),
                            &err) == HSR_E_INPUT,
      "a folder that is not there: %s", err.text);
 }

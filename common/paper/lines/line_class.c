@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/paper/line_class.h"
+#include "common/paper/lines/line_class.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/paper/line_faces.h"
+#include "common/paper/lines/line_faces.h"
 #include "common/exact/predicates.h"
 #include "common/scene/pieces.h"
 

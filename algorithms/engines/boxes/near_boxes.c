@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "algorithms/object_space/edges/near_boxes.h"
+#include "algorithms/engines/boxes/near_boxes.h"
 
 static struct hsr_float_box float_box(const struct hsr_image_box *box) {
   return (struct hsr_float_box){

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/paper/places.h"
+#include "common/paper/lines/places.h"
 
 namespace hsr {
 

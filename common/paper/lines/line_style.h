@@ -7,7 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/lines/drawing.h"
-#include "common/paper/line_class.h"
+#include "common/paper/lines/line_class.h"
 #include "common/scene/scene.h"
 
 #include <stdbool.h>
@@ -88,6 +88,9 @@ void hsr_line_style_plain(struct hsr_line_style *style, enum hsr_hidden hidden);
 /* Sets the angle of creases, 0 to 180 degrees, and leaves out lines of planes
  * that differ by no more. False if there are too many rules. */
 bool hsr_line_style_crease(struct hsr_line_style *style, double degrees);
+
+/* Whether any hidden line is drawn, of objects that no rule names. */
+bool hsr_line_style_draws_hidden(const struct hsr_line_style *style);
 
 /* Reads a style from a file: docs/schemas/style.schema.json. HSR_E_INPUT with
  * what is wrong; HSR_E_NOMEM. */

@@ -6,7 +6,7 @@
 
 #include "common/exact/exact_plane.h"
 #include "common/lines/drawing.h"
-#include "common/paper/line_class.h"
+#include "common/paper/lines/line_class.h"
 #include "common/view/view.h"
 
 #include <vector>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <fnmatch.h>
 #include <stdlib.h>
@@ -74,6 +74,12 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style) {
   return false;
 }
 
+/* Lines of planes that differ by no more than the angle. */
+static const struct hsr_line_rule flat = {.classes = 1u << HSR_LINE_SEAM |
+                                                     1u << HSR_LINE_SMOOTH,
+                                          .levels = HSR_ALL_LEVELS,
+                                          DRAWN};
+
 /* Ways to draw hidden lines. Each style has a dashed pen for them. */
 static const struct hsr_line_rule not_drawn[] = {
     {.classes = HSR_ALL_LINES, .levels = HSR_HIDDEN_LINES, DRAWN}};
@@ -101,6 +107,9 @@ enum hsr_status hsr_line_style_hide(struct hsr_line_style *style,
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < way[hidden].n && !status; k++)
     status = hsr_line_style_add(style, &way[hidden].rule[k], err);
+  /* Lines of one plane stay left out. */
+  if (!status && style->crease >= 0)
+    status = hsr_line_style_add(style, &flat, err);
   return status;
 }
 
@@ -111,10 +120,6 @@ void hsr_line_style_plain(struct hsr_line_style *style,
 }
 
 bool hsr_line_style_crease(struct hsr_line_style *style, double degrees) {
-  const struct hsr_line_rule flat = {.classes = 1u << HSR_LINE_SEAM |
-                                                1u << HSR_LINE_SMOOTH,
-                                     .levels = HSR_ALL_LEVELS,
-                                     DRAWN};
   style->crease = degrees;
   return !hsr_line_style_add(style, &flat, NULL);
 }
@@ -181,6 +186,14 @@ static struct hsr_line_pen pen_for(const struct hsr_line_style *style,
     }
   }
   return pen;
+}
+
+bool hsr_line_style_draws_hidden(const struct hsr_line_style *style) {
+  for (int c = 0; c < HSR_N_LINE_CLASSES; c++)
+    for (int level = 1; level < HSR_LINE_LEVELS; level++)
+      if (pen_for(style, "", c, level).draws)
+        return true;
+  return false;
 }
 
 static bool is_equal(const struct hsr_line_pen *a,

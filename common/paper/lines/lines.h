@@ -19,8 +19,8 @@
 #define HSR_COMMON_PAPER_LINES_H
 
 #include "common/lines/drawing.h"
-#include "common/paper/line_class.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_class.h"
+#include "common/paper/lines/line_style.h"
 #include "common/scene/world.h"
 #include "common/view/view.h"
 

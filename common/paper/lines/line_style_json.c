@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Styles of line drawings in files: docs/schemas/style.schema.json. */
 #include "common/files/json/json_members.h"
-#include "common/paper/line_style.h"
+#include "common/paper/lines/line_style.h"
 
 #include <stdlib.h>
 #include <string.h>
