@@ -172,8 +172,9 @@ void Finder::draw_alone(uint32_t e) {
         hsr_line_pen_of(pens_, line.object, line.line_class, s.invisibility);
     const bool goes_on = before != NONE && drawing_->segment[k - 1].t1 == s.t0;
     const uint32_t from = goes_on ? before : node_of(e, s, false);
-    // Doubles may be equal where the exact numbers are not.
-    before = s.t0 == s.t1 ? from : node_of(e, s, true);
+    // Doubles cannot tell ends apart that are so near to one another.
+    const bool is_empty = s.t1 - s.t0 <= 0x1p-50 * s.t1 && s.t1 != 1;
+    before = is_empty ? from : node_of(e, s, true);
     emit(line, from, before);
   }
 }
