@@ -146,6 +146,7 @@ tap_scripts = \
   %D%/command/command.test \
   %D%/command/completion.test \
   %D%/command/densities.test \
+  %D%/command/drawings.test \
   %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/gltf.test \

@@ -186,8 +186,13 @@ enum hsr_status line_options_style(const struct line_options *o,
                                  (enum hsr_hidden)choose(o->hidden, ways), err);
   if (!status && o->crease >= 0 && !hsr_line_style_crease(style, o->crease))
     status = hsr_fail(err, HSR_E_INPUT, "%s: too many rules", o->style);
-  for (size_t k = 0; k < o->n_rules && !status; k++)
-    status = hsr_line_style_add(style, &o->rule[k], err);
+  for (size_t k = 0; k < o->n_rules && !status; k++) {
+    struct hsr_line_rule rule = o->rule[k];
+    /* The pen of --hidden draws no lines of one plane, if they are left out. */
+    if (rule.levels == HSR_HIDDEN_LINES && style->crease >= 0)
+      rule.classes &= ~HSR_FLAT_LINES;
+    status = hsr_line_style_add(style, &rule, err);
+  }
   if (status)
     return status;
   if (o->has_layers)

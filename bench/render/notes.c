@@ -2,6 +2,7 @@
 /* What hsr render says on stderr about a drawing of lines. */
 #include "bench/render/render.h"
 #include "common/files/mesh/exchange.h"
+#include "common/files/suffix.h"
 #include "common/paper/lines/lines.h"
 #include "scenes/cameras.h"
 
@@ -124,10 +125,25 @@ static enum hsr_status say_rear(const struct render *r, struct hsr_error *err) {
   return status;
 }
 
+/* Files of lines alone. */
+static void say_no_faces(const struct render_options *o) {
+  for (int k = 0; k < o->n_outputs && o->fill; k++) {
+    const char *file = o->output[k];
+    if (hsr_ends_in(file, ".dxf") && !o->hatch)
+      fprintf(stderr,
+              "hsr: %s: holds lines, and no filled faces; --hatch makes lines "
+              "of them\n",
+              file);
+    else if (hsr_ends_in(file, ".vtp") || hsr_ends_in(file, ".json"))
+      fprintf(stderr, "hsr: %s: holds the edges alone, and no faces\n", file);
+  }
+}
+
 enum hsr_status say_notes(const struct render *r, struct hsr_error *err) {
   const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
   if (!drawing || !r->options->n_outputs)
     return HSR_OK;
+  say_no_faces(r->options);
   enum hsr_status status = say_seams(r, drawing, err);
   return status ? status : say_rear(r, err);
 }

@@ -31,23 +31,18 @@ static const struct hsr_line_rule iso[] = {
     {EVERY(HSR_VISIBLE_LINES), .pen = {.draws = true, .width = .5}},
     {EVERY(HSR_HIDDEN_LINES),
      .pen = {.draws = false, .width = .25, .dash = 3, .gap = .75}},
-    {.classes =
-         1u << HSR_LINE_COLOUR | 1u << HSR_LINE_SEAM | 1u << HSR_LINE_SMOOTH,
+    {.classes = 1u << HSR_LINE_COLOUR | HSR_FLAT_LINES,
      .levels = HSR_VISIBLE_LINES,
      .sets_width = true,
      .pen = {.width = .25}},
-    {.classes = 1u << HSR_LINE_SEAM | 1u << HSR_LINE_SMOOTH,
-     .levels = HSR_ALL_LEVELS,
-     DRAWN}};
+    {.classes = HSR_FLAT_LINES, .levels = HSR_ALL_LEVELS, DRAWN}};
 
 /* One pen for all. */
 static const struct hsr_line_rule plotter[] = {
     {EVERY(HSR_VISIBLE_LINES), .pen = {.draws = true, .width = .3}},
     {EVERY(HSR_HIDDEN_LINES),
      .pen = {.draws = false, .width = .3, .dash = 1.5, .gap = 1}},
-    {.classes = 1u << HSR_LINE_SEAM | 1u << HSR_LINE_SMOOTH,
-     .levels = HSR_ALL_LEVELS,
-     DRAWN}};
+    {.classes = HSR_FLAT_LINES, .levels = HSR_ALL_LEVELS, DRAWN}};
 
 static const struct {
   const char *name;
@@ -75,10 +70,8 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style) {
 }
 
 /* Lines of planes that differ by no more than the angle. */
-static const struct hsr_line_rule flat = {.classes = 1u << HSR_LINE_SEAM |
-                                                     1u << HSR_LINE_SMOOTH,
-                                          .levels = HSR_ALL_LEVELS,
-                                          DRAWN};
+static const struct hsr_line_rule flat = {
+    .classes = HSR_FLAT_LINES, .levels = HSR_ALL_LEVELS, DRAWN};
 
 /* Ways to draw hidden lines. Each style has a dashed pen for them. */
 static const struct hsr_line_rule not_drawn[] = {

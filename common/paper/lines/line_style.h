@@ -41,6 +41,7 @@ struct hsr_line_rule {
   struct hsr_line_pen pen; /* what is set */
 };
 #define HSR_ALL_LINES ((1u << HSR_N_LINE_CLASSES) - 1)
+#define HSR_FLAT_LINES (1u << HSR_LINE_SEAM | 1u << HSR_LINE_SMOOTH)
 #define HSR_VISIBLE_LINES 1u
 #define HSR_HIDDEN_LINES 14u
 #define HSR_ALL_LEVELS 15u
