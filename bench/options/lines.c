@@ -26,51 +26,70 @@ static bool parse_pen_word(const char *word, struct hsr_line_rule *rule) {
   return true;
 }
 
-/* A pen, whose words are separated by commas. Of --crease, a plain number is
- * degrees. Lines that are given a pen are drawn. */
-static error_t parse_pen(struct line_options *o, unsigned classes,
-                         unsigned levels, const char *option, const char *arg,
+/* A word of --crease that is an angle, or "all". */
+static bool parse_crease(const char *word, double *degrees) {
+  if (!strcmp(word, "all")) {
+    *degrees = -1;
+    return true;
+  }
+  return parse_number(word, degrees) && *degrees >= 0 && *degrees <= 180;
+}
+
+/* Lines that are given a pen are drawn. Those of the pen "none" are left out
+ * where they are hidden, too. */
+static error_t add_pen(struct line_options *o, struct line_pen_option *pen,
+                       const char *option, struct option_base *base) {
+  struct hsr_line_rule *rule = &pen->rule;
+  if (!rule->pen.draws)
+    rule->levels |= HSR_HIDDEN_LINES;
+  /* Dashes of ISO 128-2: 12 widths, and gaps of 3. */
+  if (rule->pen.dash < 0) {
+    const double width = rule->sets_width ? rule->pen.width : .25;
+    rule->pen.dash = 12 * width;
+    rule->pen.gap = 3 * width;
+  }
+  if (o->n_pens == MOST_LINE_OPTIONS)
+    return option_fail(base, "%s: at most %d pens", option,
+                       (int)MOST_LINE_OPTIONS);
+  o->pen[o->n_pens++] = *pen;
+  return 0;
+}
+
+/* A pen, whose words are separated by commas. Words of --crease may be an angle
+ * as well. */
+static error_t parse_pen(struct line_options *o, int key, unsigned classes,
+                         unsigned levels, const char *arg,
                          struct option_base *base) {
-  struct hsr_line_rule rule = {.classes = classes,
-                               .levels = levels,
-                               .sets_draws = true,
-                               .pen = {.draws = true}};
-  char text[200], *rest = text;
-  bool degrees_alone = true;
+  struct line_pen_option pen = {.key = key,
+                                .rule = {.classes = classes,
+                                         .levels = levels,
+                                         .sets_draws = true,
+                                         .pen = {.draws = true}}};
+  const char *option = line_option_name(key);
+  char text[MOST_PEN], *rest = text;
   if (strlen(arg) >= sizeof text)
     return option_fail(base, "%s: too long", option);
   strcpy(text, arg);
   for (char *word; (word = strsep(&rest, ","));) {
     double degrees;
-    if (classes == 1u << HSR_LINE_CREASE && parse_number(word, &degrees)) {
-      if (!(degrees >= 0 && degrees <= 180))
-        return option_fail(base,
-                           "--crease %s: must be degrees, 0 to 180, or "
-                           "a pen, as 20,.25mm",
-                           arg);
+    if (key == LINE_CREASE && parse_crease(word, &degrees)) {
+      o->has_crease = true;
       o->crease = degrees;
       continue;
     }
-    degrees_alone = false;
-    if (!parse_pen_word(word, &rule))
+    if (key == LINE_CREASE && parse_number(word, &degrees))
+      return option_fail(base,
+                         "--crease %s: must be degrees, 0 to 180, or all, or a "
+                         "pen, as 20,.25mm",
+                         arg);
+    if (!parse_pen_word(word, &pen.rule))
       return option_fail(base,
                          "%s %s: must be a width, as .5mm, #rrggbb, solid, "
                          "dashed or none, or several with commas between",
                          option, arg);
+    strcat(strcat(pen.words, *pen.words ? "," : ""), word);
   }
-  /* Dashes of ISO 128-2: 12 widths, and gaps of 3. */
-  if (rule.pen.dash < 0) {
-    const double width = rule.sets_width ? rule.pen.width : .25;
-    rule.pen.dash = 12 * width;
-    rule.pen.gap = 3 * width;
-  }
-  if (degrees_alone)
-    return 0;
-  if (o->n_rules == MOST_LINE_OPTIONS)
-    return option_fail(base, "%s: at most %d pens", option,
-                       (int)MOST_LINE_OPTIONS);
-  o->rule[o->n_rules++] = rule;
-  return 0;
+  return *pen.words ? add_pen(o, &pen, option, base) : 0;
 }
 
 static const char *const ways[] = {[HSR_HIDDEN_NONE] = "none",
@@ -92,7 +111,8 @@ static error_t parse_hidden(struct line_options *o, const char *arg,
     o->hidden = arg;
     return 0;
   }
-  if (parse_pen(o, HSR_ALL_LINES, HSR_HIDDEN_LINES, "--hidden", arg, base) == 0)
+  if (parse_pen(o, LINE_HIDDEN, HSR_ALL_LINES, HSR_HIDDEN_LINES, arg, base) ==
+      0)
     return 0;
   return option_fail(
       base,
@@ -112,6 +132,7 @@ static const struct {
              {"--crease", HSR_LINE_CREASE},
              {"--colour-line", HSR_LINE_COLOUR},
              {"--seam", HSR_LINE_SEAM},
+             {"--smooth", HSR_LINE_SMOOTH},
              {"--hidden", -1},
              {"--layers", -1},
              {"--order", -1}};
@@ -121,27 +142,21 @@ const char *line_option_name(int key) {
   return names[key - LINE_STYLE].name;
 }
 
-/* Appends an option as a word of a shell. */
-static void add_word(struct line_options *o, const char *name,
-                     const char *arg) {
-  const size_t n = strlen(o->words);
-  const bool plain =
-      strspn(arg, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                  "0123456789.,_/#%-+") == strlen(arg) ||
-      strchr(arg, '\'');
-  snprintf(o->words + n, sizeof o->words - n, plain ? " %s=%s" : " %s='%s'",
-           name, arg);
+int line_option_of(enum hsr_line_class line_class) {
+  int k = 0;
+  while (names[k].line_class != (int)line_class)
+    k++;
+  return LINE_STYLE + k;
 }
 
-error_t parse_line_option(struct line_options *o, int key, char *arg,
+error_t parse_line_option(struct line_options *o, int key, const char *arg,
                           struct option_base *base) {
   const int k = key - LINE_STYLE;
   if (k < 0 || k >= N_NAMES)
     return ARGP_ERR_UNKNOWN;
-  add_word(o, names[k].name, arg);
   if (names[k].line_class >= 0)
-    return parse_pen(o, 1u << names[k].line_class, HSR_VISIBLE_LINES,
-                     names[k].name, arg, base);
+    return parse_pen(o, key, 1u << names[k].line_class, HSR_VISIBLE_LINES, arg,
+                     base);
   switch (key) {
   case LINE_STYLE:
     o->style = arg;
@@ -163,6 +178,38 @@ error_t parse_line_option(struct line_options *o, int key, char *arg,
   }
 }
 
+/* --- Words ---------------------------------------------------------------- */
+
+/* Appends an option as a word of a shell. */
+static void add_word(char words[MOST_LINE_WORDS], int key, const char *arg) {
+  char word[TERMINAL_NAME];
+  const size_t n = strlen(words);
+  snprintf(words + n, MOST_LINE_WORDS - n, " %s=%s", line_option_name(key),
+           terminal_word(arg, word, sizeof word));
+}
+
+void line_options_words(const struct line_options *o,
+                        char words[MOST_LINE_WORDS]) {
+  char degrees[32] = "all";
+  *words = '\0';
+  if (o->style)
+    add_word(words, LINE_STYLE, o->style);
+  if (o->hidden)
+    add_word(words, LINE_HIDDEN, o->hidden);
+  if (o->has_crease && o->crease >= 0)
+    snprintf(degrees, sizeof degrees, "%.17g", o->crease);
+  if (o->has_crease)
+    add_word(words, LINE_CREASE, degrees);
+  for (size_t k = 0; k < o->n_pens; k++)
+    add_word(words, o->pen[k].key, o->pen[k].words);
+  if (o->has_layers)
+    add_word(words, LINE_LAYERS, hsr_line_layers_name(o->layers));
+  if (o->by_pen_travel)
+    add_word(words, LINE_ORDER, "pen");
+}
+
+/* --- The style ------------------------------------------------------------ */
+
 /* A style by its name, or from a file. */
 static enum hsr_status find_style(const char *name,
                                   struct hsr_line_style *style,
@@ -181,13 +228,13 @@ enum hsr_status line_options_style(const struct line_options *o,
                                    struct hsr_error *err) {
   enum hsr_status status =
       find_style(o->style ? o->style : "screen", style, err);
+  if (!status && o->has_crease && !hsr_line_style_crease(style, o->crease))
+    status = hsr_fail(err, HSR_E_INPUT, "%s: too many rules", o->style);
   if (!status && o->hidden)
     status = hsr_line_style_hide(style,
                                  (enum hsr_hidden)choose(o->hidden, ways), err);
-  if (!status && o->crease >= 0 && !hsr_line_style_crease(style, o->crease))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: too many rules", o->style);
-  for (size_t k = 0; k < o->n_rules && !status; k++) {
-    struct hsr_line_rule rule = o->rule[k];
+  for (size_t k = 0; k < o->n_pens && !status; k++) {
+    struct hsr_line_rule rule = o->pen[k].rule;
     /* The pen of --hidden draws no lines of one plane, if they are left out. */
     if (rule.levels == HSR_HIDDEN_LINES && style->crease >= 0)
       rule.classes &= ~HSR_FLAT_LINES;

@@ -4,22 +4,24 @@
 #define HSR_BENCH_OPTIONS_LINES_H
 
 #include "bench/options/parser.h"
+#include "bench/terminal/terminal.h"
 #include "common/paper/lines/line_style.h"
 
-enum { MOST_LINE_OPTIONS = 32 };
+enum { MOST_LINE_OPTIONS = 32, MOST_PEN = 80 };
 struct line_options {
-  const char *style;  /* a name or a file; NULL: "screen" */
-  double crease;      /* degrees; negative: not given */
+  const char *style; /* a name or a file; NULL: "screen" */
+  bool has_crease;
+  double crease;      /* if so, degrees; negative: all edges are drawn */
   const char *hidden; /* a word of enum hsr_hidden; or NULL */
   bool has_layers, by_pen_travel;
   enum hsr_layers layers; /* if has_layers */
-  struct hsr_line_rule rule[MOST_LINE_OPTIONS];
-  size_t n_rules;
-  char words[400]; /* all that were given, each after a space, for a command
-                      line that draws the same */
+  struct line_pen_option {
+    int key; /* LINE_SILHOUETTE ... */
+    char words[MOST_PEN];
+    struct hsr_line_rule rule;
+  } pen[MOST_LINE_OPTIONS]; /* a later one overrules an earlier one */
+  size_t n_pens;
 };
-#define LINE_OPTIONS_STANDARD                                                  \
-  { .crease = -1 }
 
 /* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
  * is none of them. */
@@ -31,6 +33,7 @@ enum {
   LINE_CREASE,
   LINE_COLOUR,
   LINE_SEAM,
+  LINE_SMOOTH,
   LINE_HIDDEN,
   LINE_LAYERS,
   LINE_ORDER
@@ -56,14 +59,16 @@ enum {
        "DEG|PEN",                                                              \
        0,                                                                      \
        "leave out lines whose two faces turn by at most DEG degrees, except "  \
-       "silhouettes; the pen of those that turn more; or both, as 20,.25mm",   \
+       "silhouettes; all: leave out none; the pen of those that turn more; "   \
+       "or both, as 20,.25mm",                                                 \
        group},                                                                 \
       {"silhouette",                                                           \
        LINE_SILHOUETTE,                                                        \
        "PEN",                                                                  \
        0,                                                                      \
        "the pen of contour edges. A PEN is one or more of WIDTH (as .5mm, "    \
-       "1pt), #rrggbb, solid, dashed, none, with commas between",              \
+       "1pt), #rrggbb, solid, dashed, none (left out, hidden ones too), with " \
+       "commas between",                                                       \
        group},                                                                 \
       {"boundary", LINE_BOUNDARY, "PEN", 0, "the pen of edges of one face",    \
        group},                                                                 \
@@ -85,6 +90,13 @@ enum {
        0,                                                                      \
        "the pen of lines between objects that are flush",                      \
        group},                                                                 \
+      {"smooth",                                                               \
+       LINE_SMOOTH,                                                            \
+       "PEN",                                                                  \
+       0,                                                                      \
+       "the pen of lines within a plane, or whose faces turn by no more than " \
+       "--crease",                                                             \
+       group},                                                                 \
       {"layers",                                                               \
        LINE_LAYERS,                                                            \
        "BY",                                                                   \
@@ -97,8 +109,18 @@ enum {
   }
 /* The name of the option: "--style". */
 const char *line_option_name(int key);
-error_t parse_line_option(struct line_options *options, int key, char *arg,
-                          struct option_base *base);
+/* The option of the pen of a class. */
+int line_option_of(enum hsr_line_class line_class);
+error_t parse_line_option(struct line_options *options, int key,
+                          const char *arg, struct option_base *base);
+
+/* Writes the options, each after a space: a command line with them draws the
+ * same. */
+enum {
+  MOST_LINE_WORDS = MOST_LINE_OPTIONS * (MOST_PEN + 20) + TERMINAL_NAME + 100
+};
+void line_options_words(const struct line_options *options,
+                        char words[MOST_LINE_WORDS]);
 
 /* Makes the style. HSR_E_USAGE, HSR_E_INPUT, HSR_E_NOMEM: the file cannot be
  * read. */

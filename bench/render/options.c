@@ -328,7 +328,6 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
                              struct hsr_error *err) {
   *o = (struct render_options){.view = VIEW_OPTIONS_STANDARD,
                                .algorithm = "zbuffer-fast",
-                               .lines = LINE_OPTIONS_STANDARD,
                                .last_frame = -1,
                                .threads = 1,
                                .supersamples = 1};

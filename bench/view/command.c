@@ -12,6 +12,7 @@
 #include "common/files/image.h"
 #include "common/files/library.h"
 #include "common/files/srgb.h"
+#include "common/files/suffix.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -368,11 +369,10 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
 }
 
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
-  struct options o = {
-      .view = {.view = 1, .m = 1280, .n = 720},
-      .algorithms = "zbuffer-fast",
-      .lines = {.hidden = "dashed", .crease = -1, .words = " --hidden=dashed"},
-      .threads = 1};
+  struct options o = {.view = {.view = 1, .m = 1280, .n = 720},
+                      .algorithms = "zbuffer-fast",
+                      .lines = {.hidden = "dashed"},
+                      .threads = 1};
   struct viewer *v = calloc(1, sizeof *v);
   if (!v)
     return hsr_fail_nomem(err);
@@ -386,6 +386,8 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   v->import = o.scene.import;
   v->threads = o.threads;
   v->line_options = o.lines;
+  if (o.lines.style && hsr_ends_in(o.lines.style, ".json"))
+    v->style_file = o.lines.style;
   if (!status)
     status = line_options_style(&v->line_options, &v->style, err);
   v->coarse = 1;

@@ -92,22 +92,12 @@ static void mark_edges(const uint32_t *ids, int m, int n, unsigned char *rgb) {
 
 /* --- Lines ---------------------------------------------------------------- */
 
-/* Black lines on white paper become black lines over the picture. */
 static enum hsr_status draw_lines(struct viewer *v, const struct hsr_view *view,
                                   unsigned char *rgb, struct hsr_error *err) {
-  const size_t n = 3 * (size_t)view->m * (size_t)view->n;
   enum hsr_status status = HSR_OK;
   if (!v->lines.is_ready)
     status = player_open(&v->lines, LINES_BY, PLAYER_PLAIN, v, err);
-  unsigned char *paper = status ? NULL : malloc(n);
-  if (!status && !paper)
-    status = hsr_fail_nomem(err);
-  if (!status)
-    status = player_draw(&v->lines, view, paper, err);
-  for (size_t k = 0; k < n && !status; k++)
-    rgb[k] = (unsigned char)(rgb[k] * paper[k] / 255);
-  free(paper);
-  return status;
+  return status ? status : player_draw_over(&v->lines, view, rgb, err);
 }
 
 /* --- Parts ---------------------------------------------------------------- */

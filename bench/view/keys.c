@@ -258,11 +258,13 @@ static void new_name(char name[40], const char *suffix) {
 /* The command that draws what the window shows, as a picture or as lines, to a
  * file whose name is that of the camera with this suffix. */
 static void command_of(const struct viewer *v, const struct player *player,
-                       const char *name, const char *suffix, char *text,
-                       size_t size) {
+                       const char *name, const char *suffix,
+                       char text[MOST_COMMAND]) {
   char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME];
-  const char *lines = player->render.kind->lines ? v->line_options.words : "";
-  snprintf(text, size,
+  char lines[MOST_LINE_WORDS] = "";
+  if (player->render.kind->lines)
+    line_options_words(&v->line_options, lines);
+  snprintf(text, MOST_COMMAND,
            "hsr render %s --camera %s%s%s -a %s%s -s %dx%d -o %.*s%s",
            terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,
            v->import.strict ? " --strict" : "",
@@ -274,17 +276,16 @@ static void command_of(const struct viewer *v, const struct player *player,
 
 static void save_camera(struct viewer *v) {
   struct hsr_error err = {HSR_OK, ""};
-  char picture[2 * TERMINAL_NAME + 200], lines[2 * TERMINAL_NAME + 200] = "\n";
+  char picture[MOST_COMMAND], lines[MOST_COMMAND] = "";
   new_name(v->camera_file, ".json");
   if (hsr_cameras_json_write(&v->camera, 1, v->camera_file, &err)) {
     viewer_say(v, "%s", err.text);
     return;
   }
-  command_of(v, v->player[0], v->player[0]->variant.name, ".png", picture,
-             sizeof picture);
+  command_of(v, v->player[0], v->player[0]->variant.name, ".png", picture);
   if (v->has_lines && v->lines.is_ready)
-    command_of(v, &v->lines, LINES_BY, ".svg", lines + 1, sizeof lines - 1);
-  viewer_say(v, "%s%s", picture, lines[1] ? lines : "");
+    command_of(v, &v->lines, LINES_BY, ".svg", lines);
+  viewer_say(v, "%s%s%s", picture, *lines ? "\n" : "", lines);
 }
 
 static void load_camera(struct viewer *v) {
@@ -333,7 +334,17 @@ static const struct key {
             {"w", "work: how often samples are touched", work},
             {"d", "depth complexity", depth},
             {"e", "edges of faces", edges},
-            {"l", "lines, hidden ones dashed", lines},
+            {"l", "lines over the picture", lines},
+            {"L", "  style: screen, iso, plotter", lines_next_style},
+            {"H", "  hidden: none, dashed, thin, all", lines_next_hidden},
+            {"period", "  creases: a greater angle", lines_more_crease, "."},
+            {"comma", "  a smaller one, or all edges", lines_less_crease, ","},
+            {"4", "  silhouettes off, or on", lines_switch_silhouettes},
+            {"5", "  boundaries", lines_switch_boundaries},
+            {"6", "  intersections", lines_switch_intersections},
+            {"7", "  creases", lines_switch_creases},
+            {"8", "  lines between colours", lines_switch_colours},
+            {"9", "  seams and smooth lines", lines_switch_flat},
             {"v", "next view", next_view},
             {"V", "previous view", previous_view},
             {"space", "walk along the views", walk},
@@ -369,21 +380,36 @@ bool keys_know(const char *name) {
   return find_key(name);
 }
 
-void keys_help(char *text, size_t size) {
-  size_t n = 0;
-  for (int k = 0; k < N_KEYS && n < size; k++)
-    if (keys[k].about)
-      n += (size_t)snprintf(text + n, size - n, "%-6s %s\n",
-                            keys[k].label ? keys[k].label : keys[k].name,
-                            keys[k].about);
-  static const char *const mouse[][2] = {
+/* The lines of the help: of a key, or of the mouse. */
+struct help_line {
+  const char *label, *about;
+};
+enum { N_MOUSE = 4 };
+
+static size_t list_help(struct help_line line[N_KEYS + N_MOUSE]) {
+  static const struct help_line mouse[N_MOUSE] = {
       {"click", "the point and the faces there"},
       {"drag", "turn; with ctrl roll, with shift or"},
       {"", "  the middle button shift"},
       {"wheel", "nearer or farther; so the right button"}};
-  for (size_t k = 0; k < sizeof mouse / sizeof *mouse && n < size; k++)
-    n += (size_t)snprintf(text + n, size - n, "%-6s %s\n", mouse[k][0],
-                          mouse[k][1]);
+  size_t n = 0;
+  for (int k = 0; k < N_KEYS; k++)
+    if (keys[k].about)
+      line[n++] = (struct help_line){
+          keys[k].label ? keys[k].label : keys[k].name, keys[k].about};
+  memcpy(line + n, mouse, sizeof mouse);
+  return n + N_MOUSE;
+}
+
+void keys_help(char *text, size_t size) {
+  struct help_line line[N_KEYS + N_MOUSE];
+  const size_t n = list_help(line), rows = (n + 1) / 2;
+  size_t used = 0;
+  for (size_t k = 0; k < rows && used < size; k++)
+    used += (size_t)snprintf(text + used, size - used, "%-6s %-36s %-6s %s\n",
+                             line[k].label, line[k].about,
+                             k + rows < n ? line[k + rows].label : "",
+                             k + rows < n ? line[k + rows].about : "");
 }
 
 void keys_press(void *viewer, const char *name) {

@@ -39,6 +39,9 @@ static void add_state(const struct viewer *v, char *text) {
     add(text, ", %d x %d pixels a sample", coarse, coarse);
   add(text, ", %ld thread%s%s\n", v->threads, v->threads == 1 ? "" : "s",
       v->camera.parallel > 0 ? ", parallel" : "");
+  char lines[400];
+  lines_say(v, lines, sizeof lines);
+  add(text, "%s", lines);
 }
 
 static void add_times(const struct viewer *v, char *text) {

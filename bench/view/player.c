@@ -156,9 +156,9 @@ static void encode(const float *linear, size_t n, unsigned char *rgb) {
       bytes_of(linear + 3 * k, rgb + 3 * k);
 }
 
-/* Line drawings on white paper, hidden lines dashed. */
+/* A line drawing on paper, which is as grey as is said: 0 is black, 1 white. */
 static enum hsr_status shade_lines(struct player *p,
-                                   const struct hsr_view *view,
+                                   const struct hsr_view *view, float paper,
                                    unsigned char *rgb, struct hsr_error *err) {
   const size_t n = (size_t)view->m * (size_t)view->n;
   float *linear = malloc(3 * n * sizeof *linear);
@@ -172,6 +172,8 @@ static enum hsr_status shade_lines(struct player *p,
   if (!status)
     status = hsr_plot_init(&plot, &subject, &look, err);
   plot.has_paper = true;
+  for (int k = 0; k < 3; k++)
+    plot.paper[k] = paper;
   if (!status)
     status = hsr_plot_raster(&plot, linear, err);
   if (!status)
@@ -186,7 +188,7 @@ static enum hsr_status shade(struct player *p, const struct hsr_view *view,
   struct render *r = &p->render;
   const size_t n = (size_t)view->m * (size_t)view->n;
   if (r->kind->lines)
-    return shade_lines(p, view, rgb, err);
+    return shade_lines(p, view, 1, rgb, err);
   if (player_ids(p) && laid_out(p)) {
     shade_ids(p, view, rgb);
     return HSR_OK;
@@ -226,5 +228,23 @@ enum hsr_status player_draw(struct player *p, const struct hsr_view *view,
   if (!status)
     status = shade(p, view, rgb, err);
   p->shade_ms = 1e3 * (hsr_seconds_now() - end);
+  return status;
+}
+
+/* On black paper is what the pens add, and on white paper is also what they
+ * leave of the paper. */
+enum hsr_status player_draw_over(struct player *p, const struct hsr_view *view,
+                                 unsigned char *rgb, struct hsr_error *err) {
+  const size_t n = 3 * (size_t)view->m * (size_t)view->n;
+  unsigned char *white = malloc(n), *black = malloc(n);
+  enum hsr_status status = white && black ? HSR_OK : hsr_fail_nomem(err);
+  if (!status)
+    status = player_draw(p, view, white, err);
+  if (!status)
+    status = shade_lines(p, view, 0, black, err);
+  for (size_t k = 0; k < n && !status; k++)
+    rgb[k] = (unsigned char)(black[k] + rgb[k] * (white[k] - black[k]) / 255);
+  free(white);
+  free(black);
   return status;
 }

@@ -9,6 +9,7 @@
  * pick.c      the faces under a pixel
  * frozen.c    the camera seen from elsewhere
  * keys.c      what each key does
+ * line_keys.c what those of lines do
  * play.c      a list of keys and moves, played
  * command.c   the command line, the scene, and the events */
 #ifndef HSR_BENCH_VIEW_H
@@ -57,6 +58,12 @@ void player_close(struct player *player);
 enum hsr_status player_draw(struct player *player, const struct hsr_view *view,
                             unsigned char *rgb, struct hsr_error *err);
 
+/* Draws the lines of a view, which the player's algorithm makes, over m x n
+ * pixels, as they would be on paper of these colours. Fails likewise. */
+enum hsr_status player_draw_over(struct player *player,
+                                 const struct hsr_view *view,
+                                 unsigned char *rgb, struct hsr_error *err);
+
 /* The colour of a face, or of the background, as bytes. */
 void player_colour(const struct hsr_world *world, const struct hsr_view *view,
                    uint32_t id, unsigned char rgb[3]);
@@ -75,7 +82,9 @@ enum comparison {
 };
 enum page { PAGE_NONE, PAGE_TIMES, PAGE_STEPS, PAGE_TABLE, PAGE_HELP, N_PAGES };
 
-enum { MOST_COARSE = 8, MOST_PANEL = 8192 };
+/* A command that draws what the window shows. */
+enum { MOST_COMMAND = 2 * TERMINAL_NAME + MOST_LINE_WORDS + 200 };
+enum { MOST_COARSE = 8, MOST_PANEL = 8192 + 2 * MOST_COMMAND };
 #define LINES_BY "appel" /* the line drawing over the picture */
 
 struct viewer {
@@ -85,6 +94,7 @@ struct viewer {
   struct hsr_import import;
   struct line_options line_options;
   struct hsr_line_style style; /* made of line_options */
+  const char *style_file;      /* if --style was one; or NULL */
   struct hsr_scene *scene;
   struct player *player[2]; /* the second is for comparisons; owned */
   struct player counter;    /* the first one's counting build; or that of
@@ -108,7 +118,7 @@ struct viewer {
   struct hsr_view culled; /* the view that is frozen */
 
   unsigned char *rgb, *other; /* 3 m n bytes: of the window, and for a player */
-  char message[4 * TERMINAL_NAME + 400], picked[2000];
+  char message[2 * MOST_COMMAND], picked[2000];
   char camera_file[40];
 
   bool stopped;
@@ -159,8 +169,23 @@ void frozen_end(struct viewer *viewer);
 /* Does what a key is for. */
 void keys_press(void *viewer, const char *name);
 bool keys_know(const char *name);
-/* Writes a line for each key. */
+/* Writes what the keys and the mouse do, in two columns. */
 void keys_help(char *text, size_t size);
+
+/* Keys of lines: the next style, and way to draw hidden lines; the angle of
+ * creases; classes off and on. */
+void lines_next_style(struct viewer *viewer);
+void lines_next_hidden(struct viewer *viewer);
+void lines_less_crease(struct viewer *viewer);
+void lines_more_crease(struct viewer *viewer);
+void lines_switch_silhouettes(struct viewer *viewer);
+void lines_switch_boundaries(struct viewer *viewer);
+void lines_switch_intersections(struct viewer *viewer);
+void lines_switch_creases(struct viewer *viewer);
+void lines_switch_colours(struct viewer *viewer);
+void lines_switch_flat(struct viewer *viewer); /* seams, and smooth lines */
+/* Writes one line: how lines are drawn, and which. "": none are shown. */
+void lines_say(const struct viewer *viewer, char *text, size_t size);
 
 /* Writes what the window shows to a file. */
 enum hsr_status viewer_screenshot(struct viewer *viewer, const char *path,

@@ -5,7 +5,9 @@
 //             fifth of the time of OpenGL, which draws on a processor here and
 //             there. Where the pixels have another form, OpenGL draws them.
 // Shapes      are drawn by OpenGL.
+// Text        is drawn by cairo (window_text.h), as a picture.
 #include "bench/view/window.h"
+#include "bench/view/window_text.h"
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>
@@ -27,9 +29,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <X11/Xlib.h>
@@ -46,7 +45,6 @@
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkRenderingUI)
-VTK_MODULE_INIT(vtkRenderingFreeType)
 
 struct window {
   const window_events *events;
@@ -56,7 +54,9 @@ struct window {
   vtkNew<vtkImageData> image;
   vtkNew<vtkImageMapper> mapper;
   vtkNew<vtkActor2D> picture;
-  vtkNew<vtkTextActor> text;
+  vtkNew<vtkImageData> panel_image; /* of OpenGL */
+  vtkNew<vtkImageMapper> panel_mapper;
+  vtkNew<vtkActor2D> panel;
   vtkNew<vtkCallbackCommand> listener;
   std::vector<vtkSmartPointer<vtkActor>> shapes;
   bool moving = false, moved = false, left = false;
@@ -65,9 +65,11 @@ struct window {
   Display *display = nullptr; /* ours, and VTK's */
   Window id = 0;
   XImage *ximage = nullptr; /* NULL: OpenGL draws pictures */
-  std::vector<uint32_t> pixels, panel;
-  int m = 0, n = 0, panel_m = 0, panel_n = 0;
+  std::vector<uint32_t> pixels;
+  int m = 0, n = 0;
   std::string panel_text;
+  int panel_size[2] = {0, 0}; /* of the window then */
+  window_text text = {};      /* that text, drawn */
   int timer = -1, period = 0; /* milliseconds */
 };
 
@@ -167,17 +169,14 @@ void wait_for_window(window &w) {
   }
 }
 
-void set_text(window &w) {
-  vtkTextProperty *property = w.text->GetTextProperty();
-  property->SetFontFamilyToCourier();
-  property->SetFontSize(13);
-  property->SetColor(1, 1, 1);
-  property->SetBackgroundColor(0.05, 0.05, 0.1);
-  property->SetBackgroundOpacity(0.75);
-  property->SetVerticalJustificationToTop();
-  w.text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  w.text->SetPosition(0.008, 0.988);
-  w.text->SetVisibility(false);
+/* VTK's pixels run from 0 to 255. */
+void set_mapper(vtkImageMapper *mapper, vtkImageData *image,
+                vtkActor2D *actor) {
+  mapper->SetColorWindow(255);
+  mapper->SetColorLevel(127.5);
+  mapper->SetInputData(image);
+  actor->SetMapper(mapper);
+  actor->SetVisibility(false);
 }
 
 void build(window &w, const char *title, int m, int n) {
@@ -187,14 +186,10 @@ void build(window &w, const char *title, int m, int n) {
   w.frame->SetWindowName(title);
   w.frame->AddRenderer(w.renderer);
   w.renderer->SetBackground(0.09, 0.11, 0.15);
-  w.mapper->SetColorWindow(255);
-  w.mapper->SetColorLevel(127.5);
-  w.mapper->SetInputData(w.image);
-  w.picture->SetMapper(w.mapper);
-  w.picture->SetVisibility(false);
+  set_mapper(w.mapper, w.image, w.picture);
   w.renderer->AddActor2D(w.picture);
-  set_text(w);
-  w.renderer->AddActor2D(w.text);
+  set_mapper(w.panel_mapper, w.panel_image, w.panel);
+  w.renderer->AddActor2D(w.panel);
   w.interactor->SetRenderWindow(w.frame);
   w.interactor->EnableRenderOff(); /* the listener draws */
   vtkNew<Style> style;
@@ -253,6 +248,7 @@ void close(window *w) {
     return;
   w->interactor->RemoveAllObservers();
   free_ximage(*w);
+  window_text_free(&w->text);
   w->frame->Finalize();
   destroy(w);
 }
@@ -285,57 +281,74 @@ bool make_ximage(window &w, int m, int n) {
   return w.ximage && w.ximage->bits_per_pixel == 32;
 }
 
-/* The text as pixels: opacity, red, green, blue. */
-void draw_panel(window &w, const char *text) {
-  w.panel_text = text;
-  w.panel_m = w.panel_n = 0;
-  if (!*text)
-    return;
-  vtkNew<vtkImageData> image;
-  int size[2] = {0, 0};
-  vtkTextRenderer::GetInstance()->RenderString(w.text->GetTextProperty(), text,
-                                               image, size, w.frame->GetDPI());
-  const int *extent = image->GetExtent();
-  w.panel_m = std::min(size[0], extent[1] - extent[0] + 1);
-  w.panel_n = std::min(size[1], extent[3] - extent[2] + 1);
-  w.panel.clear();
-  for (int j = w.panel_n - 1; j >= 0; j--)
-    for (int i = 0; i < w.panel_m; i++) {
-      const auto *p = static_cast<const unsigned char *>(
-          image->GetScalarPointer(extent[0] + i, extent[2] + j, 0));
-      w.panel.push_back(uint32_t{p[3]} << 24 | uint32_t{p[0]} << 16 |
-                        uint32_t{p[1]} << 8 | p[2]);
+/* ---- The panel ---- */
+
+constexpr int edge = 8; /* pixels between it and those of the window */
+
+/* How many pixels the screen has an inch, as its user has set them. */
+double dots(window &w) {
+  const char *set = XGetDefault(w.display, "Xft", "dpi");
+  return set ? std::atof(set) : 0;
+}
+
+/* For OpenGL, whose colours are not multiplied by the opacity. */
+void make_panel_image(window &w) {
+  w.panel_image->SetDimensions(w.text.m, w.text.n, 1);
+  w.panel_image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto *to = static_cast<unsigned char *>(w.panel_image->GetScalarPointer());
+  for (int j = w.text.n - 1; j >= 0; j--)
+    for (int i = 0; i < w.text.m; i++) {
+      const uint32_t pixel =
+          w.text.pixel[static_cast<size_t>(j) * static_cast<size_t>(w.text.m) +
+                       static_cast<size_t>(i)];
+      const uint32_t opacity = std::max(pixel >> 24, uint32_t{1});
+      for (int shift = 16; shift >= 0; shift -= 8)
+        *to++ =
+            static_cast<unsigned char>((pixel >> shift & 255) * 255 / opacity);
+      *to++ = static_cast<unsigned char>(pixel >> 24);
     }
+  w.panel_image->Modified();
+}
+
+void draw_panel(window &w, const char *text) {
+  const int *size = w.frame->GetSize();
+  w.panel_text = text;
+  w.panel_size[0] = size[0];
+  w.panel_size[1] = size[1];
+  window_text_draw(&w.text, text, dots(w), size[0] - 2 * edge,
+                   size[1] - 2 * edge);
+  w.panel->SetVisibility(w.text.pixel != nullptr);
+  if (w.text.pixel)
+    make_panel_image(w);
+  w.panel->SetDisplayPosition(edge, size[1] - edge - w.text.n);
 }
 
 uint32_t blend(uint32_t over, uint32_t under) {
-  const uint32_t a = over >> 24;
+  const uint32_t rest = 255 - (over >> 24);
   uint32_t sum = 0;
   for (int shift = 0; shift < 24; shift += 8)
-    sum |=
-        ((over >> shift & 255) * a + (under >> shift & 255) * (255 - a)) / 255
-        << shift;
+    sum |= ((over >> shift & 255) + (under >> shift & 255) * rest / 255)
+           << shift;
   return sum;
 }
 
 /* The picture stays as it is under the panel, for the next one. */
 void put_picture(window &w) {
-  constexpr int edge = 8;
   std::vector<uint32_t> under;
   const auto each = [&](const auto &act) {
     size_t k = 0;
-    for (int j = 0; j < w.panel_n; j++)
-      for (int i = 0; i < w.panel_m; i++, k++)
+    for (int j = 0; j < w.text.n; j++)
+      for (int i = 0; i < w.text.m; i++, k++)
         if (i + edge < w.m && j + edge < w.n)
           act(w.pixels[static_cast<size_t>(j + edge) *
                            static_cast<size_t>(w.m) +
                        static_cast<size_t>(i + edge)],
               k);
   };
-  under.resize(w.panel.size());
+  under.resize(static_cast<size_t>(w.text.m) * static_cast<size_t>(w.text.n));
   each([&](uint32_t &pixel, size_t k) {
     under[k] = pixel;
-    pixel = blend(w.panel[k], pixel);
+    pixel = blend(w.text.pixel[k], pixel);
   });
   XPutImage(w.display, w.id, DefaultGC(w.display, DefaultScreen(w.display)),
             w.ximage, 0, 0, 0, 0, static_cast<unsigned>(w.m),
@@ -407,10 +420,11 @@ void set_picture(window *w, int m, int n, const unsigned char *rgb) {
   }
 }
 
+/* The text is drawn again where the window has another size. */
 void set_panel(window *w, const char *text) {
-  w->text->SetInput(text);
-  w->text->SetVisibility(*text != '\0');
-  if (w->ximage && w->panel_text != text)
+  const int *size = w->frame->GetSize();
+  if (w->panel_text != text || w->panel_size[0] != size[0] ||
+      w->panel_size[1] != size[1])
     draw_panel(*w, text);
 }
 

@@ -69,9 +69,14 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style) {
   return false;
 }
 
-/* Lines of planes that differ by no more than the angle. */
-static const struct hsr_line_rule flat = {
-    .classes = HSR_FLAT_LINES, .levels = HSR_ALL_LEVELS, DRAWN};
+/* Lines of planes that differ by no more than the angle: left out, or drawn. */
+static const struct hsr_line_rule flat = {.classes = HSR_FLAT_LINES,
+                                          .levels = HSR_ALL_LEVELS,
+                                          DRAWN},
+                                  every = {.classes = HSR_FLAT_LINES,
+                                           .levels = HSR_VISIBLE_LINES,
+                                           DRAWN,
+                                           .pen = {.draws = true}};
 
 /* Ways to draw hidden lines. Each style has a dashed pen for them. */
 static const struct hsr_line_rule not_drawn[] = {
@@ -114,7 +119,7 @@ void hsr_line_style_plain(struct hsr_line_style *style,
 
 bool hsr_line_style_crease(struct hsr_line_style *style, double degrees) {
   style->crease = degrees;
-  return !hsr_line_style_add(style, &flat, NULL);
+  return !hsr_line_style_add(style, degrees < 0 ? &every : &flat, NULL);
 }
 
 enum hsr_status hsr_line_style_add(struct hsr_line_style *style,
@@ -139,12 +144,18 @@ bool hsr_line_colour(const char *word, unsigned char rgb[3]) {
   return true;
 }
 
+static const char *const layers_words[] = {[HSR_LAYERS_VISIBILITY] =
+                                               "visibility",
+                                           [HSR_LAYERS_CLASS] = "class",
+                                           [HSR_LAYERS_OBJECT] = "object"};
+
+const char *hsr_line_layers_name(enum hsr_layers layers) {
+  return layers_words[layers];
+}
+
 bool hsr_line_layers_named(const char *word, enum hsr_layers *layers) {
-  static const char *const words[] = {[HSR_LAYERS_VISIBILITY] = "visibility",
-                                      [HSR_LAYERS_CLASS] = "class",
-                                      [HSR_LAYERS_OBJECT] = "object"};
-  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    if (!strcmp(words[k], word)) {
+  for (size_t k = 0; k < sizeof layers_words / sizeof *layers_words; k++)
+    if (!strcmp(layers_words[k], word)) {
       *layers = (enum hsr_layers)k;
       return true;
     }
@@ -181,10 +192,15 @@ static struct hsr_line_pen pen_for(const struct hsr_line_style *style,
   return pen;
 }
 
+bool hsr_line_style_draws(const struct hsr_line_style *style,
+                          enum hsr_line_class line_class, int level) {
+  return pen_for(style, "", (int)line_class, level).draws;
+}
+
 bool hsr_line_style_draws_hidden(const struct hsr_line_style *style) {
   for (int c = 0; c < HSR_N_LINE_CLASSES; c++)
     for (int level = 1; level < HSR_LINE_LEVELS; level++)
-      if (pen_for(style, "", c, level).draws)
+      if (hsr_line_style_draws(style, (enum hsr_line_class)c, level))
         return true;
   return false;
 }

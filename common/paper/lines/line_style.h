@@ -70,6 +70,7 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style);
 /* Words of styles. False if a word is none: "#rrggbb"; "visibility", "class",
  * "object". */
 bool hsr_line_colour(const char *word, unsigned char rgb[3]);
+const char *hsr_line_layers_name(enum hsr_layers layers);
 bool hsr_line_layers_named(const char *word, enum hsr_layers *layers);
 
 /* Appends a rule. HSR_E_INPUT if there are too many. */
@@ -87,8 +88,14 @@ enum hsr_status hsr_line_style_hide(struct hsr_line_style *style,
 void hsr_line_style_plain(struct hsr_line_style *style, enum hsr_hidden hidden);
 
 /* Sets the angle of creases, 0 to 180 degrees, and leaves out lines of planes
- * that differ by no more. False if there are too many rules. */
+ * that differ by no more. A negative angle leaves out none. To be called before
+ * hsr_line_style_hide. False if there are too many rules. */
 bool hsr_line_style_crease(struct hsr_line_style *style, double degrees);
+
+/* Whether lines of a class are drawn which so many faces hide, of objects that
+ * no rule names. */
+bool hsr_line_style_draws(const struct hsr_line_style *style,
+                          enum hsr_line_class line_class, int level);
 
 /* Whether any hidden line is drawn, of objects that no rule names. */
 bool hsr_line_style_draws_hidden(const struct hsr_line_style *style);
