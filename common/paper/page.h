@@ -19,7 +19,7 @@ struct hsr_page {
   double scale;     /* millimetres on paper for one of the scene, in parallel
                            projection; 0: it follows from the page */
   double unit;      /* what a unit of the scene has, in millimetres; 0: 1 */
-  bool crop;        /* the page is as large as what is drawn */
+  bool crop;        /* the page is as large as what is drawn, with its ink */
   double margin;    /* around what is drawn, or around the picture */
   const char *word; /* how .svg files write the size: "mm"; NULL: in pixels
                            of 1/96 inch */

@@ -6,6 +6,7 @@
 #include "common/paper/plot_files.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,6 +105,14 @@ static void find_box(const double (*at)[2], size_t n, double low[2],
     widen_box(at[k], low, high);
 }
 
+/* How far ink reaches beyond the middle of a line, millimetres. */
+static double find_ink(const struct hsr_plot *plot) {
+  double ink = 0;
+  for (size_t k = 0; k < plot->n_groups; k++)
+    ink = fmax(ink, plot->pens.pen[plot->group[k].pen].width / 2);
+  return ink;
+}
+
 /* The lines' places are those of the picture before, and of the page after. */
 static enum hsr_status lay_out(struct hsr_plot *plot,
                                const struct hsr_plot_subject *subject,
@@ -113,8 +122,11 @@ static enum hsr_status lay_out(struct hsr_plot *plot,
   find_box((const double(*)[2])plot->strokes.at, plot->strokes.n_at, low, high);
   for (size_t k = 0; polygons && k < polygons->n_sides; k++)
     widen_box(polygons->side[k].at, low, high);
-  enum hsr_status status = hsr_page_lay_out(&plot->page, subject->view, low,
-                                            high, &plot->layout, err);
+  struct hsr_page page = plot->page;
+  if (page.crop)
+    page.margin += find_ink(plot);
+  enum hsr_status status =
+      hsr_page_lay_out(&page, subject->view, low, high, &plot->layout, err);
   if (status)
     return status;
   const struct hsr_layout *l = &plot->layout;
