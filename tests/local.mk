@@ -165,6 +165,7 @@ tap_scripts = \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \
+  %D%/conformance/large_faces.test \
   %D%/drawings/drawings.test \
   %D%/example/example.test \
   %D%/export/export.test \

@@ -211,6 +211,48 @@ static void test_deviation(struct tap *tap, uint64_t *seed) {
   hsr_scene_delete(scene);
 }
 
+/* A face of many corners has a span if it is flat: three of its corners, whose
+ * plane has the same front and back as the face's. */
+static void test_spans(struct tap *tap) {
+  enum { CORNERS = 40, FACES = 4 };
+  struct hsr_scene *scene = hsr_scene_new("rings");
+  struct hsr_object *object = hsr_scene_object(scene, "rings");
+  struct hsr_world world;
+  for (int f = 0; f < FACES; f++) { /* the last one is not flat */
+    uint32_t vertex[CORNERS];
+    for (int c = 0; c < CORNERS; c++) {
+      int k = f % 2 ? CORNERS - 1 - c : c; /* either way around */
+      int x = k < CORNERS / 2 ? k : CORNERS - k,
+          y = (k < CORNERS / 2 ? 1 : -1) * (3 + k % 2);
+      double z = 2 * x + y + (f == FACES - 1 && c == 7 ? 0x1p-40 : 0);
+      hsr_object_vertex(object, x, y, z, &vertex[c]);
+    }
+    hsr_object_face(object, vertex, CORNERS, NULL);
+  }
+  must_finish(scene);
+  must_world(&world, scene);
+  bool good = true, oom = false;
+  for (uint32_t f = 0; f < FACES; f++) {
+    struct hsr_loop face = hsr_face_loop(&world, f),
+                    span = hsr_spanning_loop(&world, f);
+    good &= span.n == (f == FACES - 1 ? CORNERS : 3);
+    static const double aside[2][3] = {{5, 0, 10 + 0x1p-30},
+                                       {5, 0, 10 - 0x1p-30}};
+    for (int k = 0; k < 2; k++) {
+      int side = hsr_exact_plane_side(span, aside[k], &oom);
+      good &= side && side == hsr_exact_plane_side(face, aside[k], &oom);
+    }
+    for (uint32_t k = 0; k < CORNERS && f < FACES - 1; k++) {
+      uint32_t v = face.vertex[k];
+      const double at[3] = {face.x[v], face.y[v], face.z[v]};
+      good &= !hsr_exact_plane_side(span, at, &oom);
+    }
+  }
+  ok(tap, good && !oom, "three corners span the plane of a flat face of many");
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
 /* What cannot be in a scene; what is there without being said; and how large a
  * scene may be to be laid out. */
 static void test_scene(struct tap *tap) {
@@ -261,13 +303,14 @@ int main(void) {
                                        "lattice:80:1", "coplanar", "office:2",
                                        "terrain:8:6",  "one-sided"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
-  struct tap tap = plan(3 * SCENES + 7);
+  struct tap tap = plan(3 * SCENES + 8);
   uint64_t seed = 3;
   for (int k = 0; k < SCENES; k++)
     try_scene(&tap, scenes[k], &seed);
   test_limit(&tap);
   test_classes(&tap, &seed);
   test_deviation(&tap, &seed);
+  test_spans(&tap);
   test_scene(&tap);
   return finish(&tap);
 }
