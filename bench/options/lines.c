@@ -178,36 +178,6 @@ error_t parse_line_option(struct line_options *o, int key, const char *arg,
   }
 }
 
-/* --- Words ---------------------------------------------------------------- */
-
-/* Appends an option as a word of a shell. */
-static void add_word(char words[MOST_LINE_WORDS], int key, const char *arg) {
-  char word[TERMINAL_NAME];
-  const size_t n = strlen(words);
-  snprintf(words + n, MOST_LINE_WORDS - n, " %s=%s", line_option_name(key),
-           terminal_word(arg, word, sizeof word));
-}
-
-void line_options_words(const struct line_options *o,
-                        char words[MOST_LINE_WORDS]) {
-  char degrees[32] = "all";
-  *words = '\0';
-  if (o->style)
-    add_word(words, LINE_STYLE, o->style);
-  if (o->hidden)
-    add_word(words, LINE_HIDDEN, o->hidden);
-  if (o->has_crease && o->crease >= 0)
-    snprintf(degrees, sizeof degrees, "%.17g", o->crease);
-  if (o->has_crease)
-    add_word(words, LINE_CREASE, degrees);
-  for (size_t k = 0; k < o->n_pens; k++)
-    add_word(words, o->pen[k].key, o->pen[k].words);
-  if (o->has_layers)
-    add_word(words, LINE_LAYERS, hsr_line_layers_name(o->layers));
-  if (o->by_pen_travel)
-    add_word(words, LINE_ORDER, "pen");
-}
-
 /* --- The style ------------------------------------------------------------ */
 
 /* A style by its name, or from a file. */

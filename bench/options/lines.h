@@ -4,7 +4,6 @@
 #define HSR_BENCH_OPTIONS_LINES_H
 
 #include "bench/options/parser.h"
-#include "bench/terminal/terminal.h"
 #include "common/paper/lines/line_style.h"
 
 enum { MOST_LINE_OPTIONS = 32, MOST_PEN = 80 };
@@ -113,14 +112,6 @@ const char *line_option_name(int key);
 int line_option_of(enum hsr_line_class line_class);
 error_t parse_line_option(struct line_options *options, int key,
                           const char *arg, struct option_base *base);
-
-/* Writes the options, each after a space: a command line with them draws the
- * same. */
-enum {
-  MOST_LINE_WORDS = MOST_LINE_OPTIONS * (MOST_PEN + 20) + TERMINAL_NAME + 100
-};
-void line_options_words(const struct line_options *options,
-                        char words[MOST_LINE_WORDS]);
 
 /* Makes the style. HSR_E_USAGE, HSR_E_INPUT, HSR_E_NOMEM: the file cannot be
  * read. */

@@ -263,7 +263,7 @@ static void command_of(const struct viewer *v, const struct player *player,
   char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME];
   char lines[MOST_LINE_WORDS] = "";
   if (player->render.kind->lines)
-    line_options_words(&v->line_options, lines);
+    lines_words(&v->line_options, lines);
   snprintf(text, MOST_COMMAND,
            "hsr render %s --camera %s%s%s -a %s%s -s %dx%d -o %.*s%s",
            terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,

@@ -50,6 +50,35 @@ void lines_say(const struct viewer *v, char *text, size_t size) {
     snprintf(text + n, size - (size_t)n, "\n");
 }
 
+/* --- Words ---------------------------------------------------------------- */
+
+/* Appends an option as a word of a shell. */
+static void add_word(char words[MOST_LINE_WORDS], int key, const char *arg) {
+  char word[TERMINAL_NAME];
+  const size_t n = strlen(words);
+  snprintf(words + n, MOST_LINE_WORDS - n, " %s=%s", line_option_name(key),
+           terminal_word(arg, word, sizeof word));
+}
+
+void lines_words(const struct line_options *o, char words[MOST_LINE_WORDS]) {
+  char degrees[32] = "all";
+  *words = '\0';
+  if (o->style)
+    add_word(words, LINE_STYLE, o->style);
+  if (o->hidden)
+    add_word(words, LINE_HIDDEN, o->hidden);
+  if (o->has_crease && o->crease >= 0)
+    snprintf(degrees, sizeof degrees, "%.17g", o->crease);
+  if (o->has_crease)
+    add_word(words, LINE_CREASE, degrees);
+  for (size_t k = 0; k < o->n_pens; k++)
+    add_word(words, o->pen[k].key, o->pen[k].words);
+  if (o->has_layers)
+    add_word(words, LINE_LAYERS, hsr_line_layers_name(o->layers));
+  if (o->by_pen_travel)
+    add_word(words, LINE_ORDER, "pen");
+}
+
 /* --- Changes -------------------------------------------------------------- */
 
 /* All players draw in the style of the new options. If there is none, says why,
@@ -106,7 +135,7 @@ void lines_next_hidden(struct viewer *v) {
 
 /* All edges, 0, 1, 5, 10, 15 ... 180. */
 static void step_crease(struct viewer *v, int step) {
-  enum { MOST = 180, STEPS = 39 };
+  enum { STEPS = 39 };
   const double now = v->style.crease;
   double degrees = now;
   for (int k = step > 0 ? 0 : STEPS - 1; k >= 0 && k < STEPS; k += step) {
@@ -116,7 +145,7 @@ static void step_crease(struct viewer *v, int step) {
   }
   struct line_options options = v->line_options;
   options.has_crease = true;
-  options.crease = degrees < 0 ? -1 : degrees > MOST ? MOST : degrees;
+  options.crease = degrees;
   change(v, &options);
 }
 void lines_more_crease(struct viewer *v) {

@@ -82,8 +82,12 @@ enum comparison {
 };
 enum page { PAGE_NONE, PAGE_TIMES, PAGE_STEPS, PAGE_TABLE, PAGE_HELP, N_PAGES };
 
-/* A command that draws what the window shows. */
-enum { MOST_COMMAND = 2 * TERMINAL_NAME + MOST_LINE_WORDS + 200 };
+/* The options of lines as words; and a command that draws what the window
+ * shows. */
+enum {
+  MOST_LINE_WORDS = MOST_LINE_OPTIONS * (MOST_PEN + 20) + TERMINAL_NAME + 100,
+  MOST_COMMAND = 2 * TERMINAL_NAME + MOST_LINE_WORDS + 200
+};
 enum { MOST_COARSE = 8, MOST_PANEL = 8192 + 2 * MOST_COMMAND };
 #define LINES_BY "appel" /* the line drawing over the picture */
 
@@ -186,6 +190,9 @@ void lines_switch_colours(struct viewer *viewer);
 void lines_switch_flat(struct viewer *viewer); /* seams, and smooth lines */
 /* Writes one line: how lines are drawn, and which. "": none are shown. */
 void lines_say(const struct viewer *viewer, char *text, size_t size);
+/* Writes options, each after a space: a command with them draws the same. */
+void lines_words(const struct line_options *options,
+                 char words[MOST_LINE_WORDS]);
 
 /* Writes what the window shows to a file. */
 enum hsr_status viewer_screenshot(struct viewer *viewer, const char *path,
