@@ -6,7 +6,9 @@
 #include "common/answers/kinds/segments.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define LINES_EQUAL 1e-11 /* relative; only to find what is disputed */
 #define LINES_MOVED 1e-4  /* pixels */
@@ -37,13 +39,22 @@ enum hsr_status lines_draw_right(const struct hsr_world *world,
   return status;
 }
 
+/* The image of a point, in pixels. */
+static void find_image(const struct hsr_view *view, const double point[3],
+                       double at[2]) {
+  double a[3];
+  hsr_view_project(view, point, a);
+  const double w = hsr_view_w(view, a);
+  at[0] = a[0] / w;
+  at[1] = a[1] / w;
+}
+
 double lines_length(const struct hsr_view *view, const double from[3],
                     const double to[3]) {
-  double a[3], b[3];
-  hsr_view_project(view, from, a);
-  hsr_view_project(view, to, b);
-  double wa = hsr_view_w(view, a), wb = hsr_view_w(view, b);
-  return hypot(b[0] / wb - a[0] / wa, b[1] / wb - a[1] / wa);
+  double a[2], b[2];
+  find_image(view, from, a);
+  find_image(view, to, b);
+  return hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 static int compare_names(const void *a, const void *b) {
@@ -320,4 +331,23 @@ json_t *lines_verdict_json(const struct lines_verdict *v) {
                    v->length[WRONGLY_HIDDEN], "missing_px",
                    v->length[LINES_MISSING], "visible_px", v->visible,
                    "implied_not_judged", (json_int_t)v->implied);
+}
+
+/* --- Plain files ---------------------------------------------------------- */
+
+void lines_plain_add(struct lines_plain *plain, const struct hsr_view *view,
+                     const double from[3], const double to[3]) {
+  double a[2], b[2];
+  find_image(view, from, a);
+  find_image(view, to, b);
+  plain->pen_up += hypot(a[0] - plain->at[0], a[1] - plain->at[1]);
+  memcpy(plain->at, b, sizeof b);
+  plain->strokes++;
+  plain->bytes += (size_t)snprintf(
+      NULL, 0, "<path d=\"M%.3f %.3fL%.3f %.3f\"/>\n", a[0], a[1], b[0], b[1]);
+}
+
+json_t *lines_plain_json(const struct lines_plain *plain) {
+  return json_pack("{sI sI sf}", "strokes", (json_int_t)plain->strokes, "bytes",
+                   (json_int_t)plain->bytes, "pen_up_px", plain->pen_up);
 }

@@ -79,6 +79,18 @@ enum hsr_status lines_compare(const struct hsr_edges *edges,
                               struct lines_verdict *verdict,
                               struct hsr_error *err);
 
+/* A drawing as a plain .svg file holds it: each part is a path of one segment, in
+ * the order that it comes in. */
+struct lines_plain {
+  size_t strokes, bytes; /* without the file's frame */
+  double pen_up, at[2];  /* pixels; where the pen is */
+};
+void lines_plain_add(struct lines_plain *plain, const struct hsr_view *view,
+                     const double from[3], const double to[3]);
+
+/* {"strokes", "bytes", "pen_up_px"}; NULL for lack of memory. */
+json_t *lines_plain_json(const struct lines_plain *plain);
+
 /* As hsr-peers judge prints it; NULL for lack of memory. */
 json_t *lines_verdict_json(const struct lines_verdict *verdict);
 

@@ -352,17 +352,39 @@ enum hsr_status occt_draw(void *opaque, const struct hsr_view *view,
   return occt_fail(err);
 }
 
+/* Both drawings as plain files: every part of each, and every interval. */
+json_t *plain_json(const State *state, const struct hsr_view *view,
+                   const struct hsr_drawing *right) {
+  struct lines_plain own = {}, exact = {};
+  for (const struct drawn_part &part : state->part) {
+    double from[3], to[3];
+    hsr_edge_point(&state->edges, part.edge, part.t0, from);
+    hsr_edge_point(&state->edges, part.edge, part.t1, to);
+    lines_plain_add(&own, view, from, to);
+  }
+  for (size_t k = 0; k < right->n; k++)
+    lines_plain_add(&exact, view, right->segment[k].from, right->segment[k].to);
+  return json_pack("{so so}", "peer", lines_plain_json(&own), "right",
+                   lines_plain_json(&exact));
+}
+
 enum hsr_status occt_judge(void *opaque, const struct hsr_view *view,
                            json_t **answer, struct hsr_error *err) {
   State *state = static_cast<State *>(opaque);
   struct hsr_drawing right = {};
   struct lines_verdict verdict;
+  json_t *plain = nullptr;
   enum hsr_status status = lines_draw_right(state->world, view, &right, err);
+  if (!status) /* before the parts are sorted */
+    plain = plain_json(state, view, &right);
   if (!status)
     status = lines_compare(&state->edges, view, state->part.data(),
                            state->part.size(), &right, &verdict, err);
-  if (!status)
+  if (!status) {
     *answer = lines_verdict_json(&verdict);
+    json_object_set(*answer, "plain", plain);
+  }
+  json_decref(plain);
   hsr_drawing_free(&right);
   return status;
 }
