@@ -45,8 +45,11 @@ static void for_each_begin(struct tour *t,
 static size_t cell_of(const struct tour *t, const double at[2]) {
   size_t cell = 0;
   for (int c = 1; c >= 0; c--) {
-    long i = (long)((at[c] - t->low[c]) / t->side);
-    i = i < 0 ? 0 : i >= t->cells[c] ? t->cells[c] - 1 : i;
+    const double place = (at[c] - t->low[c]) / t->side;
+    const long last = t->cells[c] - 1, i = !(place > 0) ? 0
+                                           : place >= (double)last
+                                               ? last
+                                               : (long)place;
     cell = cell * (size_t)(c ? t->cells[1] : t->cells[0]) + (size_t)i;
   }
   return cell;
@@ -95,13 +98,19 @@ static void fill_grid(struct tour *t, size_t n_begins) {
   t->start[0] = 0;
 }
 
-/* Looks for a nearer place in a cell. */
-static void look(const struct tour *t, long i, long j, const double pen[2],
-                 struct begin *best, double *least) {
-  if (i < 0 || j < 0 || i >= t->cells[0] || j >= t->cells[1])
+/* Looks for a nearer place in the cells (i0, j) ... (i1, j), as far as there are
+ * such. */
+static void look(const struct tour *t, long i0, long i1, long j,
+                 const double pen[2], struct begin *best, double *least) {
+  if (j < 0 || j >= t->cells[1])
     return;
-  const size_t cell = (size_t)(j * t->cells[0] + i);
-  for (size_t k = t->start[cell]; k < t->start[cell + 1]; k++) {
+  i0 = i0 > 0 ? i0 : 0;
+  i1 = i1 < t->cells[0] ? i1 : t->cells[0] - 1;
+  if (i0 > i1)
+    return;
+  const size_t row = (size_t)(j * t->cells[0]);
+  for (size_t k = t->start[row + (size_t)i0];
+       k < t->start[row + (size_t)i1 + 1]; k++) {
     if (t->drawn[t->begin[k].stroke])
       continue;
     const double *at = place_of(t, t->begin[k]);
@@ -113,21 +122,25 @@ static void look(const struct tour *t, long i, long j, const double pen[2],
   }
 }
 
-/* Rings of cells around the pen, until no nearer place can be outside. */
+/* Rings of cells around the one that is nearest to the pen, until no nearer place
+ * can be outside. No place of the grid is farther from that cell than from the
+ * pen. */
 static struct begin nearest(const struct tour *t, const double pen[2]) {
   struct begin best = {0, 0};
   double least = DBL_MAX;
-  const long i = (long)floor((pen[0] - t->low[0]) / t->side),
-             j = (long)floor((pen[1] - t->low[1]) / t->side);
+  const long cell = (long)cell_of(t, pen);
+  const long i = cell % t->cells[0], j = cell / t->cells[0];
   for (long r = 0; least == DBL_MAX || least > (double)(r - 1) * t->side; r++) {
-    for (long k = -r; k <= r; k++) {
-      look(t, i + k, j - r, pen, &best, &least);
-      if (r)
-        look(t, i + k, j + r, pen, &best, &least);
-    }
-    for (long k = -r + 1; k < r; k++) {
-      look(t, i - r, j + k, pen, &best, &least);
-      look(t, i + r, j + k, pen, &best, &least);
+    look(t, i - r, i + r, j - r, pen, &best, &least);
+    if (r)
+      look(t, i - r, i + r, j + r, pen, &best, &least);
+    const long top = j - r + 1 > 0 ? j - r + 1 : 0,
+               end = j + r < t->cells[1] ? j + r : t->cells[1];
+    for (long k = top; k < end; k++) {
+      if (i - r >= 0)
+        look(t, i - r, i - r, k, pen, &best, &least);
+      if (i + r < t->cells[0])
+        look(t, i + r, i + r, k, pen, &best, &least);
     }
   }
   return best;
