@@ -53,25 +53,33 @@ static bool is_vertex(const struct hsr_mesh *mesh, uint32_t v,
   return mesh->x[v] == x[0] && mesh->y[v] == x[1] && mesh->z[v] == x[2];
 }
 
-/* Whether a mesh file has the world's vertices and faces, number for number. */
+/* Whether a mesh file has the world's vertices and faces, number for number. Its
+ * groups may be objects, which share the vertices. */
 static bool is_same_mesh(const struct hsr_world *world, const char *path) {
   struct hsr_scene *scene = hsr_scene_new("read");
   struct hsr_import import = {.notes = ""};
-  if (!scene || hsr_mesh_read(scene, path, &import, &err)) {
+  struct hsr_world read = {.n_faces = 0};
+  const struct hsr_camera camera = {
+      .eye = {0, 0, 1}, .up = {0, 1, 0}, .fov = 45};
+  if (!scene || hsr_mesh_read(scene, path, &import, &err) ||
+      hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
+      hsr_world_init(&read, scene, &err)) {
     printf("# %s\n", err.text);
+    hsr_world_free(&read);
     hsr_scene_delete(scene);
     return false;
   }
-  const struct hsr_object *object = &scene->objects[0];
-  const struct hsr_mesh *mesh = &world->mesh;
-  bool same = object->n_vertices == mesh->n_vertices &&
-              object->n_faces == world->n_faces && !import.n_dropped;
-  for (uint32_t v = 0; v < object->n_vertices && same; v++)
-    same = is_vertex(mesh, v, object->xyz + 3 * (size_t)v);
-  for (uint32_t f = 0; f <= object->n_faces && same; f++)
-    same = object->start[f] == mesh->start[f];
-  for (uint32_t k = 0; same && k < object->start[object->n_faces]; k++)
-    same = object->vertex[k] == mesh->vertex[k];
+  const struct hsr_mesh *got = &read.mesh, *mesh = &world->mesh;
+  bool same = got->n_vertices == mesh->n_vertices &&
+              read.n_faces == world->n_faces && !import.n_dropped;
+  for (uint32_t v = 0; v < got->n_vertices && same; v++)
+    same =
+        is_vertex(mesh, v, (const double[]){got->x[v], got->y[v], got->z[v]});
+  for (uint32_t f = 0; f <= read.n_faces && same; f++)
+    same = got->start[f] == mesh->start[f];
+  for (uint32_t k = 0; same && k < got->n_corners; k++)
+    same = got->vertex[k] == mesh->vertex[k];
+  hsr_world_free(&read);
   hsr_scene_delete(scene);
   return same;
 }
