@@ -133,7 +133,9 @@ tap_programs = \
   %D%/unit/files/text_mesh_test \
   %D%/unit/files/volume_place_test \
   %D%/unit/files/volume_test \
+  %D%/unit/paper/lines_test \
   %D%/unit/paper/page_test \
+  %D%/unit/paper/pen_travel_test \
   %D%/unit/paper/strokes_test \
   %D%/unit/peers/line_pixels_test \
   %D%/unit/peers/lines_test \
@@ -227,7 +229,9 @@ quick_units = \
   %D%/unit/files/npy_test \
   %D%/unit/files/palette_json_test \
   %D%/unit/files/scene_json_test \
+  %D%/unit/paper/lines_test \
   %D%/unit/paper/page_test \
+  %D%/unit/paper/pen_travel_test \
   %D%/unit/paper/strokes_test
 quick_programs = $(quick_units) %D%/counts/golden_test
 # For the sanitizers: the quick tests, and those that run the modules at small

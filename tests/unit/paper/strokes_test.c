@@ -129,6 +129,90 @@ static void try_joining(struct tap *t) {
      "and the pen travels less: %.0f, not %.0f", ordered, up);
 }
 
+/* ---- Straight on ---- */
+
+/* Streets: some of the sides of a lattice. Those of a row or of a column have one
+ * number. */
+enum { STREETS = 6 };
+
+static void make_streets(void) {
+  n_lines = 0;
+  for (uint32_t k = 0; k < STREETS * STREETS; k++) {
+    const uint32_t i = k % STREETS, j = k / STREETS;
+    if (i + 1 < STREETS && n_lines < MOST_LINES && below(3))
+      line[n_lines++] = (struct hsr_span_of_pen){0, k, k + 1, j};
+    if (j + 1 < STREETS && n_lines < MOST_LINES && below(3))
+      line[n_lines++] =
+          (struct hsr_span_of_pen){0, k + STREETS, k, STREETS + i};
+  }
+}
+
+static int sign(double x) {
+  return (x > 0) - (x < 0);
+}
+
+/* Marks a side that is drawn; false: it is not there, or no longer. */
+static bool take_street(uint32_t a, uint32_t b, bool *taken) {
+  for (size_t k = 0; k < n_lines; k++)
+    if (!taken[k] && ((line[k].from == a && line[k].to == b) ||
+                      (line[k].from == b && line[k].to == a)))
+      return taken[k] = true;
+  return false;
+}
+
+/* Marks the sides that a stroke draws. Returns how many; 0 if one is not there,
+ * or no longer, or if the stroke has a place in which it goes straight on. */
+static size_t walk(const struct hsr_strokes *s, const struct hsr_stroke *stroke,
+                   bool *taken) {
+  const double(*at)[2] = (const double(*)[2])s->at + stroke->first;
+  const size_t turns = stroke->closed ? stroke->n : stroke->n - 2;
+  size_t drawn = 0;
+  for (size_t i = 0; i < turns; i++) {
+    const double *a = at[i], *b = at[(i + 1) % stroke->n],
+                 *c = at[(i + 2) % stroke->n];
+    if (sign(b[0] - a[0]) == sign(c[0] - b[0]) &&
+        sign(b[1] - a[1]) == sign(c[1] - b[1]))
+      return 0;
+  }
+  for (size_t i = 0; i < stroke->n - !stroke->closed; i++) {
+    const double *from = at[i], *to = at[(i + 1) % stroke->n];
+    const int step[2] = {sign(to[0] - from[0]), sign(to[1] - from[1])};
+    for (double x = from[0], y = from[1]; x != to[0] || y != to[1];
+         x += step[0], y += step[1], drawn++)
+      if (!take_street((uint32_t)(STREETS * y + x),
+                       (uint32_t)(STREETS * (y + step[1]) + x + step[0]),
+                       taken))
+        return 0;
+  }
+  return drawn;
+}
+
+static void try_streets(struct tap *t) {
+  static double at[STREETS * STREETS][2];
+  size_t wrong = 0;
+  for (int k = 0; k < STREETS * STREETS; k++) {
+    at[k][0] = k % STREETS;
+    at[k][1] = (double)(k / STREETS);
+  }
+  for (int trial = 0; trial < TRIALS; trial++) {
+    struct hsr_strokes s;
+    bool taken[MOST_LINES] = {false}, good = true;
+    size_t drawn = 0;
+    make_streets();
+    if (hsr_strokes_join(&s, line, n_lines, (const double(*)[2])at, NULL))
+      bail("out of memory");
+    for (size_t k = 0; k < s.n; k++) {
+      const size_t n = walk(&s, &s.stroke[k], taken);
+      good = good && n;
+      drawn += n;
+    }
+    wrong += !good || drawn != n_lines;
+    hsr_strokes_free(&s);
+  }
+  ok(t, !wrong, "where a stroke goes straight on it has no place: %zu not",
+     wrong);
+}
+
 /* A cross: the straight ways are joined. A place on a straight line is left
  * out. */
 static void try_straight(struct tap *t) {
@@ -179,6 +263,43 @@ static double length_of(const double (*at)[2], size_t n, bool closed) {
   return length;
 }
 
+/* Strokes of right angles, open and closed. Each side is long enough for two
+ * dashes, so there is ink at every corner, for a third of a dash on both sides;
+ * an open stroke also ends with ink. Stairs of short steps have no corner. */
+static void try_corners(struct tap *t) {
+  struct hsr_dashes d = {.n = 0};
+  size_t wrong = 0, ends = 0;
+  for (int trial = 0; trial < TRIALS; trial++) {
+    const bool closed = trial % 2;
+    const double w = 20 + below(100), h = 20 + below(100);
+    const double at[4][2] = {{0, 0}, {w, 0}, {w, h}, {0, h}};
+    const double corner[3] = {w, w + h, 2 * w + h};
+    if (hsr_dashes_find(&d, at, 4, closed, 6, 4, NULL))
+      bail("out of memory");
+    for (int c = 0; c < (closed ? 3 : 2); c++) {
+      double run = 0;
+      size_t k = 0;
+      while (k < d.n && run + d.length[k] < corner[c])
+        run += d.length[k++];
+      wrong +=
+          k % 2 || corner[c] - run < 2 || run + d.length[k] - corner[c] < 2;
+    }
+    ends += d.n % 2 == 0;
+  }
+  ok(t, !wrong, "at %zu corners there is no ink", wrong);
+  ok(t, !ends, "%zu strokes end without ink", ends);
+  double stairs[41][2];
+  for (int k = 0; k < 41; k++) {
+    stairs[k][0] = (double)((k + 1) / 2);
+    stairs[k][1] = (double)(k / 2);
+  }
+  if (hsr_dashes_find(&d, (const double(*)[2])stairs, 41, false, 6, 4, NULL))
+    bail("out of memory");
+  ok(t, d.n >= 5 && d.n <= 9,
+     "stairs of short steps have dashes as long as ever: %zu", d.n);
+  hsr_dashes_free(&d);
+}
+
 static void try_dashes(struct tap *t) {
   size_t sums = 0, few = 0, cuts = 0, negative = 0;
   struct hsr_dashes d = {.n = 0};
@@ -208,6 +329,7 @@ static void try_dashes(struct tap *t) {
   ok(t, !few && !negative, "two dashes at least: %zu not, %zu of no length",
      few, negative);
   ok(t, !cuts, "what is cut is what was found: %zu not", cuts);
+  try_corners(t);
   static const double corner[3][2] = {{0, 0}, {100, 0}, {100, 50}};
   if (hsr_dashes_find(&d, corner, 3, false, 6, 4, NULL))
     bail("out of memory");
@@ -235,8 +357,9 @@ static void try_dashes(struct tap *t) {
 }
 
 int main(void) {
-  struct tap t = plan(13);
+  struct tap t = plan(17);
   try_joining(&t);
+  try_streets(&t);
   try_straight(&t);
   try_dashes(&t);
   return finish(&t);
