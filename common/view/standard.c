@@ -124,6 +124,24 @@ static struct image find_image(const struct hsr_scene *scene,
   return image;
 }
 
+/* Lets a camera look at a point, the eye being so far from it along each axis.
+ * Both are put on a lattice on which their difference is exact. So the direction
+ * does not depend on the place: an isometric view is exactly one anywhere, and
+ * edges whose images should lie on one another do. */
+static void look_at(struct hsr_camera *camera, const double at[3],
+                    const double to_eye[3]) {
+  double most = 0;
+  int exponent;
+  for (int k = 0; k < 3; k++)
+    most = fmax(most, fabs(at[k]) + fabs(to_eye[k]));
+  frexp(most, &exponent);
+  const double step = ldexp(1, exponent - 52);
+  for (int k = 0; k < 3; k++) {
+    camera->at[k] = step * round(at[k] / step);
+    camera->eye[k] = camera->at[k] + step * round(to_eye[k] / step);
+  }
+}
+
 enum hsr_status hsr_camera_fit(const struct hsr_scene *scene, double m,
                                double n, struct hsr_camera *camera,
                                struct hsr_error *err) {
@@ -138,12 +156,13 @@ enum hsr_status hsr_camera_fit(const struct hsr_scene *scene, double m,
     return hsr_fail(
         err, HSR_E_USAGE,
         "parallel=fit: nothing of the scene is in front of the eye");
+  double at[3], to_eye[3];
   for (int k = 0; k < 3; k++) {
-    const double by = (image.lo[0] + across / 2) * image.right[k] +
-                      (image.lo[1] + high / 2) * image.up[k];
-    camera->eye[k] += by;
-    camera->at[k] += by;
+    at[k] = camera->at[k] + (image.lo[0] + across / 2) * image.right[k] +
+            (image.lo[1] + high / 2) * image.up[k];
+    to_eye[k] = camera->eye[k] - camera->at[k];
   }
+  look_at(camera, at, to_eye);
   camera->parallel = fmax(high, across * n / m) / (1 - 2 * HSR_FIT_MARGIN);
   if (!(camera->parallel > 0))
     return hsr_fail(err, HSR_E_USAGE,
@@ -195,17 +214,17 @@ enum hsr_status hsr_standard_view(const struct hsr_scene *scene,
                     "look: '%.40s' must be front, back, left, right, top, "
                     "bottom, iso or dimetric",
                     name);
-  double stand[3][3], centre[3];
+  double stand[3][3], centre[3], to_eye[3] = {0, 0, 0};
   const double radius = hsr_scene_sphere(scene, centre);
   stand_on(scene, up_axis, stand);
   for (int a = 0; a < 3; a++) {
-    camera->at[a] = camera->eye[a] = centre[a];
     camera->up[a] = 0;
     for (int s = 0; s < 3; s++) {
-      camera->eye[a] += 2 * radius * standards[k].eye[s] * stand[s][a];
+      to_eye[a] += 2 * radius * standards[k].eye[s] * stand[s][a];
       camera->up[a] += standards[k].up[s] * stand[s][a];
     }
   }
+  look_at(camera, centre, to_eye);
   camera->near = 0;
   return hsr_camera_fit(scene, 1, 1, camera, err);
 }

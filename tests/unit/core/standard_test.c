@@ -171,6 +171,21 @@ static void check_fit(struct tap *tap) {
   hsr_scene_delete(s.scene);
 }
 
+/* The axes are seen alike to the last bit, wherever the scene is. */
+static void check_exact(struct tap *tap) {
+  static const char *const names[] = {
+      "box.obj@look=iso", "box.obj@look=iso:parallel=fit-3x2", "house@look=iso",
+      "sphere:200@look=iso:parallel=fit-16x9"};
+  bool good = true;
+  for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+    struct sight sight = see(names[k], 60, 40);
+    const double *F = sight.view.F;
+    good = good && F[0] == F[1] && F[1] == F[2];
+    hsr_scene_delete(sight.scene);
+  }
+  ok(tap, good, "isometric views are exact");
+}
+
 static bool refuses(const char *name, const char *why) {
   struct hsr_scene *scene;
   struct hsr_error err = {.text = ""};
@@ -195,7 +210,7 @@ static void check_refusals(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(19);
+  struct tap tap = plan(20);
   char folder[] = "/tmp/hsr-standard-XXXXXX";
   FILE *file = NULL;
   if (!mkdtemp(folder) || chdir(folder) || !(file = fopen("box.obj", "w")) ||
@@ -203,6 +218,7 @@ int main(void) {
     bail("%s: cannot be written", folder);
   check_sides(&tap);
   check_axonometric(&tap);
+  check_exact(&tap);
   check_up(&tap);
   check_fit(&tap);
   check_refusals(&tap);
