@@ -9,10 +9,13 @@
 
 #include <dxflib/dl_dxf.h>
 
+#include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,25 +35,56 @@ private:
   void stroke(const hsr_stroke &stroke, const hsr_line_pen &pen);
   void polyline(const std::vector<double> &xy, bool closed);
 
-  std::string layer_name(const hsr_plot_layer &layer) const;
+  void name_layers();
   std::string type_name(uint32_t pen) const;
-  DL_Attributes attributes(const hsr_plot_layer &layer, uint32_t pen) const;
+  DL_Attributes attributes(size_t layer, uint32_t pen) const;
 
   const hsr_plot *plot_;
+  std::vector<std::string> name_; // of layers
   DL_Dxf dxf_;
   DL_WriterA out_;
   DL_Attributes now_; // of the strokes at hand
   std::vector<double> cut_;
 };
 
-// Names of layers have none of these signs.
-std::string Dxf::layer_name(const hsr_plot_layer &layer) const {
-  std::string name = layer.title && *layer.title ? layer.title : layer.id;
-  for (char &c : name)
-    if ((static_cast<unsigned char>(c) < ' ') ||
-        std::strchr("<>/\\\":;?*|,=`", c))
-      c = '_';
+// A name as DXF of AutoCAD 2000 takes it: ASCII without some signs. \U+00E9 is a
+// character by its number.
+std::string name_of(const char *text) {
+  std::string name;
+  uint32_t code;
+  for (int n; *text; text += n ? n : 1) {
+    n = hsr_plot_character(text, &code);
+    if (n == 0 || code > 0xffff || std::strchr("<>/\\\":;?*|,=`", int(code)))
+      name += '_';
+    else if (n == 1)
+      name += *text;
+    else {
+      char number[8];
+      std::snprintf(number, sizeof number, "\\U+%04X", code);
+      name += number;
+    }
+  }
   return name;
+}
+
+std::string small_letters(std::string name) {
+  for (char &c : name)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+// Names of layers differ, and not only in small letters and capitals. Layer 0 is
+// of the format itself.
+void Dxf::name_layers() {
+  std::set<std::string> taken{"0"};
+  for (size_t k = 0; k < plot_->n_layers; k++) {
+    const hsr_plot_layer &layer = plot_->layer[k];
+    std::string name =
+        name_of(layer.title && *layer.title ? layer.title : layer.id);
+    while (!taken.insert(small_letters(name)).second)
+      name += std::string(" ") + layer.id;
+    name_.push_back(name);
+  }
 }
 
 std::string Dxf::type_name(uint32_t pen) const {
@@ -72,11 +106,10 @@ int width_of(double mm) {
 }
 
 // Black is the colour 7: black on white, and white on black.
-DL_Attributes Dxf::attributes(const hsr_plot_layer &layer, uint32_t pen) const {
+DL_Attributes Dxf::attributes(size_t layer, uint32_t pen) const {
   const hsr_line_pen &p = plot_->pens.pen[pen];
   const int rgb = p.rgb[0] << 16 | p.rgb[1] << 8 | p.rgb[2];
-  return {layer_name(layer), 7, rgb ? rgb : -1, width_of(p.width),
-          type_name(pen)};
+  return {name_[layer], 7, rgb ? rgb : -1, width_of(p.width), type_name(pen)};
 }
 
 void Dxf::header() {
@@ -116,9 +149,9 @@ void Dxf::layers() {
                   DL_Attributes("", 7, 25, "CONTINUOUS", 1));
   for (size_t k = 0; k < plot_->n_layers; k++) {
     const hsr_plot_layer &layer = plot_->layer[k];
-    DL_Attributes a = attributes(layer, plot_->group[layer.first].pen);
+    DL_Attributes a = attributes(k, plot_->group[layer.first].pen);
     a.setColor24(-1);
-    dxf_.writeLayer(out_, DL_LayerData(layer_name(layer), 0), a);
+    dxf_.writeLayer(out_, DL_LayerData(name_[k], 0), a);
   }
   out_.tableEnd();
 }
@@ -199,7 +232,7 @@ void Dxf::entities() {
     const hsr_plot_layer &layer = plot_->layer[l];
     for (size_t g = layer.first; g < layer.first + layer.n; g++) {
       const hsr_plot_group &group = plot_->group[g];
-      now_ = attributes(layer, group.pen);
+      now_ = attributes(l, group.pen);
       for (size_t k = group.first; k < group.first + group.n; k++)
         stroke(plot_->strokes.stroke[k], plot_->pens.pen[group.pen]);
     }
@@ -208,6 +241,7 @@ void Dxf::entities() {
 }
 
 void Dxf::write() {
+  name_layers();
   header();
   tables();
   entities();

@@ -18,6 +18,10 @@ enum hsr_status hsr_plot_write_eps(const struct hsr_plot *plot,
 enum hsr_status hsr_plot_write_dxf(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 
+/* Reads one character of UTF-8 that XML 1.0 allows in a text. Returns how many
+ * bytes it has; 0 if the first byte begins none. */
+int hsr_plot_character(const char *text, uint32_t *code);
+
 #ifdef __cplusplus
 }
 #endif

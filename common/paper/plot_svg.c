@@ -11,28 +11,29 @@
 #include <math.h>
 #include <string.h>
 
-/* The bytes of one character of UTF-8 that XML 1.0 allows in a text, or 0. */
-static int character(const char *text) {
+int hsr_plot_character(const char *text, uint32_t *code) {
   const unsigned char *c = (const unsigned char *)text;
+  *code = *c;
   if (*c < 0x80)
     return *c >= ' ' && *c != 0x7f;
   int n = *c >= 0xf0 ? 4 : *c >= 0xe0 ? 3 : 2;
-  uint32_t code = *c & (0xffu >> (n + 1));
+  *code = *c & (0xffu >> (n + 1));
   for (int k = 1; k < n; k++) {
     if ((c[k] & 0xc0) != 0x80)
       return 0;
-    code = code << 6 | (c[k] & 0x3f);
+    *code = *code << 6 | (c[k] & 0x3f);
   }
   static const uint32_t least[] = {0, 0, 0xa0, 0x800, 0x10000};
-  bool allowed = *c >= 0xc2 && *c < 0xf5 && code >= least[n] &&
-                 code <= 0x10ffff && (code < 0xd800 || code > 0xdfff) &&
-                 code != 0xfffe && code != 0xffff;
+  bool allowed = *c >= 0xc2 && *c < 0xf5 && *code >= least[n] &&
+                 *code <= 0x10ffff && (*code < 0xd800 || *code > 0xdfff) &&
+                 *code != 0xfffe && *code != 0xffff;
   return allowed ? n : 0;
 }
 
 static void put_text(FILE *out, const char *text) {
   while (*text) {
-    int n = character(text);
+    uint32_t code;
+    int n = hsr_plot_character(text, &code);
     if (n == 0)
       fputc('?', out);
     else if (*text == '&')
@@ -41,6 +42,8 @@ static void put_text(FILE *out, const char *text) {
       fputs("&lt;", out);
     else if (*text == '>')
       fputs("&gt;", out);
+    else if (*text == '"')
+      fputs("&quot;", out);
     else
       fwrite(text, 1, (size_t)n, out);
     text += n ? n : 1;
