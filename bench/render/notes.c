@@ -32,7 +32,7 @@ static enum hsr_status count_edges(const struct render *r,
                                    const struct hsr_drawing *drawing,
                                    struct edge_counts *n,
                                    struct hsr_error *err) {
-  enum hsr_line_class *of = malloc((drawing->n + 1) * sizeof *of);
+  unsigned char *of = malloc(drawing->n + 1);
   uint32_t *object = malloc((drawing->n + 1) * sizeof *object);
   enum hsr_status status =
       of && object
@@ -58,7 +58,7 @@ static enum hsr_status say_seams(const struct render *r,
                                  const struct hsr_drawing *drawing,
                                  struct hsr_error *err) {
   struct edge_counts n = {.edges = 0};
-  if (r->options->style.crease >= 0)
+  if (r->options->style.crease >= 0 || r->options->lines.has_crease)
     return HSR_OK;
   enum hsr_status status = count_edges(r, drawing, &n, err);
   if (!status && n.flat)

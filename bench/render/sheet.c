@@ -131,23 +131,26 @@ static void find_reach(const struct hsr_plot *plot, int c, double reach[2]) {
 }
 
 /* Gives each column, or row, as much room as its views need. *size becomes that
- * of all of them, with margins and gaps. */
-static void place(struct sheet *s, int c, double margin, double *size) {
+ * of all of them, with margins and gaps, and *fixed that of margins and gaps
+ * alone. */
+static void place(struct sheet *s, int c, double margin, double *size,
+                  double *fixed) {
   double reach[HSR_SHEET_COLUMNS][2] = {{0, 0}}, middle[HSR_SHEET_COLUMNS];
   bool used[HSR_SHEET_COLUMNS] = {false};
   for (size_t k = 0; k < s->n; k++) {
     used[s->cell[k][c]] = true;
     find_reach(&s->plot[k], c, reach[s->cell[k][c]]);
   }
-  double at = margin;
-  bool first = true;
+  double at = margin, gap = 0;
+  *fixed = 2 * margin;
   for (int i = 0; i < HSR_SHEET_COLUMNS; i++) {
     if (!used[i])
       continue;
-    at += first ? 0 : GAP * HSR_PIXELS_PER_MM;
+    at += gap;
+    *fixed += gap;
     middle[i] = at + reach[i][0];
     at += reach[i][0] + reach[i][1];
-    first = false;
+    gap = GAP * HSR_PIXELS_PER_MM;
   }
   *size = at + margin;
   for (size_t k = 0; k < s->n; k++) {
@@ -156,9 +159,9 @@ static void place(struct sheet *s, int c, double margin, double *size) {
   }
 }
 
-static void place_all(struct sheet *s, double margin) {
-  place(s, 0, margin, &s->width);
-  place(s, 1, margin, &s->height);
+static void place_all(struct sheet *s, double margin, double fixed[2]) {
+  place(s, 0, margin, &s->width, &fixed[0]);
+  place(s, 1, margin, &s->height, &fixed[1]);
 }
 
 /* If a page is larger than its views, they are in its middle. */
@@ -174,12 +177,6 @@ static void centre(struct sheet *s) {
       s->offset[k][c] += more / 2;
     *size[c] += more;
   }
-}
-
-/* Gaps and margins do not grow with the scale. What is wider at scale 1 by one
- * pixel is wider by `scale` at another. */
-static double scale_to(double wanted, double at_1, double at_2) {
-  return 1 + (wanted - at_1) / (at_2 - at_1);
 }
 
 /* The pixels of the page for one of a picture. */
@@ -198,18 +195,16 @@ static enum hsr_status choose_scale(struct sheet *s, double margin,
   enum hsr_status status = make_plots(s, 1, false, err);
   if (status)
     return status;
-  place_all(s, margin);
-  const double at_1[2] = {s->width, s->height};
-  status = make_plots(s, 2, false, err);
-  if (status)
-    return status;
-  place_all(s, margin);
+  double fixed[2];
+  place_all(s, margin, fixed);
+  /* Views grow with the scale; margins and gaps do not. */
   *scale = INFINITY;
   if (page->width > 0)
-    *scale = scale_to(page->width * HSR_PIXELS_PER_MM, at_1[0], s->width);
+    *scale =
+        (page->width * HSR_PIXELS_PER_MM - fixed[0]) / (s->width - fixed[0]);
   if (page->height > 0)
-    *scale = fmin(
-        *scale, scale_to(page->height * HSR_PIXELS_PER_MM, at_1[1], s->height));
+    *scale = fmin(*scale, (page->height * HSR_PIXELS_PER_MM - fixed[1]) /
+                              (s->height - fixed[1]));
   return *scale > 0 ? HSR_OK
                     : hsr_fail(err, HSR_E_USAGE,
                                "--sheet: there is no room for the views "
@@ -249,13 +244,13 @@ static enum hsr_status write(struct sheet *s, struct hsr_plot *all,
 static enum hsr_status lay_out(struct sheet *s, struct hsr_error *err) {
   const double margin = fmax(s->r->options->page.margin, 1) * HSR_PIXELS_PER_MM;
   struct hsr_plot all = {.n_layers = 0};
-  double scale;
+  double scale, fixed[2];
   const double begin = hsr_seconds_now();
   enum hsr_status status = choose_scale(s, margin, &scale, err);
   if (!status)
     status = make_plots(s, scale, s->r->options->hatch, err);
   if (!status) {
-    place_all(s, margin);
+    place_all(s, margin, fixed);
     centre(s);
     status = hsr_plot_sheet(&all, s->plot, s->n, (const double(*)[2])s->offset,
                             s->width, s->height, err);

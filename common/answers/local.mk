@@ -3,6 +3,7 @@ libcore_a_SOURCES += \
   %D%/answer.h \
   %D%/filter.h \
   %D%/list.def \
+  %D%/on_paper.h \
   %D%/shader.h
 libcore_a_SOURCES += \
   %D%/answer.c \
@@ -10,4 +11,5 @@ libcore_a_SOURCES += \
   %D%/coded.h \
   %D%/filter.c \
   %D%/list.c \
+  %D%/on_paper.c \
   %D%/shader.c

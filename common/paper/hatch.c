@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/paper/hatch.h"
+#include "common/paper/sheet.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Of the pen, millimetres. */
 static const double WIDTH = .25;
@@ -170,57 +170,37 @@ static size_t count_sides(const struct hsr_polygons *p) {
 
 /* --- The plot ------------------------------------------------------------- */
 
-/* Puts the hatches before all other strokes: a group, a layer and a pen. */
-static bool put_first(struct hsr_plot *plot,
-                      const struct hsr_strokes *hatches) {
-  const struct hsr_strokes *old = &plot->strokes;
-  struct hsr_strokes all = {
-      .stroke = malloc((hatches->n + old->n + 1) * sizeof *all.stroke),
-      .n = hatches->n + old->n,
-      .at = malloc((hatches->n_at + old->n_at + 1) * sizeof *all.at),
-      .n_at = hatches->n_at + old->n_at};
-  struct hsr_plot_group *group = malloc((plot->n_groups + 1) * sizeof *group);
-  struct hsr_plot_layer *layer = malloc((plot->n_layers + 1) * sizeof *layer);
-  struct hsr_line_pen *pen =
-      realloc(plot->pens.pen, ((size_t)plot->pens.n + 1) * sizeof *pen);
-  if (pen)
-    plot->pens.pen = pen;
-  if (!all.stroke || !all.at || !group || !layer || !pen) {
-    hsr_strokes_free(&all);
-    free(group);
-    free(layer);
-    return false;
+/* Puts the hatches below all other strokes, as a layer of one pen. */
+static enum hsr_status put_below(struct hsr_plot *plot,
+                                 const struct hsr_strokes *hatches,
+                                 struct hsr_error *err) {
+  struct hsr_line_pen pen = {.draws = true, .width = WIDTH};
+  struct hsr_plot_group group = {.pen = 0, .n = hatches->n};
+  struct hsr_plot_layer layer = {.id = "hatch", .n = 1};
+  const struct hsr_plot part[2] = {{.pens = {.pen = &pen, .n = 1},
+                                    .layer = &layer,
+                                    .n_layers = 1,
+                                    .group = &group,
+                                    .n_groups = 1,
+                                    .strokes = *hatches},
+                                   *plot};
+  static const double offset[2][2] = {{0, 0}, {0, 0}};
+  struct hsr_plot both;
+  enum hsr_status status = hsr_plot_sheet(
+      &both, part, 2, offset, plot->layout.width, plot->layout.height, err);
+  if (!status) {
+    both.page = plot->page;
+    both.layout = plot->layout;
+    both.m = plot->m;
+    both.n = plot->n;
+    both.cuts_dashes = plot->cuts_dashes;
+    both.drawing = plot->drawing;
+    hsr_plot_free(plot);
+    *plot = both;
+  } else {
+    hsr_plot_free(&both);
   }
-  pen[plot->pens.n] = (struct hsr_line_pen){.draws = true, .width = WIDTH};
-  group[0] = (struct hsr_plot_group){.pen = plot->pens.n++};
-  layer[0] = (struct hsr_plot_layer){.id = "hatch", .n = 1};
-  for (size_t k = 0; k < plot->n_groups; k++)
-    group[k + 1] = plot->group[k];
-  for (size_t k = 0; k < plot->n_layers; k++) {
-    layer[k + 1] = plot->layer[k];
-    layer[k + 1].first++;
-  }
-  for (size_t k = 0; k < all.n; k++) {
-    const bool is_hatch = k < hatches->n;
-    all.stroke[k] = is_hatch ? hatches->stroke[k] : old->stroke[k - hatches->n];
-    if (!is_hatch) {
-      all.stroke[k].group++;
-      all.stroke[k].first += hatches->n_at;
-    }
-  }
-  for (size_t k = 0; k < all.n_at; k++)
-    memcpy(all.at[k],
-           k < hatches->n_at ? hatches->at[k] : old->at[k - hatches->n_at],
-           sizeof *all.at);
-  hsr_strokes_free(&plot->strokes);
-  free(plot->group);
-  free(plot->layer);
-  plot->strokes = all;
-  plot->group = group;
-  plot->layer = layer;
-  plot->n_groups++;
-  plot->n_layers++;
-  return true;
+  return status;
 }
 
 enum hsr_status hsr_plot_hatch(struct hsr_plot *plot,
@@ -232,9 +212,9 @@ enum hsr_status hsr_plot_hatch(struct hsr_plot *plot,
   bool good = h.crossing;
   for (size_t r = 0; r < p->n_regions && good; r++)
     good = hatch_face(&h, plot, subject, &p->region[r]);
-  if (good)
-    good = put_first(plot, &h.strokes);
+  enum hsr_status status =
+      good ? put_below(plot, &h.strokes, err) : hsr_fail_nomem(err);
   hsr_strokes_free(&h.strokes);
   free(h.crossing);
-  return good ? HSR_OK : hsr_fail_nomem(err);
+  return status;
 }

@@ -154,10 +154,10 @@ static enum hsr_status join_lines(struct hsr_plot *plot,
                                   const struct hsr_scene *scene,
                                   struct hsr_error *err) {
   uint64_t *key = malloc((lines->n + 1) * sizeof *key);
-  struct hsr_span_of_pen *span = malloc((lines->n + 1) * sizeof *span);
-  if (!key || !span) {
+  struct hsr_pen_line *pen_line = malloc((lines->n + 1) * sizeof *pen_line);
+  if (!key || !pen_line) {
     free(key);
-    free(span);
+    free(pen_line);
     return hsr_fail_nomem(err);
   }
   for (size_t k = 0; k < lines->n; k++)
@@ -167,17 +167,17 @@ static enum hsr_status join_lines(struct hsr_plot *plot,
     const struct hsr_paper_line *line = &lines->line[k];
     const uint64_t own = key_of(line, style->layers);
     const uint64_t *found = bsearch(&own, key, n, sizeof *key, by_key);
-    span[k] = (struct hsr_span_of_pen){.group = (uint32_t)(found - key),
-                                       .from = line->from,
-                                       .to = line->to,
-                                       .straight = line->straight};
+    pen_line[k] = (struct hsr_pen_line){.group = (uint32_t)(found - key),
+                                        .from = line->from,
+                                        .to = line->to,
+                                        .straight = line->straight};
   }
   enum hsr_status status = make_groups(plot, key, n, style->layers, scene, err);
   if (!status)
-    status = hsr_strokes_join(&plot->strokes, span, lines->n,
+    status = hsr_strokes_join(&plot->strokes, pen_line, lines->n,
                               (const double(*)[2])lines->node, err);
   free(key);
-  free(span);
+  free(pen_line);
   return status;
 }
 
@@ -188,6 +188,8 @@ static enum hsr_status add_lines(struct hsr_plot *plot,
   const struct hsr_scene *scene = subject->world->roster.scene;
   struct hsr_paper_lines lines = {.n = 0};
   enum hsr_status status = hsr_line_pens_init(&plot->pens, style, scene, err);
+  if (!status && hsr_line_pens_draw_all(&plot->pens, scene))
+    plot->drawing = subject->drawing;
   if (!status)
     status = hsr_lines_find(&lines, subject->drawing, subject->world,
                             subject->view, style->crease, &plot->pens, err);
@@ -233,12 +235,12 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                        plot->paper);
   if (!status)
     status = lay_out(plot, subject, err);
+  if (!status)
+    find_groups(plot);
   if (!status && subject->polygons && look->hatch)
     status = hsr_plot_hatch(plot, subject, err);
   if (!status && look->style->by_pen_travel)
     status = hsr_strokes_order(&plot->strokes, err);
-  if (!status)
-    find_groups(plot);
   return status;
 }
 

@@ -62,7 +62,8 @@ struct hsr_plot {
   bool has_paper;                      /* a sheet is drawn */
   float paper[3];                      /* its colour, linear, 0..1 */
 
-  const struct hsr_drawing *drawing; /* an .svg file holds it as it is, too;
+  const struct hsr_drawing *drawing; /* the subject's, if nothing of it is left
+                                        out: an .svg file holds it as it is, too;
                                         borrowed; NULL: none */
   const char *title, *description; /* NULL; the caller may set them; borrowed */
 };

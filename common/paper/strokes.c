@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every line has two halves: 2k at its first node, and 2k + 1 at its last. At
- * each node halves are joined in pairs. A trail is what hangs together by these
- * joints; it is closed if no half of it is left alone. Where two trails of which
- * one is closed pass a node, their joints are exchanged, and they are one. */
+/* Line k has two halves: number 2k at its first node, and 2k + 1 at its last. At
+ * each node, halves are joined in pairs. Lines that are joined to one another make
+ * a trail. A trail is closed if each of its halves is joined. Two trails may pass
+ * one node. If one of them is closed, two joints at the node are exchanged, and
+ * the two trails become one. */
 #include "common/paper/strokes.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ struct half {
 };
 
 struct joining {
-  const struct hsr_span_of_pen *line;
+  const struct hsr_pen_line *line;
   size_t n;
   const double (*node)[2];
   struct half *half; /* 2 n, by group and node */
@@ -38,7 +39,7 @@ static int by_node(const void *a, const void *b) {
 
 static void make_halves(struct joining *j) {
   for (size_t k = 0; k < 2 * j->n; k++) {
-    const struct hsr_span_of_pen *line = &j->line[k / 2];
+    const struct hsr_pen_line *line = &j->line[k / 2];
     const uint32_t here = k % 2 ? line->to : line->from,
                    there = k % 2 ? line->from : line->to;
     struct half *half = &j->half[k];
@@ -185,7 +186,7 @@ static void add_place(struct hsr_strokes *strokes, const double at[2]) {
 
 /* Whether the pen goes straight on from one half's line into its mate's. */
 static bool is_straight(const struct joining *j, size_t from, size_t into) {
-  const struct hsr_span_of_pen *a = &j->line[from / 2], *b = &j->line[into / 2];
+  const struct hsr_pen_line *a = &j->line[from / 2], *b = &j->line[into / 2];
   const uint32_t p = from % 2 ? a->from : a->to, q = from % 2 ? a->to : a->from,
                  r = into % 2 ? b->from : b->to;
   const double *s = j->node[p], *t = j->node[q], *u = j->node[r];
@@ -223,8 +224,7 @@ static void draw(struct joining *j, struct hsr_strokes *strokes, size_t begin,
   stroke->n = strokes->n_at - stroke->first;
 }
 
-/* Open strokes from their ends on, then closed ones; each in the place of its
- * first line. */
+/* Open strokes from their ends on, then closed ones. */
 static void draw_all(struct joining *j, struct hsr_strokes *strokes) {
   for (size_t k = 0; k < 2 * j->n; k++)
     if (j->mate[k] == ALONE && j->trail[k / 2] != ALONE)
@@ -242,7 +242,7 @@ static int by_group(const void *a, const void *b) {
 }
 
 enum hsr_status hsr_strokes_join(struct hsr_strokes *strokes,
-                                 const struct hsr_span_of_pen *line, size_t n,
+                                 const struct hsr_pen_line *line, size_t n,
                                  const double (*node)[2],
                                  struct hsr_error *err) {
   struct joining j = {.line = line,

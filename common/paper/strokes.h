@@ -22,7 +22,7 @@ extern "C" {
 #endif
 
 /* A line to be joined. */
-struct hsr_span_of_pen {
+struct hsr_pen_line {
   uint32_t group;    /* only lines of one group are joined */
   uint32_t from, to; /* nodes, which differ */
   uint32_t straight; /* lines of one number lie on one straight line */
@@ -35,7 +35,7 @@ struct hsr_stroke {
 };
 
 struct hsr_strokes {
-  struct hsr_stroke *stroke; /* by group; then in the order of their lines */
+  struct hsr_stroke *stroke; /* by group; open ones first */
   size_t n;
   double (*at)[2];
   size_t n_at;
@@ -45,7 +45,7 @@ struct hsr_strokes {
  * goes straight on, on one straight line, is left out. *strokes is written in
  * full, and is freed with hsr_strokes_free also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_strokes_join(struct hsr_strokes *strokes,
-                                 const struct hsr_span_of_pen *line, size_t n,
+                                 const struct hsr_pen_line *line, size_t n,
                                  const double (*node)[2],
                                  struct hsr_error *err);
 void hsr_strokes_free(struct hsr_strokes *strokes);

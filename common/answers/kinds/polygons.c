@@ -3,10 +3,10 @@
  * agree on every face: their boundaries are the same sums of sides, exactly. */
 #include "common/answers/kinds/polygons.h"
 #include "common/answers/coded.h"
+#include "common/answers/on_paper.h"
 #include "common/files/image.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/suffix.h"
-#include "common/paper/plot.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,30 +87,11 @@ static bool fits(const char *path) {
 static enum hsr_status write_paper(const struct hsr_answer *answer,
                                    const struct hsr_showing *showing,
                                    const char *path, struct hsr_error *err) {
-  struct hsr_plot plot;
-  struct hsr_line_style screen;
-  hsr_line_style_plain(&screen, HSR_HIDDEN_NONE);
   if (hsr_ends_in(path, ".dxf") && !showing->hatch)
     return hsr_fail(
         err, HSR_E_USAGE,
         "%.200s: holds no filled faces; --hatch draws their hatches", path);
-  const struct hsr_plot_subject subject = {
-      .polygons = answer->body, .world = showing->world, .view = showing->view};
-  const struct hsr_plot_look look = {.style = showing->style ? showing->style
-                                                             : &screen,
-                                     .page = showing->page,
-                                     .shading = showing->shading,
-                                     .hatch = showing->hatch};
-  enum hsr_status status = hsr_plot_init(&plot, &subject, &look, err);
-  plot.has_paper = !showing->hatch || showing->background.given;
-  if (showing->background.given)
-    memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
-  plot.title = showing->title;
-  plot.description = showing->description;
-  if (!status)
-    status = hsr_plot_write(&plot, path, err);
-  hsr_plot_free(&plot);
-  return status;
+  return hsr_show_on_paper(showing, NULL, answer->body, path, err);
 }
 
 /* A .vtp file holds the regions in world space; pictures hold their samples. */

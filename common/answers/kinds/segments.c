@@ -3,12 +3,11 @@
  * docs/correct-drawing.md. Two answers are equal if all edges agree. */
 #include "common/answers/kinds/segments.h"
 #include "common/answers/coded.h"
-#include "common/files/image.h"
+#include "common/answers/on_paper.h"
 #include "common/files/json/drawing_json.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/suffix.h"
 #include "common/paper/lines/lines.h"
-#include "common/paper/plot.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -64,63 +63,6 @@ static void compare(const struct hsr_comparison *c,
 
 /* --- Showing -------------------------------------------------------------- */
 
-static enum hsr_status write_image(const struct hsr_plot *plot,
-                                   const char *path, const char *text,
-                                   struct hsr_error *err) {
-  struct hsr_picture image = {.m = plot->m, .n = plot->n};
-  float *rgb = malloc(3 * (size_t)plot->m * (size_t)plot->n * sizeof *rgb);
-  if (!rgb)
-    return hsr_fail_nomem(err);
-  image.rgb = rgb;
-  enum hsr_status status = hsr_plot_raster(plot, rgb, err);
-  if (!status)
-    status = hsr_image_write(path, &image, text, err);
-  free(rgb);
-  return status;
-}
-
-static void count(const struct hsr_plot *plot, struct hsr_drawn *drawn) {
-  const struct hsr_travel travel = hsr_strokes_travel(&plot->strokes);
-  *drawn = (struct hsr_drawn){.strokes = plot->strokes.n,
-                              .ink = travel.down / HSR_PIXELS_PER_MM,
-                              .pen_up = travel.up / HSR_PIXELS_PER_MM};
-}
-
-/* A drawing on paper. An .svg file from which nothing is left out holds the
- * intervals, too. Pixels are as large as the picture's. */
-static enum hsr_status write_paper(const struct hsr_answer *answer,
-                                   const struct hsr_showing *showing,
-                                   const char *path, struct hsr_error *err) {
-  struct hsr_plot plot;
-  struct hsr_line_style screen;
-  hsr_line_style_plain(&screen, HSR_HIDDEN_NONE);
-  const bool vector = hsr_is_paper_file(path);
-  const struct hsr_plot_subject subject = {answer->body, showing->fill,
-                                           showing->world, showing->view};
-  struct hsr_plot_look look = {.style =
-                                   showing->style ? showing->style : &screen,
-                               .shading = showing->shading,
-                               .hatch = showing->hatch};
-  if (vector)
-    look.page = showing->page;
-  enum hsr_status status = hsr_plot_init(&plot, &subject, &look, err);
-  if (!status &&
-      hsr_line_pens_draw_all(&plot.pens, showing->world->roster.scene))
-    plot.drawing = answer->body; /* nothing is left out */
-  plot.has_paper = !vector || showing->background.given;
-  if (showing->background.given)
-    memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
-  plot.title = showing->title;
-  plot.description = showing->description;
-  if (!status)
-    status = vector ? hsr_plot_write(&plot, path, err)
-                    : write_image(&plot, path, showing->text, err);
-  if (!status && showing->drawn)
-    count(&plot, showing->drawn);
-  hsr_plot_free(&plot);
-  return status;
-}
-
 /* A .vtp file holds all intervals, in world space, and a .json file holds them
  * along their edges. Both hold what is known of their edges. */
 static enum hsr_status write_facts(const struct hsr_answer *answer,
@@ -141,7 +83,6 @@ static enum hsr_status write_intervals(const struct hsr_answer *answer,
   const struct hsr_scene *scene = showing->world->roster.scene;
   const double crease = showing->style ? showing->style->crease : -1;
   const char *class_name[HSR_N_LINE_CLASSES];
-  enum hsr_line_class *found = malloc((drawing->n + 1) * sizeof *found);
   unsigned char *line_class = malloc(drawing->n + 1);
   uint32_t *object = malloc((drawing->n + 1) * sizeof *object);
   const char **object_name =
@@ -149,21 +90,17 @@ static enum hsr_status write_intervals(const struct hsr_answer *answer,
   const struct hsr_drawing_facts facts = {line_class,         object,
                                           class_name,         object_name,
                                           HSR_N_LINE_CLASSES, scene->n_objects};
-  enum hsr_status status = found && line_class && object && object_name
-                               ? HSR_OK
-                               : hsr_fail_nomem(err);
+  enum hsr_status status =
+      line_class && object && object_name ? HSR_OK : hsr_fail_nomem(err);
   if (!status)
     status = hsr_lines_classify(drawing, showing->world, showing->view, crease,
-                                found, object, err);
-  for (size_t k = 0; k < drawing->n && !status; k++)
-    line_class[k] = (unsigned char)found[k];
+                                line_class, object, err);
   for (int k = 0; k < HSR_N_LINE_CLASSES; k++)
     class_name[k] = hsr_line_class_name((enum hsr_line_class)k);
   for (uint32_t o = 0; o < scene->n_objects && !status; o++)
     object_name[o] = scene->objects[o].name;
   if (!status)
     status = write_facts(answer, &facts, path, err);
-  free(found);
   free(line_class);
   free(object);
   free(object_name);
@@ -177,7 +114,8 @@ static enum hsr_status write(const struct hsr_answer *answer,
   (void)shaded;
   return hsr_ends_in(path, ".vtp") || hsr_ends_in(path, ".json")
              ? write_intervals(answer, showing, path, err)
-             : write_paper(answer, showing, path, err);
+             : hsr_show_on_paper(showing, answer->body, showing->fill, path,
+                                 err);
 }
 
 static bool fits(const char *path) {

@@ -51,9 +51,8 @@ enum hsr_layers { HSR_LAYERS_VISIBILITY, HSR_LAYERS_CLASS, HSR_LAYERS_OBJECT };
 
 enum { HSR_MOST_LINE_RULES = 64 };
 struct hsr_line_style {
-  double crease; /* degrees, 0 to 180: planes that differ by no more make no
-                    crease; negative: only equal planes make none, and such
-                    lines are drawn as creases are */
+  double crease; /* degrees, 0 to 180: two planes make a crease if they differ
+                    by more. Negative: they do if they differ at all */
   enum hsr_layers layers;
   bool by_pen_travel; /* strokes are in an order of little pen travel */
   bool cuts_dashes;   /* each dash is a line of its own */

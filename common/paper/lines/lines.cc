@@ -21,6 +21,19 @@ using namespace hsr;
 
 namespace {
 
+// The object of the first face that has the edge and exists.
+uint32_t object_of(const hsr_world *world, const Sides &all,
+                   const hsr_edge_name &name) {
+  if (name.implied)
+    return world->mesh.object[name.a];
+  const auto sides = all.of(name.a, name.b);
+  for (const Side *s = sides.first; s != sides.second; s++)
+    if (s->facing)
+      return world->mesh.object[s->face];
+  return sides.first != sides.second ? world->mesh.object[sides.first->face]
+                                     : 0;
+}
+
 // An end of an interval on a line of several edges.
 struct End {
   const Place *at, *lo, *hi; // exact, and its bounds along the line
@@ -52,14 +65,11 @@ public:
         faces_(world, crease) {}
 
   void find();
-  // By interval of the drawing.
-  void classify(hsr_line_class *line_class, uint32_t *object);
   std::vector<hsr_paper_line> lines;
   const std::vector<std::array<double, 2>> &nodes() const { return nodes_.at; }
 
 private:
   using Edges = std::vector<uint32_t>;
-  uint32_t object_of(const Edge &edge) const;
   Vector3<Exact> direction(uint32_t e) const;
   hsr_line_class class_of(const Edges &edges);
 
@@ -107,18 +117,6 @@ private:
   std::deque<Place> place_; // of ends without a name
 };
 
-// The first face that has the edge and exists.
-uint32_t Finder::object_of(const Edge &edge) const {
-  if (edge.name.implied)
-    return world_->mesh.object[edge.name.a];
-  const auto sides = sides_.of(edge.name.a, edge.name.b);
-  for (const Side *s = sides.first; s != sides.second; s++)
-    if (s->facing)
-      return world_->mesh.object[s->face];
-  return sides.first != sides.second ? world_->mesh.object[sides.first->face]
-                                     : 0;
-}
-
 Vector3<Exact> Finder::direction(uint32_t e) const {
   const Row &a = edges_.a(e).exact, &b = edges_.b(e).exact;
   return {b[0] * a[3] - a[0] * b[3], b[1] * a[3] - a[1] * b[3],
@@ -163,7 +161,7 @@ void Finder::draw_alone(uint32_t e) {
   const Edge &edge = edges_.edge[e];
   hsr_paper_line line{};
   line.line_class = class_of({e});
-  line.object = object_of(edge);
+  line.object = object_of(world_, sides_, edge.name);
   uint32_t before = NONE; // the node in which the last interval ends
   for (size_t k = edge.first; k < edge.first + edge.n; k++) {
     const hsr_segment &s = drawing_->segment[k];
@@ -283,7 +281,7 @@ void Finder::learn(Space &space) {
   hsr_paper_line &line = space.line;
   line = hsr_paper_line();
   line.line_class = class_of(edges);
-  line.object = object_of(edges_.edge[least->edge]);
+  line.object = object_of(world_, sides_, edges_.edge[least->edge].name);
   line.invisibility = drawing_->segment[least->segment].invisibility;
   line.pen =
       hsr_line_pen_of(pens_, line.object, line.line_class, line.invisibility);
@@ -364,15 +362,6 @@ void Finder::find() {
   }
 }
 
-void Finder::classify(hsr_line_class *line_class, uint32_t *object) {
-  for (uint32_t e = 0; e < edges_.edge.size(); e++) {
-    const Edge &edge = edges_.edge[e];
-    std::fill_n(line_class + edge.first, edge.n,
-                edge.a == NONE ? HSR_LINE_INTERSECTION : class_of({e}));
-    std::fill_n(object + edge.first, edge.n, object_of(edge));
-  }
-}
-
 // --- For C -------------------------------------------------------------------
 
 template <class T> T *copy_of(const T *items, size_t n) {
@@ -425,10 +414,29 @@ hsr_status hsr_lines_find(hsr_paper_lines *lines, const hsr_drawing *drawing,
 
 hsr_status hsr_lines_classify(const hsr_drawing *drawing,
                               const hsr_world *world, const hsr_view *view,
-                              double crease, hsr_line_class *line_class,
+                              double crease, unsigned char *line_class,
                               uint32_t *object, hsr_error *err) {
   try {
-    Finder(drawing, world, view, crease, nullptr).classify(line_class, object);
+    const Sides all(world, view);
+    Line_faces faces(world, crease);
+    for (size_t k = 0; k < drawing->n; k++) {
+      const hsr_edge_name &name = drawing->segment[k].edge;
+      if (k && !hsr_edge_name_compare(&name, &drawing->segment[k - 1].edge)) {
+        line_class[k] = line_class[k - 1];
+        object[k] = object[k - 1];
+        continue;
+      }
+      object[k] = object_of(world, all, name);
+      line_class[k] = HSR_LINE_INTERSECTION;
+      if (name.implied)
+        continue;
+      faces.clear();
+      const auto sides = all.of(name.a, name.b);
+      for (const Side *s = sides.first; s != sides.second; s++)
+        faces.add(*s, 1);
+      line_class[k] = static_cast<unsigned char>(faces.find(
+          point<Exact>(world, name.b) - point<Exact>(world, name.a)));
+    }
     return HSR_OK;
   } catch (...) {
     return caught(err);

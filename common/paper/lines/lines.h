@@ -40,9 +40,9 @@ struct hsr_paper_line {
 struct hsr_paper_lines {
   struct hsr_paper_line *line;
   size_t n;
-  double (
-      *node)[2]; /* places in the picture, pixels, as of view.h; rounded, and
-                        clamped to the picture */
+  /* Places in the picture, in pixels, as of view.h; rounded, and clamped to the
+   * picture. */
+  double (*node)[2];
   size_t n_nodes;
 };
 
@@ -58,14 +58,14 @@ enum hsr_status hsr_lines_find(struct hsr_paper_lines *lines,
                                struct hsr_error *err);
 void hsr_lines_free(struct hsr_paper_lines *lines);
 
-/* Finds the class of each interval's edge, by the edge's own faces.
- * `line_class` and `object` hold drawing->n each, of the caller. HSR_E_NOMEM;
- * HSR_E_INTERNAL. */
+/* Finds the class of each interval's edge, enum hsr_line_class, by the edge's own
+ * faces; and its object, that of the edge's first face. Both arrays hold
+ * drawing->n, of the caller. HSR_E_NOMEM; HSR_E_INTERNAL. */
 enum hsr_status hsr_lines_classify(const struct hsr_drawing *drawing,
                                    const struct hsr_world *world,
                                    const struct hsr_view *view, double crease,
-                                   enum hsr_line_class *line_class,
-                                   uint32_t *object, struct hsr_error *err);
+                                   unsigned char *line_class, uint32_t *object,
+                                   struct hsr_error *err);
 
 #ifdef __cplusplus
 }

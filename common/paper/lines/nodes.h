@@ -37,10 +37,12 @@ private:
   std::vector<uint32_t> of_;
 };
 
-// Puts edges together that lie in one plane with a place: with the eye, those
-// that lie on one line of the picture; of these, with a place beside their
-// plane, those that lie on one line of space. An edge so short that its plane is
-// not known to 2^-14 is put together with no other.
+// Sorts edges by the planes that they span with one place, the centre. If the
+// centre is the eye, edges of one plane lie on one line of the picture. It may
+// also be a place beside such a plane. Then those edges of it that lie on one
+// line of space come together.
+// The plane of a very short edge is not known to 2^-14 in doubles; such an edge is
+// put together with no other.
 class Planes {
 public:
   Planes(const Drawn_edges &edges, const Place &centre);

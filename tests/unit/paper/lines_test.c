@@ -80,13 +80,13 @@ struct found {
 
 static void join(const struct hsr_paper_lines *lines, bool by_class,
                  struct hsr_strokes *strokes) {
-  struct hsr_span_of_pen *span = malloc((lines->n + 1) * sizeof *span);
+  struct hsr_pen_line *span = malloc((lines->n + 1) * sizeof *span);
   must(span);
   for (size_t k = 0; k < lines->n; k++) {
     const struct hsr_paper_line *line = &lines->line[k];
-    span[k] = (struct hsr_span_of_pen){by_class ? line->line_class
-                                                : line->invisibility > 0,
-                                       line->from, line->to, line->straight};
+    span[k] = (struct hsr_pen_line){by_class ? line->line_class
+                                             : line->invisibility > 0,
+                                    line->from, line->to, line->straight};
   }
   must(!hsr_strokes_join(strokes, span, lines->n,
                          (const double(*)[2])lines->node, NULL));

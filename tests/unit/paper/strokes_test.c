@@ -18,7 +18,7 @@ static uint32_t below(uint32_t n) {
 }
 
 static double node[NODES][2];
-static struct hsr_span_of_pen line[MOST_LINES];
+static struct hsr_pen_line line[MOST_LINES];
 static size_t n_lines;
 
 /* Places of which no three are on one line, so that no place is left out. */
@@ -31,7 +31,7 @@ static void make_lines(void) {
   for (uint32_t k = 0; k < n_lines; k++) {
     const uint32_t from = below(NODES),
                    to = (from + 1 + below(NODES - 1)) % NODES;
-    line[k] = (struct hsr_span_of_pen){below(GROUPS), from, to, k};
+    line[k] = (struct hsr_pen_line){below(GROUPS), from, to, k};
   }
 }
 
@@ -140,10 +140,9 @@ static void make_streets(void) {
   for (uint32_t k = 0; k < STREETS * STREETS; k++) {
     const uint32_t i = k % STREETS, j = k / STREETS;
     if (i + 1 < STREETS && n_lines < MOST_LINES && below(3))
-      line[n_lines++] = (struct hsr_span_of_pen){0, k, k + 1, j};
+      line[n_lines++] = (struct hsr_pen_line){0, k, k + 1, j};
     if (j + 1 < STREETS && n_lines < MOST_LINES && below(3))
-      line[n_lines++] =
-          (struct hsr_span_of_pen){0, k + STREETS, k, STREETS + i};
+      line[n_lines++] = (struct hsr_pen_line){0, k + STREETS, k, STREETS + i};
   }
 }
 
@@ -217,7 +216,7 @@ static void try_streets(struct tap *t) {
  * out. */
 static void try_straight(struct tap *t) {
   static const double at[5][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {1, -1}};
-  static const struct hsr_span_of_pen cross[] = {
+  static const struct hsr_pen_line cross[] = {
       {0, 0, 1, 7}, {0, 3, 1, 8}, {0, 1, 2, 7}, {0, 1, 4, 8}};
   struct hsr_strokes s;
   if (hsr_strokes_join(&s, cross, 4, at, NULL))
@@ -228,7 +227,7 @@ static void try_straight(struct tap *t) {
      "which go straight on");
   hsr_strokes_free(&s);
   static const double square[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  static const struct hsr_span_of_pen side[] = {
+  static const struct hsr_pen_line side[] = {
       {0, 0, 1, 0}, {0, 1, 2, 1}, {0, 2, 3, 2}, {0, 3, 0, 3}};
   if (hsr_strokes_join(&s, side, 4, square, NULL))
     bail("out of memory");
