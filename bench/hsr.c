@@ -42,6 +42,8 @@ static const struct hsr_command commands[] = {
     {"trace", "every step of one algorithm, as lines of JSON", command_trace},
     {"lesson", "a page on which algorithms are watched, step by step",
      command_lesson},
+    {"lab", "a page in which the algorithms run, on a scene to be changed",
+     command_lab},
     {"areas", "how much of the picture shows which face, exactly",
      command_areas},
     {"errors", "how far filtered pictures are from the exact areas",

@@ -468,6 +468,12 @@ static enum hsr_status cut_part(struct hsr_scene *scene,
   return status ? status : hsr_scene_cut(scene, part, err);
 }
 
+/* All faces are seen from both sides, whatever the scene says of them. */
+static void show_backs(struct hsr_scene *scene) {
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    scene->objects[o].one_sided = false;
+}
+
 /* With `part`, that part; NULL: the whole scene. */
 static enum hsr_status open_scene(const char *name, struct hsr_import *import,
                                   struct hsr_scene_part *part,
@@ -490,6 +496,8 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
   if (!status)
     status = alone ? make_part(*scene, plain, part, err)
                    : open_plain(*scene, plain, import, err);
+  if (!status && import && import->two_sided)
+    show_backs(*scene);
   if (!status)
     status = hsr_scene_aim(*scene, name + n, err);
   if (!status && part)

@@ -154,6 +154,7 @@ tap_scripts = \
   %D%/command/gltf.test \
   %D%/command/import.test \
   %D%/command/judge.test \
+  %D%/command/lab.test \
   %D%/command/looks.test \
   %D%/command/models.test \
   %D%/command/outside.test \

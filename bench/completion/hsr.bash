@@ -29,7 +29,7 @@ _hsr() {
     COMPREPLY=($(compgen -f -X '!*.json' -- "$word"))
   else
     case $command in
-    render | view | scenes | export | check | bench | stats | trace | lesson | voxels | areas | errors | judge)
+    render | view | scenes | export | check | bench | stats | trace | lesson | lab | voxels | areas | errors | judge)
       words=$("$hsr" scenes 2>/dev/null | awk 'NR == 1 { next }
         !NF { meshes = 1 }
         !meshes { sub(/[:\[].*/, "", $1); print $1 }

@@ -9,28 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PAGE = 1 << 20 }; /* bytes of the built page */
-
-/* The built page, to be freed. */
-static enum hsr_status read_page(char **page, struct hsr_error *err) {
-  static const char name[] = "lesson.html";
-  char folder[PAGE_FOLDER], path[PAGE_FOLDER + sizeof name];
-  find_page(name, folder);
-  snprintf(path, sizeof path, "%s/%s", folder, name);
-  *page = malloc(MOST_PAGE + 1);
-  if (!*page)
-    return hsr_fail_nomem(err);
-  FILE *file = fopen(path, "rb");
-  if (!file)
-    return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
-  size_t n = fread(*page, 1, MOST_PAGE, file);
-  bool whole = !ferror(file) && n < MOST_PAGE;
-  fclose(file);
-  (*page)[n] = '\0';
-  return whole ? HSR_OK
-               : hsr_fail(err, HSR_E_INPUT, "%.400s: cannot be read", path);
-}
-
 /* The text in an attribute or an element. */
 static void put_text(const char *text, FILE *out) {
   for (; *text; text++)
@@ -134,7 +112,7 @@ enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err) {
   char *built = NULL;
   struct hsr_whole_file file;
-  enum hsr_status status = read_page(&built, err);
+  enum hsr_status status = read_built_page("lesson.html", &built, err);
   if (!status)
     status = hsr_whole_file_open(&file, page->path, err);
   if (!status) {

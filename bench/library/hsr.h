@@ -169,8 +169,9 @@ HSR_API enum hsr_status hsr_get_option(size_t algorithm, size_t k,
 /* A word of an option. HSR_E_USAGE also if there is no such option. */
 struct hsr_word_info {
   size_t size;
-  const char *name;    /* "faces" */
-  const char *meaning; /* "scan-converted, as in 1993" */
+  const char *name;    /* "whole" */
+  const char *meaning; /* "the cube, instead of its sides, by its bounding
+                          rectangle" */
 };
 HSR_API enum hsr_status hsr_get_word(size_t algorithm, size_t option, size_t k,
                                      struct hsr_word_info *info,

@@ -29,6 +29,7 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_report(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_lab(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_areas(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err);

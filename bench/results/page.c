@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/page.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +19,34 @@ void find_page(const char *file, char folder[PAGE_FOLDER]) {
   snprintf(path, sizeof path, "%s/%.60s", folder, file);
   if (access(path, R_OK))
     snprintf(folder, PAGE_FOLDER, "%s", HSR_REPORT_DIR);
+}
+
+/* All of an open file, ended by 0; NULL if it cannot be read. */
+static char *text_of(FILE *file) {
+  long size = fseek(file, 0, SEEK_END) ? -1 : ftell(file);
+  char *text = size < 0 ? NULL : malloc((size_t)size + 1);
+  rewind(file);
+  if (!text || fread(text, 1, (size_t)size, file) != (size_t)size) {
+    free(text);
+    return NULL;
+  }
+  text[size] = '\0';
+  return text;
+}
+
+enum hsr_status read_built_page(const char *name, char **page,
+                                struct hsr_error *err) {
+  char folder[PAGE_FOLDER], path[PAGE_FOLDER + 64];
+  *page = NULL;
+  find_page(name, folder);
+  snprintf(path, sizeof path, "%s/%.60s", folder, name);
+  FILE *file = fopen(path, "rb");
+  if (!file)
+    return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
+  *page = text_of(file);
+  fclose(file);
+  return *page ? HSR_OK
+               : hsr_fail(err, HSR_E_INPUT, "%.400s: cannot be read", path);
 }
 
 char *base64_text(const void *bytes, size_t n) {

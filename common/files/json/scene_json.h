@@ -50,6 +50,11 @@ enum hsr_status hsr_cameras_json_print(const struct hsr_camera *views,
 enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
                                      const char *path, struct hsr_error *err);
 
+/* The same, to a stream that is open; the caller looks whether it could be
+ * written. */
+enum hsr_status hsr_scene_json_print(const struct hsr_scene *scene, FILE *out,
+                                     struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -318,3 +318,10 @@ enum hsr_status hsr_cameras_json_print(const struct hsr_camera *views,
   put_cameras(&writer, views, n);
   return writer.status;
 }
+
+enum hsr_status hsr_scene_json_print(const struct hsr_scene *scene, FILE *out,
+                                     struct hsr_error *err) {
+  struct writer writer = {.out = out, .path = scene->name, .err = err};
+  put_scene(&writer, scene);
+  return writer.status;
+}

@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+libbench_a_SOURCES += \
+  %D%/asked.c \
+  %D%/command.c \
+  %D%/lab.h
