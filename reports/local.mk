@@ -65,7 +65,9 @@ lesson_sources = \
   %D%/lesson/parts/lesson.js \
   %D%/lesson/parts/panel.js \
   %D%/lesson/parts/picture.js \
+  %D%/lesson/parts/player.js \
   %D%/lesson/parts/quiz.js \
+  %D%/lesson/parts/redraw.js \
   %D%/lesson/parts/story_list.js \
   %D%/lesson/parts/timeline.js
 # Figures of Greene's thesis, for reports/greene/make; built by make check.
