@@ -7,6 +7,7 @@
 // "after" the latest alone is done, and a new drawing makes the wish for what was to
 // come after an old one void. The promise of what is left out gives undefined.
 
+const STOPPED = 7; // as hsr.h has it
 const SLOW = 400; // ms after which work that nobody waits for any more is ended
 const ROWS = ["must", "draw", "after"];
 
@@ -24,7 +25,7 @@ export function seat(connect) {
     if (row !== "must") leaveOut("after");
     if (row === "draw") leaveOut("draw");
     if (row === "draw" && running && running.row !== "must" &&
-        performance.now() - since > SLOW) restart();
+        performance.now() - since > SLOW) client().stop();
     return new Promise((give, fail) => {
       rows[row].push({ row, work, give, fail });
       if (!running) advance();
@@ -36,18 +37,8 @@ export function seat(connect) {
     const item = running = row ? rows[row].shift() : null;
     if (!item) return;
     since = performance.now();
-    item.work().then((x) => running === item && item.give(x),
-      (error) => running === item && item.fail(error)).finally(() => {
-      if (running === item) advance();
-    });
-  }
-
-  // Ends what runs, and begins anew with another worker.
-  function restart() {
-    own?.stop();
-    own = scene = drawer = null;
-    running?.give(undefined);
-    running = null;
+    item.work().then(item.give, (error) => error.status === STOPPED
+      ? item.give(undefined) : item.fail(error)).finally(advance);
   }
 
   // --- What is open ---
@@ -93,6 +84,6 @@ export function seat(connect) {
       client().draw((await opened(subject)).id, request)),
     must: ask("must"), ask: ask("draw"), after: ask("after"),
     lists: (does) => enqueue("must", () => does(client())),
-    stop: restart,
+    stop: () => own?.stop(),
   };
 }

@@ -8,8 +8,7 @@ import { figure, growthPlot } from "../../page/parts/plots.js";
 import { saveCsv } from "../../page/parts/save.js";
 import { h } from "../../page/parts/dom.js";
 import { choice } from "../editing/hand.js";
-import { MOST } from "../state/lab.js";
-import { algorithmSelect, plainName } from "../views/algorithms.js";
+import { algorithmSlots, plainName } from "../views/algorithms.js";
 import { VARIED, varied } from "./ladders.js";
 
 const SPECIAL = { compare: "all comparisons", predicted:
@@ -177,16 +176,9 @@ export function measure(lab, core, source) {
   }
 
   function showTop() {
-    const set = (p, text) => lab.set({ a: state.a.map((x, k) => k === p ? text : x) });
     top.replaceChildren(
-      ...state.a.map((text, p) => h("span", { class: "slot" }, algorithmSelect(
-        core.algorithms.filter((a) => !a.drawsNothing), plainName(text),
-        { name: `measured-${p}`, "aria-label": `Algorithm ${p + 1}` },
-        (name) => set(p, name)), state.a.length > 1 ? h("button", { type: "button",
-        class: "quiet", "aria-label": `Leave out ${text}`, onclick: () => lab.set({
-          a: state.a.filter((_, k) => k !== p) }) }, "×") : null)),
-      state.a.length < MOST ? h("button", { type: "button", class: "quiet",
-        onclick: () => lab.set({ a: [...state.a, "zbuffer"] }) }, "+ beside") : "",
+      ...algorithmSlots(lab, core.algorithms.filter((a) => !a.drawsNothing),
+        "measured"),
       choice("varied", VARIED, state.measure.by, (by) => change({ by }), "vary "),
       choice("what", offered(), state.measure.what, (what) => {
         state.measure.what = what;

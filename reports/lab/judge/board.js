@@ -23,6 +23,7 @@ export function board(polygons, camera, label) {
     canvas.height = Math.round(canvas.width * N / M);
     const unit = canvas.width / M;
     const see = projection({ ...camera, width: canvas.width, height: canvas.height });
+    context.lineJoin = "round";
     context.fillStyle = colourOf("--paper");
     context.fillRect(0, 0, canvas.width, canvas.height);
     painted?.forEach((colour, k) => {

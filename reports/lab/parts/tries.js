@@ -3,13 +3,13 @@
 import { h } from "../../page/parts/dom.js";
 
 export const TRIES = [
-  ["Why the painter fails, and Newell does not",
+  ["Why the painter fails",
     { s: "cyclic-overlap", a: "painter,newell", overlay: "differ" }],
-  ["Newell divides faces that penetrate",
+  ["Newell divides",
     { s: "soup:2:7", a: "newell", mode: "step", to: "kind:split" }],
-  ["Make Warnock subdivide twice as much",
+  ["Double Warnock’s work",
     { s: "house", a: "warnock", overlay: "work" }],
-  ["Where Watkins beats Bouknight",
+  ["Watkins against Bouknight",
     { s: "harbor:800", a: "watkins,bouknight", mode: "measure" }],
 ];
 

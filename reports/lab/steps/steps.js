@@ -4,12 +4,10 @@
 import { runOf } from "../../lesson/data/run.js";
 import { traceOf } from "../../lesson/data/trace.js";
 import { player } from "../../lesson/parts/player.js";
-import { whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { choice } from "../editing/hand.js";
 import { sizeOf } from "../parts/view_bar.js";
-import { algorithmSelect, plainName } from "../views/algorithms.js";
-import { MOST } from "../state/lab.js";
+import { algorithmSlots } from "../views/algorithms.js";
 
 const SIZES = { "24x18": "24 × 18", "32x24": "32 × 24", "64x48": "64 × 48",
   "96x72": "96 × 72", "128x96": "128 × 96" };
@@ -104,30 +102,21 @@ export function steps(lab, core, source) {
   // --- What is chosen above ---
 
   function showTop() {
-    const all = core.algorithms.filter((a) => a.canTrace);
-    const set = (p, text) => lab.set({ a: state.a.map((x, k) => k === p ? text : x) });
-    const slots = state.a.map((text, p) => h("span", { class: "slot" },
-      algorithmSelect(all.some((a) => a.name === plainName(text)) ? all
-        : core.algorithms, plainName(text), { name: `step-${p}`,
-        "aria-label": `Algorithm ${p + 1}` }, (name) => set(p, name)),
-      state.a.length > 1 ? h("button", { type: "button", class: "quiet",
-        "aria-label": `Leave out ${text}`, onclick: () => lab.set({ a:
-          state.a.filter((_, k) => k !== p) }) }, "×") : null));
-    top.replaceChildren(...slots,
-      state.a.length < MOST ? h("button", { type: "button", class: "quiet",
-        onclick: () => lab.set({ a: [...state.a, "zbuffer"] }) }, "+ beside") : "",
+    top.replaceChildren(
+      ...algorithmSlots(lab, core.algorithms.filter((a) => a.canTrace), "step"),
       choice("steps", { ...SIZES, [state.steps]: SIZES[state.steps] ?? state.steps },
         state.steps, (text) => lab.set({ steps: text, window: null }), "picture "),
       ...windowField());
   }
 
-  lab.when("scene own edits camera view a steps window", () => {
-    state.play.k = [];
-    state.play.pixel = null;
+  lab.when("scene own edits camera view a steps window", (names) => {
+    if (!names.includes("play")) {
+      state.play.k = [];
+      state.play.pixel = null;
+    }
     record();
   });
   return { element, open: () => { isOpen = true; record(); },
     close: () => { isOpen = false; wanted += 1; playing.end(); },
-    act: playing.act, show: playing.show, runs: () => runs, go: playing.go,
-    total: () => whole(runs[0]?.n) };
+    act: playing.act, show: playing.show, runs: () => runs, go: playing.go };
 }

@@ -2,6 +2,7 @@
 // The text that names an algorithm with its options, "watkins:x-list=tree", and the
 // fields in which it is chosen.
 import { h } from "../../page/parts/dom.js";
+import { MOST } from "../state/lab.js";
 
 export const plainName = (text) => text.split(":")[0];
 
@@ -29,6 +30,26 @@ export function algorithmSelect(all, chosen, attributes, onchange) {
         title: a.title }, a.isKnownWrong ? `${a.name} (known to be wrong)`
         : a.name)))));
 }
+
+// What a bar has in place of stages: a list for each algorithm, one to leave it out,
+// and one to put another beside them.
+export function algorithmSlots(lab, all, name) {
+  const { a } = lab.state;
+  const set = (p, text) => lab.set({ a: a.map((x, k) => k === p ? text : x) });
+  const offered = (text) => all.some((x) => x.name === plainName(text)) ? all
+    : [...all, { name: plainName(text), title: text, className: "not here" }];
+  return [...a.map((text, p) => h("span", { class: "slot" },
+    algorithmSelect(offered(text), plainName(text), { name: `${name}-${p}`,
+      "aria-label": `Algorithm ${p + 1}` }, (next) => set(p, next)),
+    a.length > 1 ? h("button", { type: "button", class: "quiet",
+      "aria-label": `Leave out ${text}`, title: "Leave it out", onclick: () =>
+        lab.set({ a: a.filter((_, k) => k !== p) }) }, "×") : null)),
+  a.length < MOST ? h("button", { type: "button", class: "quiet",
+    onclick: () => lab.set({ a: [...a, another(a)] }) }, "+ beside") : ""];
+}
+
+export const another = (a) => ["zbuffer", "newell", "watkins", "warnock"].find(
+  (name) => !a.map(plainName).includes(name));
 
 // A field for each option; changed(text).
 export function optionFields(algorithm, text, changed) {

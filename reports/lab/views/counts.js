@@ -30,8 +30,8 @@ export function countTable({ name, counters }) {
   };
   return { element: h("div", { class: "counted" }, table, predicted), show,
     clear: () => { table.hidden = true; predicted.replaceChildren(); },
-    predict: (costs) => predicted.replaceChildren(costs?.length
-      ? costTable(costs) : "") };
+    predict: (costs) => predicted.replaceChildren(costs?.some((c) =>
+      c.predicted !== null) ? costTable(costs) : "") };
 }
 
 export const comparisons = (counters, counts) => counters.reduce((sum, c, k) =>

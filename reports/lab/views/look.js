@@ -2,7 +2,7 @@
 // The pictures that turn: up to three algorithms side by side, or blinking.
 import { h } from "../../page/parts/dom.js";
 import { MOST } from "../state/lab.js";
-import { plainName } from "./algorithms.js";
+import { another, plainName } from "./algorithms.js";
 import { differences, verdictLine } from "./compare.js";
 import { pacer } from "./pace.js";
 import { stage } from "./stage.js";
@@ -42,11 +42,9 @@ export function look(lab, core, source, over) {
     box.className = `stages of-${stages.length}${state.blink ? " blinks" : ""}`;
     box.replaceChildren(...stages.map((s) => s.element),
       stages.length < MOST ? h("button", { type: "button", class: "add-stage",
-        onclick: () => lab.set({ a: [...state.a, another()] }) },
+        onclick: () => lab.set({ a: [...state.a, another(state.a)] }) },
       "+ beside") : "");
   }
-  const another = () => ["zbuffer", "newell", "watkins", "warnock"].find((name) =>
-    !state.a.map(plainName).includes(name)) ?? "zbuffer";
 
   // --- Drawing ---
 
@@ -90,7 +88,7 @@ export function look(lab, core, source, over) {
       s.show(answer, state.camera ?? await viewCamera(), !moves);
       if (!moves && mine === stamp) rested(s, p, subject, request);
     } catch (error) {
-      if (stages[p] !== s || error.isStopped) return;
+      if (stages[p] !== s) return;
       answers[p] = null;
       drawn[p] = mine;
       s.refuse(error);
@@ -177,6 +175,8 @@ export function look(lab, core, source, over) {
     moving: (is) => { isMoving = is; if (!is) draw(); },
     camera: () => state.camera ?? camera, whole, overlay,
     answer: (p) => answers[p], shown,
+    isSettled: () => isOpen && !isMoving && drawn.length > 0 &&
+      drawn.every((at) => at === stamp),
     paint: () => stages.forEach((s) => s.paint()),
     rest: () => isOpen && draw() };
 }

@@ -73,6 +73,7 @@ export function painter(canvas) {
 
   const vectors = () => {
     if (!camera) return;
+    context.lineJoin = "round";
     const see = projection({ ...camera, width: canvas.width, height: canvas.height });
     const trace = (points, closed) => {
       const at = points.map(see);

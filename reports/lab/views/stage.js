@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One algorithm: its name and options, its picture, what it did in a line, and its
 // counters.
-import { number, seconds, whole } from "../../page/data/format.js";
+import { seconds } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { algorithmSelect, optionFields, plainName } from "./algorithms.js";
 import { countTable } from "./counts.js";
@@ -31,7 +31,8 @@ export function stage(algorithms, text, act) {
         "aria-label": `Leave out ${algorithm.name}`, title: "Leave it out",
         onclick: act.remove }, "×") : null),
     h("div", { class: "frame" }, canvas, label, refusal), facts,
-    h("div", { class: "below" },
+    h("details", { class: "below", open: innerWidth > 700 },
+      h("summary", {}, "What it has counted"),
       h("p", { class: "who" }, `${algorithm.title}. `, h("small", {},
         [algorithm.authors, algorithm.year || null].filter(Boolean).join(", "),
         algorithm.sortOrder ? `; sorts ${algorithm.sortOrder}` : "")),
@@ -67,6 +68,3 @@ export function stage(algorithms, text, act) {
       label.textContent = words ?? "";
     } };
 }
-
-export const sampleWords = (n) => number(n, "samples");
-export { whole };
