@@ -173,6 +173,7 @@ tap_scripts = \
   %D%/export/export.test \
   %D%/export/polygons.test \
   %D%/export/round_trips.test \
+  %D%/lab/lab.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
@@ -411,6 +412,8 @@ EXTRA_DIST += \
   %D%/drawings/paper.py \
   %D%/fuzz \
   %D%/instructions \
+  %D%/lab/edits.mjs \
+  %D%/lab/visit.mjs \
   %D%/lesson/watch.mjs \
   %D%/module \
   %D%/mutants \

@@ -61,7 +61,7 @@ function build(core) {
   };
   document.body.prepend(head.element);
   main.replaceChildren(h("h1", { class: "unseen" }, "The laboratory of hidden surfaces"),
-    welcome(), h("div", { class: "desk" }, h("aside", { class: "side",
+    welcome(lab), h("div", { class: "desk" }, h("aside", { class: "side",
       "aria-label": "The scene" }, scenePanel(lab, core, source, editing, history)),
     room));
   lab.when("mode", change);
@@ -94,7 +94,7 @@ function keepAddress(head) {
     written = hash;
     globalThis.history.replaceState(null, "", hash);
   };
-  lab.when(Object.keys(state).join(" ") + " address", () => {
+  lab.when(Object.keys(state).join(" "), () => {
     clearTimeout(waiting);
     waiting = setTimeout(write, 250);
   });

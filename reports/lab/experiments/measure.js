@@ -63,7 +63,7 @@ export function measure(lab, core, source) {
   async function sweep() {
     const mine = ++turn;
     sweepAll.disabled = true;
-    for (const value of experiment?.values ?? []) {
+    for (const value of experiment.values) {
       if (mine !== turn || !isOpen) break;
       slider.value = placeOf(value);
       at.textContent = whole(value);
@@ -91,15 +91,14 @@ export function measure(lab, core, source) {
   const noteValues = () => {
     const values = [...new Set(points.map((q) => q.x))].sort((a, b) => a - b);
     state.measure.values = values.slice(0, 40);
-    lab.set({ address: null });
+    lab.tell("measure");
   };
 
   const valueAt = (place) => Math.round(experiment.least *
     (experiment.most / experiment.least) ** (place / 200));
   const placeOf = (value) => 200 * Math.log(value / experiment.least) /
     Math.log(experiment.most / experiment.least);
-  slider.addEventListener("input", () => experiment &&
-    drag(valueAt(Number(slider.value))));
+  slider.addEventListener("input", () => drag(valueAt(Number(slider.value))));
 
   function clear() {
     turn += 1;
@@ -136,10 +135,8 @@ export function measure(lab, core, source) {
     const shown = rows(), show = state.measure.what === "seconds" ? seconds : count;
     const names = [...new Set(shown.map((r) => r.algorithm))];
     if (shown.length < 1) {
-      chart.replaceChildren(h("p", { class: "empty" }, experiment
-        ? "Drag the slider, or measure all: the chart grows as you go."
-        : `${state.scene} has no parameter. Vary the picture, or choose a scene with ` +
-          "one, as harbor or soup."));
+      chart.replaceChildren(h("p", { class: "empty" }, "Drag the slider, or measure " +
+        "all: the chart grows as you go."));
       return;
     }
     const caption = `${labelOf(state.measure.what)} of ${names.join(", ")} over ${
@@ -183,7 +180,7 @@ export function measure(lab, core, source) {
       choice("what", offered(), state.measure.what, (what) => {
         state.measure.what = what;
         draw();
-        lab.set({ address: null });
+        lab.tell("measure");
       }, "count "));
   }
 
@@ -195,7 +192,8 @@ export function measure(lab, core, source) {
 
   function begin() {
     experiment = varied(state.measure.by, state, core, source);
-    slider.disabled = sweepAll.disabled = !experiment;
+    if (!experiment) state.measure.by = "size";
+    experiment ??= varied("size", state, core, source);
     told.textContent = "";
     showTop();
   }

@@ -14,7 +14,7 @@ export function scenePanel(lab, core, source, editing, history) {
   const there = core.builtins.filter((b) => b.isThere);
   const select = h("select", { name: "scene", "aria-label": "Scene",
     onchange: (e) => open(standardScene(usageOf(e.target.value))) });
-  const file = h("input", { type: "file", hidden: true, accept: KINDS_OF_FILES,
+  const file = h("input", { type: "file", hidden: true, "aria-label": "Own file", accept: KINDS_OF_FILES,
     onchange: () => file.files[0] && openFile(file.files[0]) });
   const edits = editPanel(lab, source, editing, history);
 

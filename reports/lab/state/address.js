@@ -15,6 +15,7 @@ export async function readAddress() {
   const { params } = read();
   const own = standard(), get = (name) => params.get(name) ?? "";
   if (get("s")) own.scene = get("s");
+  own.note = get("note").slice(0, 400);
   if (get("f")) own.own = ownOf(own.scene, await inflate(bytesOf(get("f"))));
   if (get("e")) own.edits = await unpacked(get("e"));
   if (get("a")) own.a = get("a").split(",").slice(0, MOST);
@@ -86,7 +87,7 @@ export async function addressOf(state) {
     : {};
   const all = { s: state.scene, f: file,
     e: state.edits.length ? await packed(state.edits) : null,
-    a: state.a.join(","), c: state.camera ? cameraText(state.camera) : null,
+    note: state.note || null, a: state.a.join(","), c: state.camera ? cameraText(state.camera) : null,
     v: state.camera ? null : state.view || null, size: sizeText(state.size) || null,
     mode: unlike(state.mode, "look"), overlay: state.overlay || null,
     blink: state.blink ? 1 : null, ...steps, ...measured, ...decided };

@@ -4,7 +4,7 @@
 export function makeHistory(lab) {
   const { state } = lab;
   let undone = [];
-  const known = () => lab.set({ history: null });
+  const known = () => lab.tell("history");
   return {
     add: (edit) => {
       undone = [];

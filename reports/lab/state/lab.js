@@ -9,6 +9,7 @@ export const MOST = 3; // algorithms side by side
 export const standard = () => ({
   scene: "house", // a built-in scene with its parameters, or the name of `own`
   own: null, // a file of the reader: { name, bytes }
+  note: "", // to whoever opens the link
   edits: [], // as of scene/edits.js
   view: 0, camera: null, // null: the scene's own camera, number `view`
   a: ["watkins", "zbuffer"], // with options
@@ -28,15 +29,18 @@ export const standard = () => ({
 
 export function makeLab() {
   const state = standard(), listeners = [];
+  const tell = (names) => {
+    for (const [wanted, does] of listeners)
+      if (names.some((name) => wanted.includes(name))) does(names);
+  };
   return {
     state,
-    // does(names): called when one of these has changed.
+    // does(names): called when one of these has changed, or is told to have.
     when: (names, does) => listeners.push([names.split(" "), does]),
     set: (changes) => {
       Object.assign(state, changes);
-      const names = Object.keys(changes);
-      for (const [wanted, does] of listeners)
-        if (names.some((name) => wanted.includes(name))) does(names);
+      tell(Object.keys(changes));
     },
+    tell: (name) => tell([name]),
   };
 }

@@ -15,7 +15,7 @@ const EVENTS = 300000; // that a run keeps
 
 export function steps(lab, core, source) {
   const { state } = lab;
-  const playing = player(state.play, () => lab.set({ play: state.play }));
+  const playing = player(state.play, () => lab.tell("play"));
   const top = h("form", { class: "view-bar", "aria-label": "What is stepped through",
     onsubmit: (e) => e.preventDefault() });
   const body = h("div", { class: "player" });
