@@ -103,6 +103,7 @@ lab_sources = \
   %D%/lab/state/pack.js \
   %D%/lab/steps/steps.js \
   %D%/lab/views/algorithms.js \
+  %D%/lab/views/blink.js \
   %D%/lab/views/camera.js \
   %D%/lab/views/compare.js \
   %D%/lab/views/counts.js \

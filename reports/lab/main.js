@@ -30,6 +30,7 @@ async function begin() {
   const asked = await readAddress().catch(() => null);
   if (asked) Object.assign(state, asked);
   const core = await openCore();
+  document.getElementById("version").textContent = core.version;
   build(core);
   globalThis.lab = { ...globalThis.lab, core };
 }
@@ -42,7 +43,7 @@ function build(core) {
   const editing = hand(lab, source, history, {
     now: () => ({ camera: pictures.camera(), size: pictures.whole() }),
     moving: pictures.moving, repaint: pictures.overlay });
-  const rest = resting(pictures);
+  const moves = movedByKeys(pictures);
   const looking = { element: h("div", { class: "looking" },
     viewBar(lab, source, pictures.camera), pictures.element, keyHelp()),
   open: pictures.open, close: pictures.close, show: pictures.paint };
@@ -65,19 +66,20 @@ function build(core) {
       "aria-label": "The scene" }, scenePanel(lab, core, source, editing, history)),
     room));
   lab.when("mode", change);
-  pictureKeys(room, lab, pictures.camera, editing, rest);
+  pictureKeys(room, lab, pictures.camera, editing, moves);
   editKeys(lab, editing, history);
   keys(modes.step.act, () => state.mode === "step");
-  whenLooksChange(() => state.mode === "look" ? rest() : open.show?.());
+  whenLooksChange(() => state.mode === "look" ? moves() : open.show?.());
   keepAddress(head);
   change();
   globalThis.lab = { state, set: lab.set, source, pictures, modes, history, editing };
 }
 
-// A picture that was moved by keys is drawn whole after a moment.
-function resting(pictures) {
+// A picture that is moved by keys is drawn whole after a moment.
+function movedByKeys(pictures) {
   let waiting = 0;
   return () => {
+    pictures.moving(true);
     clearTimeout(waiting);
     waiting = setTimeout(() => pictures.moving(false), 200);
   };

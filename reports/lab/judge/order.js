@@ -2,7 +2,7 @@
 // The reader paints faces one over another, the farthest first, as the painter's
 // algorithm does.
 import { number, whole } from "../../page/data/format.js";
-import { h } from "../../page/parts/dom.js";
+import { h, link } from "../../page/parts/dom.js";
 import { board, hue } from "./board.js";
 import { depths, whyWords } from "./seen.js";
 import { chance, circleIn, M, N, shuffled } from "./over.js";
@@ -89,7 +89,8 @@ export function order({ over, polygons, camera, name, seed, judge, again }) {
   if (!faces.length || faces.length > MANY) return { show: () => {}, open: () => {},
     element: h("p", {}, `${number(faces.length, "faces")} lie in this picture: ${
       faces.length ? `more than ${MANY} are too many to put in order by hand` : "turn the camera"
-    }. Try the scene cyclic-overlap.`) };
+    }. Try `, link("#/?s=cyclic-overlap&a=painter&mode=decide&task=order",
+      "cyclic-overlap"), ".") };
   return { element, open: show, show: draw, faces: () => faces, paint,
     right: () => over.map((list) => list[0]?.face ?? NONE) };
 }

@@ -4,7 +4,7 @@
 import { digits, number } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { board, hue } from "./board.js";
-import { chance, M, shuffled } from "./over.js";
+import { chance, M, N, shuffled } from "./over.js";
 
 const QUESTIONS = 8;
 
@@ -17,6 +17,16 @@ export function seen({ over, polygons, camera, name, seed, again }) {
   const element = h("div", { class: "decide-two" }, drawing.canvas, side);
   let at = 0, right = 0, now = {};
 
+  // The reader asks about a sample of her own.
+  drawing.canvas.addEventListener("pointerdown", (e) => {
+    const box = drawing.canvas.getBoundingClientRect();
+    const k = Math.floor((e.clientY - box.top) / box.height * N) * M +
+      Math.floor((e.clientX - box.left) / box.width * M);
+    if (!(over[k]?.length > 1)) return;
+    places.splice(at, 1, k);
+    ask();
+  });
+
   const draw = (changes) => drawing.draw(now = { ...now, ...changes });
 
   function ask() {
@@ -28,7 +38,7 @@ export function seen({ over, polygons, camera, name, seed, again }) {
     side.replaceChildren(
       h("h2", {}, `Which face is seen in the circle? ${at + 1} of ${places.length}`),
       h("p", {}, `${number(list.length, "faces")} lie over this sample. `,
-        "Point at an answer to see its face."),
+        "Point at an answer to see its face, or click another sample."),
       h("div", { class: "answers" }, offered.map(({ face }) => h("button",
         { type: "button", style: `--own: var(${colours.get(face)})`,
           onclick: () => reply(face, list, colours),

@@ -6,7 +6,7 @@ import { nearer, otherProjection, shifted, turned } from "../views/camera.js";
 const TURN = Math.PI / 24, SHIFT = 0.05;
 
 // A picture has the focus: arrows turn the camera or move what is chosen.
-export function pictureKeys(element, lab, camera, hand, rest) {
+export function pictureKeys(element, lab, camera, hand, moves) {
   const { state } = lab;
   const set = (next) => camera() && lab.set({ camera: next(camera()) });
   const arrow = (x, y) => (e) => state.tool === "move" && hand.isChosen()
@@ -25,8 +25,8 @@ export function pictureKeys(element, lab, camera, hand, rest) {
     if (!e.target.closest("canvas") || e.ctrlKey || e.metaKey ||
         !Object.hasOwn(does, e.key)) return;
     e.preventDefault();
+    moves();
     does[e.key](e);
-    rest();
   });
 }
 

@@ -3,21 +3,23 @@
 import { h } from "../../page/parts/dom.js";
 import { MOST } from "../state/lab.js";
 import { another, plainName } from "./algorithms.js";
+import { blinking } from "./blink.js";
 import { differences, verdictLine } from "./compare.js";
 import { pacer } from "./pace.js";
 import { stage } from "./stage.js";
 import { workOf } from "./work.js";
 
-const SHAPE = 4 / 3, MOST_COLUMNS = 1024, BLINK = 700;
-const isCalm = matchMedia("(prefers-reduced-motion: reduce)");
+const SHAPE = 4 / 3, MOST_COLUMNS = 1024;
 
-// lab: the state; core: { algorithms, seats, judge }; source: the scene.
+// lab: the state; core: as of core/connect.js; source: the scene. over: { attach(canvas),
+// layers(), changed() }: what is done on pictures, and lies over them.
 export function look(lab, core, source, over) {
   const { state } = lab;
   const box = h("div", { class: "stages" });
   const verdict = verdictLine(lab, core, source, () => shown());
-  let stages = [], pacers = [], answers = [], stamp = 0, drawn = [], blinking = 0;
-  let camera = null, isMoving = false, isOpen = false;
+  let stages = []; // as of stage(), with { pace, answer, drawn, heat }
+  let stamp = 0; // of what is wanted; a stage has it as `drawn` when it is there
+  let camera = null, isMoving = false, isOpen = false, still = () => {};
 
   // --- The stages ---
 
@@ -27,23 +29,30 @@ export function look(lab, core, source, over) {
     : () => lab.set({ a: state.a.filter((_, k) => k !== p) });
 
   function build() {
-    const open = stages.map((s) => s.element.querySelector(".options[open]") &&
-      plainName(s.text));
-    stages = state.a.map((text, p) => stage(core.algorithms, text,
-      { choose: choose(p), remove: remove(p) }));
+    const open = stages.map((s) => s.areOptionsOpen() && plainName(s.text));
+    stages = state.a.map((text, p) => Object.assign(stage(core.algorithms, text,
+      { choose: choose(p), remove: remove(p) }), { pace: pacer(), answer: null,
+      drawn: -1 }));
     stages.forEach((s, p) => {
-      if (open[p] === plainName(s.text))
-        s.element.querySelector(".options")?.setAttribute("open", "");
-      over.attach(s.canvas, p);
+      if (open[p] === plainName(s.text)) s.openOptions();
+      over.attach(s.canvas);
     });
-    pacers = stages.map(() => pacer());
-    answers = stages.map(() => null);
-    drawn = stages.map(() => -1);
     box.className = `stages of-${stages.length}${state.blink ? " blinks" : ""}`;
     box.replaceChildren(...stages.map((s) => s.element),
       stages.length < MOST ? h("button", { type: "button", class: "add-stage",
         onclick: () => lab.set({ a: [...state.a, another(state.a)] }) },
       "+ beside") : "");
+  }
+
+  function blink() {
+    still();
+    still = () => {};
+    stages.forEach((s) => s.name(null));
+    if (!state.blink || stages.length < 2 || !isOpen) return;
+    still = blinking(stages.length, (k) => {
+      if (stages[k].answer) stages[0].showOther(stages[k].answer, camera);
+      stages[0].name(stages[k].text);
+    });
   }
 
   // --- Drawing ---
@@ -61,43 +70,34 @@ export function look(lab, core, source, over) {
     const mine = ++stamp, moves = isMoving;
     const { subject, info } = await source.current();
     if (mine !== stamp) return;
-    stages.forEach((s, p) => drawOne(s, p, subject, mine, moves));
-    if (!camera) await cameraNow(info);
-  }
-
-  async function cameraNow(info) {
-    const found = await info.catch(() => null);
-    if (!found) return;
-    camera = state.camera ?? found.views[Math.min(state.view, found.views.length - 1)];
+    stages.forEach((s, p) => drawOne(s, core.seats[p], subject, mine, moves));
+    const found = state.camera ? null : await info.catch(() => null);
+    if (mine !== stamp || !(state.camera ?? found)) return;
+    camera = state.camera ??
+      found.views[Math.min(state.view, found.views.length - 1)];
     over.changed();
   }
 
-  async function drawOne(s, p, subject, mine, moves) {
-    const [m, n] = moves ? pacers[p].size(whole()) : whole();
-    const request = { algorithm: s.text, m, n, counts: true,
-      ...(state.camera ? { camera: state.camera } : { view: state.view }) };
-    const began = performance.now();
+  const looked = () => state.camera ? { camera: state.camera } : { view: state.view };
+
+  async function drawOne(s, seat, subject, mine, moves) {
+    const [m, n] = moves ? s.pace.size(whole()) : whole();
+    const request = { algorithm: s.text, m, n, counts: true, ...looked() };
+    const from = state.camera, began = performance.now();
     const late = setTimeout(() => s.element.classList.add("late"), 150);
     try {
-      const answer = await (moves ? core.seats[p].redraw(subject, request)
-        : core.seats[p].draw(subject, request));
-      if (!answer || stages[p] !== s || drawn[p] > mine) return;
-      pacers[p].took((performance.now() - began) / 1000);
-      drawn[p] = mine;
-      answers[p] = answer;
-      s.show(answer, state.camera ?? await viewCamera(), !moves);
-      if (!moves && mine === stamp) rested(s, p, subject, request);
+      const answer = await (moves ? seat.redraw : seat.draw)(subject, request);
+      if (!answer || !stages.includes(s)) return;
+      s.pace.took((performance.now() - began) / 1000);
+      Object.assign(s, { answer, drawn: mine, heat: null });
+      s.show(answer, from ?? await viewCamera(), !moves);
     } catch (error) {
-      if (stages[p] !== s) return;
-      answers[p] = null;
-      drawn[p] = mine;
+      if (!stages.includes(s)) return;
+      Object.assign(s, { answer: null, drawn: mine });
       s.refuse(error);
     } finally {
       clearTimeout(late);
-      if (!moves && mine === stamp && stages[p] === s) {
-        s.element.classList.remove("late");
-        settled();
-      }
+      if (s.drawn === stamp && !moves) rested(s, seat, subject, request);
     }
   }
 
@@ -107,76 +107,60 @@ export function look(lab, core, source, over) {
   }
 
   // What is asked once a picture rests.
-  async function rested(s, p, subject, request) {
-    over.changed();
-    if (state.overlay === "work") await showWork(s, p, subject, request);
-    const costs = await core.seats[p].after(subject, (client, id) =>
+  async function rested(s, seat, subject, request) {
+    s.element.classList.remove("late");
+    settled();
+    if (!s.answer) return;
+    if (state.overlay === "work") await showWork(s, seat, subject, request);
+    const costs = await seat.after(subject, (client, id) =>
       client.predicted(id, request)).catch(() => null);
-    if (costs && stages[p] === s) s.predict(costs);
+    if (costs && stages.includes(s)) s.predict(costs);
   }
 
-  async function showWork(s, p, subject, request) {
-    const heat = await core.seats[p].after(subject, (client, id) =>
+  async function showWork(s, seat, subject, request) {
+    const heat = await seat.after(subject, (client, id) =>
       workOf(client, id, request)).catch((error) => ({ words: error.text }));
-    if (!heat || stages[p] !== s) return;
-    s.over({ ...over.layers(), heat: heat.values ? heat : null });
-    s.facts.append(heat.words ? `; ${heat.words}` : "");
+    if (!heat || !stages.includes(s)) return;
+    s.heat = heat.values ? heat : null;
+    s.tell(heat.words);
+    overlay();
   }
 
   // --- What differs ---
 
-  const shown = () => stages.map((s, p) => ({ algorithm: s.algorithm, text: s.text,
-    answer: drawn[p] === stamp ? answers[p] : null }));
+  const shown = () => stages.map(({ algorithm, text, answer, drawn }) =>
+    ({ algorithm, text, answer: drawn === stamp ? answer : null }));
+  const isSettled = () => isOpen && !isMoving &&
+    stages.every(({ drawn }) => drawn === stamp);
 
   function settled() {
-    const all = shown();
-    if (all.some(({ answer }, p) => !answer && drawn[p] !== stamp)) return;
-    verdict.show(all);
+    if (!isSettled()) return;
+    verdict.show(shown());
     overlay();
   }
 
   function overlay() {
-    const base = over.layers();
-    const first = answers.find((x) => x?.ids);
-    stages.forEach((s, p) => {
-      if (state.overlay === "work" && !isMoving) return;
-      const mask = state.overlay === "differ" && first && answers[p]?.ids
-        ? { m: first.m, places: differences(first, answers[p]) } : null;
-      s.over({ ...base, mask });
-    });
+    const base = over.layers(), first = stages.find((s) => s.answer?.ids)?.answer;
+    for (const s of stages) {
+      const mask = state.overlay === "differ" && first && s.answer?.ids
+        ? { m: first.m, places: differences(first, s.answer) } : null;
+      s.over({ ...base, mask, heat: s.heat });
+    }
   }
 
-  // --- Blinking ---
-
-  function blink() {
-    clearInterval(blinking);
-    box.classList.toggle("blinks", state.blink && stages.length > 1);
-    stages.forEach((s) => s.name(null));
-    if (!state.blink || stages.length < 2 || !isOpen) return;
-    let k = 0;
-    const next = () => {
-      k = (k + 1) % stages.length;
-      if (answers[k]) stages[0].showOther(answers[k], camera);
-      stages[0].name(stages[k].text);
-    };
-    next();
-    blinking = setInterval(next, isCalm.matches ? 3 * BLINK : BLINK);
-  }
-
-  lab.when("a", () => { build(); draw(); blink(); });
-  lab.when("scene own edits camera view", () => { camera = state.camera; draw(); });
-  lab.when("size overlay", () => draw());
+  const again = () => { build(); draw(); blink(); };
+  lab.when("a blink", () => isOpen && again());
+  lab.when("scene own edits camera view size overlay", draw);
   lab.when("chosen", overlay);
-  lab.when("blink", () => { build(); draw(); blink(); });
 
   return { element: h("div", { class: "look" }, verdict.element, box),
-    open: () => { isOpen = true; build(); draw(); blink(); },
-    close: () => { isOpen = false; clearInterval(blinking); },
-    moving: (is) => { isMoving = is; if (!is) draw(); },
-    camera: () => state.camera ?? camera, whole, overlay,
-    answer: (p) => answers[p], shown,
-    isSettled: () => isOpen && !isMoving && drawn.length > 0 &&
-      drawn.every((at) => at === stamp),
-    paint: () => stages.forEach((s) => s.paint()),
-    rest: () => isOpen && draw() };
+    open: () => { isOpen = true; again(); },
+    close: () => { isOpen = false; still(); },
+    moving: (is) => {
+      if (is === isMoving) return;
+      isMoving = is;
+      if (!is) draw();
+    },
+    camera: () => state.camera ?? camera, whole, overlay, shown, isSettled,
+    paint: () => stages.forEach((s) => s.paint()) };
 }

@@ -19,14 +19,14 @@ export function stage(algorithms, text, act) {
   const table = countTable(algorithm);
   const label = h("p", { class: "blink-name", hidden: true });
   const fields = optionFields(algorithm, text, act.choose);
+  const options = fields.length ? h("details", { class: "options" },
+    h("summary", { title: "Options" }, text.includes(":") ? "options ●" : "options"),
+    h("div", { class: "option-box" }, fields)) : null;
   const element = h("section", { class: "easel", "aria-label": algorithm.title },
     h("div", { class: "easel-head" },
       algorithmSelect(algorithms, algorithm.name, { "aria-label": "Algorithm" },
         act.choose),
-      fields.length ? h("details", { class: "options" },
-        h("summary", { title: "Options" }, text.includes(":") ? "options ●"
-          : "options"),
-        h("div", { class: "option-box" }, fields)) : null,
+      options,
       act.remove ? h("button", { type: "button", class: "quiet",
         "aria-label": `Leave out ${algorithm.name}`, title: "Leave it out",
         onclick: act.remove }, "×") : null),
@@ -61,7 +61,10 @@ export function stage(algorithms, text, act) {
     table.clear();
   };
   return { element, canvas, algorithm, text, show, refuse, over: brush.over,
-    paint: brush.paint, predict: table.predict, facts,
+    paint: brush.paint, predict: table.predict,
+    tell: (words) => words && facts.append(`; ${words}`),
+    areOptionsOpen: () => options?.open,
+    openOptions: () => { if (options) options.open = true; },
     showOther: (answer, camera) => brush.show(answer, camera),
     name: (words) => {
       label.hidden = !words;
