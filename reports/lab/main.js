@@ -46,7 +46,7 @@ function build(core) {
   const moves = movedByKeys(pictures);
   const looking = { element: h("div", { class: "looking" },
     viewBar(lab, source, pictures.camera), pictures.element, keyHelp()),
-  open: pictures.open, close: pictures.close, show: pictures.paint };
+  open: pictures.open, close: pictures.close, show: () => { pictures.paint(); moves(); } };
   const modes = { look: looking, step: steps(lab, core, source),
     measure: measure(lab, core, source), decide: decide(lab, core, source) };
   const room = h("section", { class: "work", "aria-label": "The work" });
@@ -69,7 +69,7 @@ function build(core) {
   pictureKeys(room, lab, pictures.camera, editing, moves);
   editKeys(lab, editing, history);
   keys(modes.step.act, () => state.mode === "step");
-  whenLooksChange(() => state.mode === "look" ? moves() : open.show?.());
+  whenLooksChange(() => open.show?.());
   keepAddress(head);
   change();
   globalThis.lab = { state, set: lab.set, source, pictures, modes, history, editing };
