@@ -243,9 +243,10 @@ dist_zshcompletion_DATA = %D%/completion/_hsr
 EXTRA_DIST += %D%/completion/hsr.bash
 EXTRA_DIST += %D%/programs/examples/zbuffer.c %D%/programs/examples/zbuffer.mjs \
   %D%/programs/examples/zbuffer.py
-install-data-local:
+install-data-local: install-lab
 	$(MKDIR_P) "$(DESTDIR)$(bashcompletiondir)"
 	$(INSTALL_DATA) $(srcdir)/bench/completion/hsr.bash \
 	  "$(DESTDIR)$(bashcompletiondir)/hsr"
 uninstall-local:
+	rm -f "$(DESTDIR)$(pkgdatadir)/report/lab.html"
 	rm -f "$(DESTDIR)$(bashcompletiondir)/hsr"

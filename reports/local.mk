@@ -65,9 +65,55 @@ lesson_sources = \
   %D%/lesson/parts/lesson.js \
   %D%/lesson/parts/panel.js \
   %D%/lesson/parts/picture.js \
+  %D%/lesson/parts/player.js \
   %D%/lesson/parts/quiz.js \
+  %D%/lesson/parts/redraw.js \
   %D%/lesson/parts/story_list.js \
   %D%/lesson/parts/timeline.js
+lab_sources = \
+  %D%/lab/main.js \
+  %D%/lab/core/connect.js \
+  %D%/lab/core/seats.js \
+  %D%/lab/editing/hand.js \
+  %D%/lab/experiments/ladders.js \
+  %D%/lab/experiments/measure.js \
+  %D%/lab/judge/board.js \
+  %D%/lab/judge/decide.js \
+  %D%/lab/judge/order.js \
+  %D%/lab/judge/over.js \
+  %D%/lab/judge/seen.js \
+  %D%/lab/parts/edit_panel.js \
+  %D%/lab/parts/header.js \
+  %D%/lab/parts/keys.js \
+  %D%/lab/parts/savings.js \
+  %D%/lab/parts/scene_panel.js \
+  %D%/lab/parts/tries.js \
+  %D%/lab/parts/view_bar.js \
+  %D%/lab/scene/edits.js \
+  %D%/lab/scene/file.js \
+  %D%/lab/scene/layers.js \
+  %D%/lab/scene/mesh.js \
+  %D%/lab/scene/own.js \
+  %D%/lab/scene/params.js \
+  %D%/lab/scene/pick.js \
+  %D%/lab/scene/source.js \
+  %D%/lab/state/address.js \
+  %D%/lab/state/history.js \
+  %D%/lab/state/lab.js \
+  %D%/lab/state/pack.js \
+  %D%/lab/steps/steps.js \
+  %D%/lab/views/algorithms.js \
+  %D%/lab/views/blink.js \
+  %D%/lab/views/camera.js \
+  %D%/lab/views/compare.js \
+  %D%/lab/views/counts.js \
+  %D%/lab/views/look.js \
+  %D%/lab/views/pace.js \
+  %D%/lab/views/paint.js \
+  %D%/lab/views/stage.js \
+  %D%/lab/views/turning.js \
+  %D%/lab/views/work.js
+lab_page = %D%/lab/lab.html %D%/lab/lab.css %D%/lab/assemble.mjs
 # Figures of Greene's thesis, for reports/greene/make; built by make check.
 check_PROGRAMS += %D%/greene/figures
 %C%_greene_figures_SOURCES = %D%/greene/figures.c
@@ -87,6 +133,7 @@ EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
   %D%/swan/splats \
   $(report_sources) $(lesson_sources) $(lesson_page) \
+  $(lab_sources) $(lab_page) \
   %D%/build.mjs %D%/inline.mjs %D%/package.json \
   %D%/package-lock.json %D%/page/page.html %D%/page/style.css
 
@@ -132,6 +179,35 @@ CLEANFILES += %D%/page/lesson.js
 	  %D%/page/lesson.js $(srcdir)/%D%/page/style.css \
 	  $(srcdir)/%D%/lesson/lesson.css $@
 
+# The page of the laboratory, of which the core is a part. `make lab` makes both; `make`
+# makes the page if the core is there, as of `make web`.
+%D%/page/lab.js: $(lab_sources) $(lesson_sources) $(report_sources) %D%/build.mjs \
+  %D%/npm/installed web/client.js
+	@$(MKDIR_P) %D%/page
+	$(NODE) $(srcdir)/%D%/build.mjs $(srcdir)/%D%/lab $(report_modules) $@ \
+	  hsr-client=web/client.js
+
+%D%/page/lab.html: $(lab_page) %D%/page/lab.js %D%/page/style.css \
+  $(srcdir)/%D%/lesson/lesson.css web/hsr.js web/core.js web/worker.js
+	$(NODE) $(srcdir)/%D%/lab/assemble.mjs $(report_modules) \
+	  $(srcdir)/%D%/lab/lab.html %D%/page/lab.js web \
+	  $(srcdir)/%D%/page/style.css $(srcdir)/%D%/lesson/lesson.css \
+	  $(srcdir)/%D%/lab/lab.css $@
+
+lab: web
+	@$(MAKE) %D%/page/lab.html
+all-local:
+	@test ! -f web/hsr.wasm || $(MAKE) %D%/page/lab.html
+.PHONY: lab
+CLEANFILES += %D%/page/lab.js %D%/page/lab.html
+
 distclean-local:
 	rm -rf %D%/npm
 endif
+
+# As part of install-data-local of bench/.
+install-lab:
+	@test ! -f %D%/page/lab.html || { \
+	  $(MKDIR_P) "$(DESTDIR)$(pkgdatadir)/report" && \
+	  $(INSTALL_DATA) %D%/page/lab.html "$(DESTDIR)$(pkgdatadir)/report"; }
+.PHONY: install-lab

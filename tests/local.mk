@@ -174,6 +174,7 @@ tap_scripts = \
   %D%/export/export.test \
   %D%/export/polygons.test \
   %D%/export/round_trips.test \
+  %D%/lab/lab.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
@@ -412,6 +413,8 @@ EXTRA_DIST += \
   %D%/drawings/paper.py \
   %D%/fuzz \
   %D%/instructions \
+  %D%/lab/edits.mjs \
+  %D%/lab/visit.mjs \
   %D%/lesson/watch.mjs \
   %D%/module \
   %D%/mutants \

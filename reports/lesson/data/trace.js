@@ -18,11 +18,13 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+export const readTrace = async (base64) =>
+  traceOf(await inflate(bytesOf(base64.trim())));
+
 // The members of the JSON text, and an array for each field: what it is in each
 // event. `counter` has the events' counters.
-export async function readTrace(base64) {
-  const bytes = await inflate(bytesOf(base64.trim()));
-  const length = new DataView(bytes.buffer).getUint32(0, true);
+export function traceOf(bytes) {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const said = JSON.parse(new TextDecoder().decode(bytes.subarray(4,
     4 + length)));
   const { kept, header } = said;

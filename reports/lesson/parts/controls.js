@@ -95,8 +95,8 @@ export function controls(act, state, several) {
 }
 
 // Keys for everything; in fields that take letters and arrows themselves they
-// keep their own meaning.
-export function keys(act) {
+// keep their own meaning. isOn(): whether they do anything now.
+export function keys(act, isOn = () => true) {
   const taken = (e) => e.target.closest("select, input[type=number]") ||
     (e.target.closest("input[type=range]") && /^(Arrow|Home|End|Page)/.test(e.key))
     || e.altKey || e.ctrlKey || e.metaKey;
@@ -116,7 +116,7 @@ export function keys(act) {
     Escape: () => act.pixel(null),
   };
   addEventListener("keydown", (e) => {
-    if (!Object.hasOwn(does, e.key) || taken(e) || pressing(e)) return;
+    if (!isOn() || !Object.hasOwn(does, e.key) || taken(e) || pressing(e)) return;
     e.preventDefault();
     does[e.key](e);
   });

@@ -63,12 +63,16 @@ const short = (show) => (x) => show(x).replace(/\.0+(?=\D|$)/, "");
 const style = { background: "transparent", fontSize: "12px", overflow: "visible" };
 
 // Lines through marks, both axes logarithmic. lines: [{ looks, points: [{ x, y,
-// low, high, line, title }] }]; points of one `line` are joined.
+// low, high, line, title }], behind }]; points of one `line` are joined. behind: those
+// of a broad line behind them, in order.
 function lines(all, x, y, width) {
   const points = all.flatMap((l) => l.points);
-  const marks = all.flatMap(({ looks: { colour, symbol, dash }, points: own }) => {
+  const marks = all.flatMap(({ looks: { colour, symbol, dash }, points: own,
+    behind = [] }) => {
     const sorted = [...own].sort((a, b) => a.x - b.x);
     return [
+      Plot.line(behind, { x: "x", y: "y", stroke: colour, strokeWidth: 6,
+        strokeOpacity: 0.25 }),
       Plot.line(sorted, { x: "x", y: "y", z: "line", stroke: colour,
         strokeDasharray: dash, strokeWidth: 1.5 }),
       Plot.ruleX(sorted.filter((p) => p.low > 0), { x: "x", y1: "low",
@@ -103,6 +107,20 @@ export function countPlot(points, counters, width) {
       line: counter, title: `${counter}\n${p.place}\n${count(p.y)} at ${
         count(p.x)} faces` })) })),
   "relevant faces →", { label: "↑ counts", show: count }, width);
+}
+
+// What algorithms count as N grows, each over what is predicted of it. points:
+// [{ algorithm, looks, x, y, predicted: or null }], above 0.
+export function growthPlot(points, x, y, width) {
+  const sorted = points.filter((p) => p.y > 0).sort((a, b) => a.x - b.x);
+  return lines(unique(sorted.map((p) => p.algorithm)).map((name) => {
+    const own = sorted.filter((p) => p.algorithm === name);
+    return { looks: own[0].looks,
+      behind: own.filter((p) => p.predicted > 0).map((p) => ({ x: p.x,
+        y: p.predicted })),
+      points: own.map((p) => ({ ...p, line: name, title: `${name}\n${y.show(p.y)} at ${
+        count(p.x)}${p.predicted > 0 ? `\npredicted ${y.show(p.predicted)}` : ""}` })) };
+  }), x, y, width);
 }
 
 // As many powers of ten as have room; if there are too few, steps between them.

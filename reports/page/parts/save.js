@@ -3,7 +3,7 @@
 import { shortened } from "../data/format.js";
 import { h } from "./dom.js";
 
-function offer(name, type, text) {
+export function offer(name, type, text) {
   const url = URL.createObjectURL(new Blob([text], { type }));
   h("a", { href: url, download: name }).click();
   URL.revokeObjectURL(url);

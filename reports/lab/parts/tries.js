@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line of welcome, with experiments to begin with; and below it a note to whoever
+// opens the link, as a teacher's task.
+import { h } from "../../page/parts/dom.js";
+
+export const TRIES = [
+  ["Why the painter fails", { s: "cyclic-overlap", a: "painter,newell",
+    overlay: "differ", note: "Each bar lies over the next, so no order to paint them " +
+      "is right. Turn the picture: where is the painter wrong? Then choose Step, and " +
+      "see where Newell divides a bar." }],
+  ["Newell divides", { s: "soup:2:7", a: "newell", mode: "step", to: "kind:split",
+    note: "Two triangles penetrate. Press › for the next division. Which plane " +
+      "divides which piece?" }],
+  ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",
+    note: "Warnock divides each window that is not simple yet. Turn the house, edit " +
+      "it or add to it, until there are twice as many subdivisions." }],
+  ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
+    mode: "measure", mwhat: "span", note: "Press Measure all. Which of the two shows " +
+      "fewer spans? Then count something else: where does the other one win?" }],
+];
+
+const LONGEST = 400; // letters of a note
+
+export function welcome(lab) {
+  const { state } = lab;
+  const field = h("input", { type: "text", name: "note", maxlength: LONGEST,
+    hidden: true, "aria-label": "A note that is in the link",
+    placeholder: "A note or a task, which is in the link",
+    onchange: () => lab.set({ note: field.value.trim() }),
+    onkeydown: (e) => e.key === "Enter" && edit(false) });
+  const said = h("p", { class: "task" });
+  const edit = (is) => {
+    field.hidden = !is;
+    if (is) field.focus();
+  };
+  const show = () => {
+    said.textContent = state.note;
+    said.hidden = !state.note;
+    field.value = state.note;
+  };
+  lab.when("note", show);
+  show();
+  return h("div", { class: "welcome" },
+    h("p", {}, h("b", {}, "Sixty hidden-surface algorithms at work, live."),
+      " Drag the picture, or try:"),
+    h("ul", { class: "plain" }, TRIES.map(([words, params]) => h("li", {}, h("a", {
+      href: `#/?${new URLSearchParams(params)}` }, words)))),
+    h("button", { type: "button", class: "quiet", onclick: () => edit(field.hidden),
+      title: "A note or a task, which is in the link" }, "note"),
+    said, field);
+}

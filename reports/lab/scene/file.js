@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An edited scene as a file that hsr opens, here and everywhere: hsr-scene/1.
+import { orderOf } from "./mesh.js";
+
+// views: the cameras that it has.
+export function sceneFile(mesh, name, views) {
+  const order = orderOf(mesh);
+  const objects = [];
+  let place = null, last = -1;
+  for (const f of order) {
+    const { ring, rgb, solid } = mesh.faces[f];
+    if (solid !== last) {
+      last = solid;
+      place = new Map();
+      objects.push({ name: mesh.solids[solid], vertices: [], faces: [],
+        face_colours: [] });
+    }
+    const own = objects.at(-1);
+    own.faces.push(ring.map((p) => {
+      if (!place.has(p)) place.set(p, own.vertices.push(mesh.points[p]) - 1);
+      return place.get(p);
+    }));
+    own.face_colours.push(rgb);
+  }
+  return JSON.stringify({ schema: "hsr-scene/1", name, objects,
+    views: views.map(viewOf) });
+}
+
+const viewOf = ({ eye, at, up, fov, near, parallel }) =>
+  ({ eye: [...eye], at: [...at], up: [...up], near, ...(parallel > 0 ? { parallel }
+    : { fov }) });

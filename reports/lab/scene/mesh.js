@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces of solids, as the reader edits them. A face and a solid keep their numbers
+// through all edits; those that were deleted are null.
+//
+// { points: [[x, y, z]], faces: [{ ring: [point], rgb: [r, g, b], solid }],
+//   solids: [name] }
+
+// geometry: as core.geometry gives it.
+export function meshOf({ xyz, ring, vertex, rgb, object, objects }) {
+  const points = [];
+  for (let k = 0; k < xyz.length; k += 3)
+    points.push([xyz[k], xyz[k + 1], xyz[k + 2]]);
+  let at = 0;
+  const faces = Array.from({ length: ring?.length ?? vertex.length / 3 }, (_, f) => {
+    const corners = ring?.[f] ?? 3;
+    at += corners;
+    return { ring: Array.from(vertex.subarray(at - corners, at)),
+      rgb: [rgb[3 * f], rgb[3 * f + 1], rgb[3 * f + 2]], solid: object[f] };
+  });
+  return { points, faces, solids: objects.slice() };
+}
+
+export const copyOf = ({ points, faces, solids }) =>
+  ({ points: points.slice(), faces: faces.slice(), solids: solids.slice() });
+
+// The numbers of the faces in the scene's order: solid by solid.
+export function orderOf({ faces }) {
+  const there = [];
+  faces.forEach((face, f) => face && there.push(f));
+  return there.sort((f, g) => faces[f].solid - faces[g].solid || f - g);
+}
+
+// A target is "f" and the number of a face, or "o" and that of a solid.
+export function facesOf(mesh, target) {
+  const number = Number(target.slice(1));
+  if (target[0] === "f") return mesh.faces[number] ? [number] : [];
+  const own = [];
+  mesh.faces.forEach((face, f) => face?.solid === number && own.push(f));
+  return own;
+}
+
+export function boundsOf(points) {
+  const lo = [Infinity, Infinity, Infinity], hi = lo.map((x) => -x);
+  for (const p of points)
+    for (let k = 0; k < 3; k++) {
+      lo[k] = Math.min(lo[k], p[k]);
+      hi[k] = Math.max(hi[k], p[k]);
+    }
+  return { lo, hi, middle: lo.map((x, k) => (x + hi[k]) / 2),
+    size: Math.hypot(...lo.map((x, k) => hi[k] - x)) };
+}
+
+export const pointsOf = (mesh, faces) =>
+  [...new Set(faces.flatMap((f) => mesh.faces[f].ring))].map((p) => mesh.points[p]);

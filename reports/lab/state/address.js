@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The address holds all that is shown, so that a link opens the same.
+import { href, read } from "../../page/data/address.js";
+import { LEVELS, TOGETHER } from "../../lesson/parts/controls.js";
+import { ownOf } from "../scene/own.js";
+import { cameraOf, cameraText } from "../views/camera.js";
+import { sizeOf, sizeText } from "../parts/view_bar.js";
+import { MODES, MOST, standard } from "./lab.js";
+import { bytesOf, inflate, pack, packed, unpacked } from "./pack.js";
+
+const LARGEST = 6000; // characters of a file in a link
+
+// The state that an address holds; what is wrong there has its standard.
+export async function readAddress() {
+  const { params } = read();
+  const own = standard(), get = (name) => params.get(name) ?? "";
+  if (get("s")) own.scene = get("s");
+  own.note = get("note").slice(0, 400);
+  if (get("f")) own.own = ownOf(own.scene, await inflate(bytesOf(get("f"))));
+  if (get("e")) own.edits = await unpacked(get("e"));
+  if (get("a")) own.a = get("a").split(",").slice(0, MOST);
+  own.camera = cameraOf(get("c"));
+  own.view = whole(get("v"));
+  own.size = sizeOf(get("size"));
+  if (Object.hasOwn(MODES, get("mode"))) own.mode = get("mode");
+  if (/^(work|differ)$/.test(get("overlay"))) own.overlay = get("overlay");
+  own.blink = get("blink") === "1";
+  if (sizeOf(get("steps"))) own.steps = get("steps");
+  own.window = windowOf(get("w"));
+  readPlayer(own.play, get);
+  readMeasure(own.measure, get);
+  if (/^(seen|order)$/.test(get("task"))) own.decide.task = get("task");
+  if (get("seed")) own.decide.seed = whole(get("seed"));
+  return own;
+}
+
+const whole = (text) => /^\d{1,9}$/.test(text) ? Number(text) : 0;
+const windowOf = (text) => {
+  const w = text.split(",").map(Number);
+  return w.length === 4 && w.every((x) => Number.isInteger(x) && x >= 0) &&
+    w[2] > w[0] && w[3] > w[1] ? w : null;
+};
+
+function readPlayer(play, get) {
+  if (get("k")) play.k = get("k").split(",").map(Number).filter(Number.isFinite);
+  play.lead = whole(get("lead"));
+  if (Object.hasOwn(LEVELS, get("level"))) play.level = get("level");
+  if (Object.hasOwn(TOGETHER, get("by"))) play.by = get("by");
+  if (get("speed")) play.speed = Math.min(100, whole(get("speed")));
+  play.to = get("to");
+  play.face = get("face");
+  play.quiz = get("quiz") === "1";
+  play.outlines = get("outlines") !== "0";
+  const [i, j] = get("at").split(",").map(Number);
+  play.pixel = Number.isInteger(i) && Number.isInteger(j) ? { i, j } : null;
+}
+
+function readMeasure(measure, get) {
+  if (/^(scene|size|depth)$/.test(get("mby"))) measure.by = get("mby");
+  if (get("mwhat")) measure.what = get("mwhat");
+  measure.values = get("mx").split(",").map(whole).filter((x) => x > 0);
+}
+
+// { hash, note }: the note says what a link cannot hold.
+export async function addressOf(state) {
+  const { play, measure, decide } = state, usual = standard();
+  let note = "", file = null;
+  if (state.own) {
+    file = await pack(state.own.bytes);
+    if (file.length > LARGEST) {
+      file = null;
+      note = `The link does not hold ${state.own.name}: it is too large for one.`;
+    }
+  }
+  const unlike = (value, normal) => value === normal ? null : value;
+  const steps = state.mode === "step" ? { k: play.k.join(",") || null,
+    lead: play.lead || null, level: unlike(play.level, "step"),
+    by: unlike(play.by, "share"), speed: unlike(play.speed, 30), to: play.to || null,
+    face: play.face || null, quiz: play.quiz ? 1 : null,
+    outlines: play.outlines ? null : 0,
+    at: play.pixel ? `${play.pixel.i},${play.pixel.j}` : null,
+    steps: unlike(state.steps, usual.steps), w: state.window?.join(",") } : {};
+  const measured = state.mode === "measure" ? { mby: unlike(measure.by, "scene"),
+    mwhat: unlike(measure.what, "compare"), mx: measure.values.join(",") || null }
+    : {};
+  const decided = state.mode === "decide" ? { task: decide.task, seed: decide.seed }
+    : {};
+  const all = { s: state.scene, f: file,
+    e: state.edits.length ? await packed(state.edits) : null,
+    note: state.note || null, a: state.a.join(","), c: state.camera ? cameraText(state.camera) : null,
+    v: state.camera ? null : state.view || null, size: sizeText(state.size) || null,
+    mode: unlike(state.mode, "look"), overlay: state.overlay || null,
+    blink: state.blink ? 1 : null, ...steps, ...measured, ...decided };
+  return { note, hash: href("", "", Object.fromEntries(Object.entries(all)
+    .filter(([, value]) => value !== null && value !== undefined))) };
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bytes as short text that an address can hold, and back.
+
+const through = async (bytes, stream) => new Uint8Array(await new Response(
+  new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+
+export const inflate = (bytes, format = "deflate-raw") =>
+  through(bytes, new DecompressionStream(format));
+
+export async function pack(bytes) {
+  const small = await through(bytes, new CompressionStream("deflate-raw"));
+  let text = "";
+  for (const byte of small) text += String.fromCharCode(byte);
+  return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
+}
+
+export const bytesOf = (base64) => Uint8Array.from(
+  atob(base64.replace(/-/g, "+").replace(/_/g, "/")), (c) => c.charCodeAt(0));
+
+export const unpack = (text) => inflate(bytesOf(text));
+
+export const packed = (value) =>
+  pack(new TextEncoder().encode(JSON.stringify(value)));
+export const unpacked = async (text) =>
+  JSON.parse(new TextDecoder().decode(await unpack(text)));
