@@ -98,6 +98,7 @@ lab_sources = \
   %D%/lab/scene/pick.js \
   %D%/lab/scene/source.js \
   %D%/lab/state/address.js \
+  %D%/lab/state/asked.js \
   %D%/lab/state/history.js \
   %D%/lab/state/lab.js \
   %D%/lab/state/pack.js \

@@ -5,6 +5,7 @@ import { LEVELS, TOGETHER } from "../../lesson/parts/controls.js";
 import { ownOf } from "../scene/own.js";
 import { cameraOf, cameraText } from "../views/camera.js";
 import { sizeOf, sizeText } from "../parts/view_bar.js";
+import { asked, fileOfPage } from "./asked.js";
 import { MODES, MOST, standard } from "./lab.js";
 import { bytesOf, inflate, pack, packed, unpacked } from "./pack.js";
 
@@ -13,13 +14,14 @@ const LARGEST = 6000; // characters of a file in a link
 // The state that an address holds; what is wrong there has its standard.
 export async function readAddress() {
   const { params } = read();
-  const own = standard(), get = (name) => params.get(name) ?? "";
-  if (get("s")) own.scene = get("s");
+  const own = { ...standard(), ...asked }, get = (name) => params.get(name) ?? "";
+  if (get("s")) Object.assign(own, { scene: get("s"), own: fileOfPage(get("s")),
+    camera: null });
   own.note = get("note").slice(0, 400);
   if (get("f")) own.own = ownOf(own.scene, await inflate(bytesOf(get("f"))));
   if (get("e")) own.edits = await unpacked(get("e"));
   if (get("a")) own.a = get("a").split(",").slice(0, MOST);
-  own.camera = cameraOf(get("c"));
+  own.camera = cameraOf(get("c")) ?? own.camera;
   own.view = whole(get("v"));
   own.size = sizeOf(get("size"));
   if (Object.hasOwn(MODES, get("mode"))) own.mode = get("mode");
@@ -65,7 +67,7 @@ function readMeasure(measure, get) {
 export async function addressOf(state) {
   const { play, measure, decide } = state, usual = standard();
   let note = "", file = null;
-  if (state.own) {
+  if (state.own && state.own !== fileOfPage(state.scene)) {
     file = await pack(state.own.bytes);
     if (file.length > LARGEST) {
       file = null;

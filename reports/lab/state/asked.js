@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `hsr lab` has put into the page: bench/lab/lab.h.
+import { ownOf } from "../scene/own.js";
+
+const element = document.getElementById("asked");
+const put = element ? JSON.parse(element.textContent) : null;
+const name = put?.file ? `${put.scene.split("/").pop()
+  .replace(/\.scene\.json$/, "")}.scene.json` : put?.scene;
+const own = put?.file ? ownOf(name, new TextEncoder().encode(put.file)) : null;
+
+// What the page opens with, as far as it was said.
+export const asked = put ? { scene: name, own, camera: put.camera,
+  ...put.algorithms.length ? { a: put.algorithms } : {} } : {};
+
+// The page's own file, of that name; else null.
+export const fileOfPage = (scene) => own && scene === name ? own : null;
