@@ -148,7 +148,7 @@ tap_scripts = \
   %D%/command/command.test \
   %D%/command/completion.test \
   %D%/command/densities.test \
-  %D%/command/drawings.test \
+  %D%/command/drawings_page.test \
   %D%/command/examples.test \
   %D%/command/full.test \
   %D%/command/gltf.test \

@@ -206,8 +206,8 @@ enum hsr_status line_options_style(const struct line_options *o,
   for (size_t k = 0; k < o->n_pens && !status; k++) {
     struct hsr_line_rule rule = o->pen[k].rule;
     /* The pen of --hidden draws no lines of one plane, if they are left out. */
-    if (rule.levels == HSR_HIDDEN_LINES && style->crease >= 0)
-      rule.classes &= ~HSR_FLAT_LINES;
+    if (rule.levels == HSR_HIDDEN_LINES)
+      rule.classes &= ~hsr_line_style_left_out(style);
     status = hsr_line_style_add(style, &rule, err);
   }
   if (status)

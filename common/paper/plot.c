@@ -256,8 +256,9 @@ void hsr_plot_free(struct hsr_plot *plot) {
 
 enum hsr_status hsr_plot_write(const struct hsr_plot *plot, const char *path,
                                struct hsr_error *err) {
-  return hsr_ends_in(path, ".svg")   ? hsr_plot_write_svg(plot, path, err)
-         : hsr_ends_in(path, ".pdf") ? hsr_plot_write_pdf(plot, path, err)
-         : hsr_ends_in(path, ".eps") ? hsr_plot_write_eps(plot, path, err)
-                                     : hsr_plot_write_dxf(plot, path, err);
+  if (hsr_ends_in(path, ".svg"))
+    return hsr_plot_write_svg(plot, path, err);
+  if (hsr_ends_in(path, ".dxf"))
+    return hsr_plot_write_dxf(plot, path, err);
+  return hsr_plot_write_page(plot, path, hsr_ends_in(path, ".eps"), err);
 }

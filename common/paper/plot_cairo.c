@@ -7,6 +7,8 @@
 
 #include <cairo-pdf.h>
 #include <cairo-ps.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* What cairo says, in our words; `path` is NULL where there is no file. */
 static enum hsr_status judge(cairo_status_t said, const char *path,
@@ -151,6 +153,8 @@ static enum hsr_status draw(const struct hsr_plot *plot,
   return status;
 }
 
+/* --- Pages ---------------------------------------------------------------- */
+
 static cairo_status_t append(void *stream, const unsigned char *data,
                              unsigned length) {
   return fwrite(data, 1, length, stream) == length ? CAIRO_STATUS_SUCCESS
@@ -160,29 +164,10 @@ static cairo_status_t append(void *stream, const unsigned char *data,
 /* A pixel of the page, in points, which are the units of PDF and EPS. */
 #define POINTS .75
 
-/* Draws on a surface that writes to the file, and closes both. */
-static enum hsr_status write_page(const struct hsr_plot *plot,
-                                  struct hsr_whole_file *file,
-                                  cairo_surface_t *surface, const char *path,
-                                  struct hsr_error *err) {
-  enum hsr_status status = draw(plot, surface, POINTS, path, err);
-  cairo_surface_finish(surface);
-  if (!status)
-    status = judge(cairo_surface_status(surface), path, err);
-  cairo_surface_destroy(surface);
-  return hsr_whole_file_close(file, status, err);
-}
-
-enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err) {
-  struct hsr_whole_file file;
-  enum hsr_status status = hsr_whole_file_open(&file, path, err);
-  if (status)
-    return status;
+static cairo_surface_t *begin_pdf(const struct hsr_plot *plot, FILE *stream) {
   cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(
-      append, file.stream, POINTS * plot->layout.width,
+      append, stream, POINTS * plot->layout.width,
       POINTS * plot->layout.height);
-  /* No time of making: the same drawing is the same file. */
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
   if (plot->title)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE,
@@ -190,21 +175,59 @@ enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
   if (plot->description)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT,
                                    plot->description);
-  return write_page(plot, &file, surface, path, err);
+  return surface;
 }
 
-enum hsr_status hsr_plot_write_eps(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err) {
-  struct hsr_whole_file file;
-  enum hsr_status status = hsr_whole_file_open(&file, path, err);
-  if (status)
-    return status;
+static cairo_surface_t *begin_eps(const struct hsr_plot *plot, FILE *stream) {
   cairo_surface_t *surface = cairo_ps_surface_create_for_stream(
-      append, file.stream, POINTS * plot->layout.width,
+      append, stream, POINTS * plot->layout.width,
       POINTS * plot->layout.height);
   cairo_ps_surface_set_eps(surface, 1);
-  return write_page(plot, &file, surface, path, err);
+  return surface;
 }
+
+/* Writes n bytes of a file, which a 0 follows, without the line that tells when
+ * it was made: the same drawing is the same file. cairo has no way to leave it
+ * out of .eps. */
+static void put_without_date(FILE *out, const char *text, size_t n) {
+  const char *line = strstr(text, "%%CreationDate:"),
+             *end = line ? strchr(line, '\n') : NULL;
+  if (end) {
+    fwrite(text, 1, (size_t)(line - text), out);
+    n -= (size_t)(end + 1 - text);
+    text = end + 1;
+  }
+  fwrite(text, 1, n, out);
+}
+
+enum hsr_status hsr_plot_write_page(const struct hsr_plot *plot,
+                                    const char *path, bool is_eps,
+                                    struct hsr_error *err) {
+  struct hsr_whole_file file;
+  char *text = NULL;
+  size_t n = 0;
+  FILE *memory = open_memstream(&text, &n);
+  if (!memory)
+    return hsr_fail_nomem(err);
+  cairo_surface_t *surface = (is_eps ? begin_eps : begin_pdf)(plot, memory);
+  enum hsr_status status = draw(plot, surface, POINTS, path, err);
+  cairo_surface_finish(surface);
+  if (!status)
+    status = judge(cairo_surface_status(surface), path, err);
+  cairo_surface_destroy(surface);
+  if (fclose(memory) != 0 && !status)
+    status = hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_whole_file_open(&file, path, err);
+  if (!status) {
+    put_without_date(file.stream, text, n);
+    status = hsr_whole_file_close(&file, status, err);
+  }
+  free(text);
+  return status;
+}
+
+/* --- Pixels --------------------------------------------------------------- */
 
 /* The pixels of a finished surface, whose colours are sRGB-encoded. */
 static void read_pixels(cairo_surface_t *surface, const struct hsr_plot *plot,

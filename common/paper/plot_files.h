@@ -11,10 +11,10 @@ extern "C" {
 
 enum hsr_status hsr_plot_write_svg(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
-enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err);
-enum hsr_status hsr_plot_write_eps(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err);
+/* PDF, or EPS. */
+enum hsr_status hsr_plot_write_page(const struct hsr_plot *plot,
+                                    const char *path, bool is_eps,
+                                    struct hsr_error *err);
 enum hsr_status hsr_plot_write_dxf(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 

@@ -205,6 +205,12 @@ class View:
         n = cross([b[k] * a[3] - a[k] * b[3] for k in range(3)], self.F)
         return primitive([x * a[3] for x in n] + [dot(n, a)])
 
+    def is_on(self, line, p):
+        """Whether the image of a place is on a line of the picture."""
+        if not self.parallel:
+            return dot(line, self.from_eye(p)) == 0
+        return dot(line, p) == line[3] * p[3]
+
 
 def unit(v):
     length = math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
@@ -238,12 +244,12 @@ class Expected:
     def __init__(self, scene, view, answer):
         self.scene, self.view = scene, view
         self.piece = []
-        self.implied_at = defaultdict(list)  # ends of implied edges, by their images
+        self.named_at = defaultdict(set)  # named places, by their images
         on_line = defaultdict(list)
         for edge, intervals in self.edges(answer):
             on_line[view.line(*edge)].append((edge, intervals))
-        for k, edges in enumerate(on_line.values()):
-            self.lay_over(k, edges)
+        for line, edges in on_line.items():
+            self.lay_over(line, edges)
 
     def edges(self, answer):
         """Each edge as its two places, and its intervals."""
@@ -262,28 +268,30 @@ class Expected:
                 if pair not in known:
                     known[pair] = self.scene.implied(*pair)
                 ends = known[pair][name[3]]
-                for p in ends:
-                    self.put_implied(p)
+            for p in ends:
+                self.put_named(p)
             found.append((ends, intervals))
         return found
 
-    def put_implied(self, p):
+    def put_named(self, p):
         try:
             at = self.view.image(p)
         except ZeroDivisionError:
             return
-        self.implied_at[tuple(round(float(c) * 1e5) for c in at)].append(at)
+        self.named_at[tuple(round(float(c) * 1e5) for c in at)].add((at, p))
 
-    def implied_near(self, end):
+    def named_near(self, end, line):
+        """The image of a named place on this line, near an end."""
         x, y = (round(float(c) * 1e5) for c in end.at)
         for i in (x - 1, x, x + 1):
             for j in (y - 1, y, y + 1):
-                for p in self.implied_at.get((i, j), ()):
-                    if max(abs(a - b) for a, b in zip(p, end.at)) <= end.slack:
-                        return p
+                for at, p in self.named_at.get((i, j), ()):
+                    if (max(abs(a - b) for a, b in zip(at, end.at)) <= end.slack
+                            and self.view.is_on(line, p)):
+                        return at
         return None
 
-    def lay_over(self, number, edges):
+    def lay_over(self, line, edges):
         spans = []
         for edge, intervals in edges:
             for t0, t1, hidden in intervals:
@@ -302,7 +310,7 @@ class Expected:
                 stops.append([])
             stops[-1].append(end)
             end.stop = len(stops) - 1
-        node = [self.node(number, k, stop) for k, stop in enumerate(stops)]
+        node = [self.node(line, k, stop) for k, stop in enumerate(stops)]
         # Between two stops, the least invisibility.
         best = [None] * len(stops)
         for p, q, hidden in spans:
@@ -314,11 +322,11 @@ class Expected:
                 two = [self.view.clamp(stops[j][0].at) for j in (i, i + 1)]
                 self.piece.append(Piece(two, (node[i], node[i + 1]), hidden))
 
-    def node(self, number, k, stop):
+    def node(self, line, k, stop):
         for end in stop:
             if end.named:
                 return end.at
-        return self.implied_near(stop[0]) or (number, k)
+        return self.named_near(stop[0], line) or (line, k)
 
     def strokes(self, group):
         """How few strokes there can be of a group."""

@@ -9,6 +9,9 @@
   paper.py dxf FILE.dxf           the same of polylines
   paper.py longest FILE.pdf N     complains if the thinner of two pens draws more
                                   than N points at once
+  paper.py colours FILE.ppm RRGGBB ...  how many pixels have each; complains of
+                                  less than 20
+  paper.py ink FILE.ppm           how dark all pixels are together, of 1 each
 """
 
 import math
@@ -16,6 +19,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 import zlib
+from collections import Counter
 
 SVG = "{http://www.w3.org/2000/svg}"
 INK = "{http://www.inkscape.org/namespaces/inkscape}"
@@ -123,6 +127,24 @@ def check_longest(name, most):
     return not (len(longest) > 1 and longest[thin] < most)
 
 
+def pixels(name):
+    """Of a binary .ppm file of 8 bits, as RRGGBB."""
+    data = open(name, "rb").read()
+    size = int(data.split()[1]) * int(data.split()[2])
+    rgb = data[-3 * size:]
+    return [rgb[k:k + 3].hex() for k in range(0, len(rgb), 3)]
+
+
+def count_colours(name, wanted):
+    found = Counter(pixels(name))
+    print(", ".join(f"{colour} {found[colour]}" for colour in wanted))
+    return all(found[colour] >= 20 for colour in wanted)
+
+
+def show_ink(name):
+    print(f"{sum(1 - int(p[:2], 16) / 255 for p in pixels(name)):.1f}")
+
+
 def main():
     what, name = sys.argv[1:3]
     if what == "layers":
@@ -133,6 +155,10 @@ def main():
         show_lengths(name)
     elif what == "dxf":
         show_dxf(name)
+    elif what == "colours":
+        sys.exit(0 if count_colours(name, sys.argv[3:]) else 1)
+    elif what == "ink":
+        show_ink(name)
     else:
         sys.exit(1 if check_longest(name, float(sys.argv[3])) else 0)
 

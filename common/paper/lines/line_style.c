@@ -89,8 +89,25 @@ static const struct hsr_line_rule thin[] = {
     {EVERY(2), .pen = {.draws = true, .width = .8 * PIXEL, .rgb = GREY(128)}},
     {EVERY(4), .pen = {.draws = true, .width = .6 * PIXEL, .rgb = GREY(166)}},
     {EVERY(8), .pen = {.draws = true, .width = .45 * PIXEL, .rgb = GREY(199)}}};
-static const struct hsr_line_rule alike[] = {
-    {EVERY(HSR_ALL_LEVELS), .pen = {.draws = true, .width = PIXEL}}};
+static const struct hsr_line_rule alike[] = {{.classes = HSR_ALL_LINES,
+                                              .levels = HSR_ALL_LEVELS,
+                                              .sets_width = true,
+                                              .sets_rgb = true,
+                                              .sets_dash = true,
+                                              .pen = {.width = PIXEL}},
+                                             {.classes = HSR_ALL_LINES,
+                                              .levels = HSR_HIDDEN_LINES,
+                                              DRAWN,
+                                              .pen = {.draws = true}}};
+
+unsigned hsr_line_style_left_out(const struct hsr_line_style *style) {
+  unsigned classes = 0;
+  for (int c = 0; c < HSR_N_LINE_CLASSES; c++)
+    if (HSR_FLAT_LINES & 1u << c &&
+        !hsr_line_style_draws(style, (enum hsr_line_class)c, 0))
+      classes |= 1u << c;
+  return classes;
+}
 
 enum hsr_status hsr_line_style_hide(struct hsr_line_style *style,
                                     enum hsr_hidden hidden,
@@ -101,13 +118,15 @@ enum hsr_status hsr_line_style_hide(struct hsr_line_style *style,
   } way[] = {[HSR_HIDDEN_NONE] = {not_drawn, 1},
              [HSR_HIDDEN_DASHED] = {drawn, 1},
              [HSR_HIDDEN_THIN] = {thin, 3},
-             [HSR_HIDDEN_ALL] = {alike, 1}};
+             [HSR_HIDDEN_ALL] = {alike, 2}};
+  const struct hsr_line_rule stays = {.classes = hsr_line_style_left_out(style),
+                                      .levels = HSR_HIDDEN_LINES,
+                                      DRAWN};
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < way[hidden].n && !status; k++)
     status = hsr_line_style_add(style, &way[hidden].rule[k], err);
-  /* Lines of one plane stay left out. */
-  if (!status && style->crease >= 0)
-    status = hsr_line_style_add(style, &flat, err);
+  if (!status && stays.classes)
+    status = hsr_line_style_add(style, &stays, err);
   return status;
 }
 

@@ -77,8 +77,13 @@ enum hsr_status hsr_line_style_add(struct hsr_line_style *style,
                                    const struct hsr_line_rule *rule,
                                    struct hsr_error *err);
 
-/* Appends the rules that draw hidden lines in one of the standard ways. HSR_E_INPUT
- * if there are too many. */
+/* Those of HSR_FLAT_LINES that are left out where they are visible, of objects
+ * that no rule names. */
+unsigned hsr_line_style_left_out(const struct hsr_line_style *style);
+
+/* Appends the rules that draw hidden lines in one of the standard ways. Lines of
+ * one plane that are left out where they are visible stay left out where they
+ * are hidden. HSR_E_INPUT if there are too many. */
 enum hsr_status hsr_line_style_hide(struct hsr_line_style *style,
                                     enum hsr_hidden hidden,
                                     struct hsr_error *err);

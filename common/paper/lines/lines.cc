@@ -11,6 +11,7 @@
 #include "common/paper/lines/nodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <map>
@@ -37,6 +38,7 @@ uint32_t object_of(const hsr_world *world, const Sides &all,
 // An end of an interval on a line of several edges.
 struct End {
   const Place *at, *lo, *hi; // exact, and its bounds along the line
+  const double *point;       // in doubles
   uint32_t named;            // a named place, or NONE
   uint32_t laid;             // its interval
   bool first;                // the interval begins there
@@ -74,7 +76,8 @@ private:
   hsr_line_class class_of(const Edges &edges);
 
   void draw_alone(uint32_t e);
-  uint32_t node_of(uint32_t e, const hsr_segment &s, bool to);
+  std::vector<uint32_t> find_nodes(uint32_t e);
+  bool is_near(const double p[3], const double q[3]) const;
 
   void lay_over(const Edges &edges);
   void choose_aside(uint32_t e);
@@ -139,41 +142,63 @@ hsr_line_class Finder::class_of(const Edges &edges) {
   return faces_.find(d);
 }
 
-// docs/correct-drawing.md: parameters have a relative error of 1e-12. Twice that
-// is room for the two products.
-constexpr double ERROR = 2e-12;
+// --- Ends that are one -------------------------------------------------------
+
+// Ends whose bounds overlap may be one place. They are taken for one only if
+// nobody can see them apart: a line may be longer than its picture is wide by
+// far, and then the bounds of its ends reach over all of the picture.
+constexpr double NEAR = 0x1p-20; // pixels
+
+bool Finder::is_near(const double p[3], const double q[3]) const {
+  const auto a = nodes_.image(p), b = nodes_.image(q);
+  return std::hypot(a[0] - b[0], a[1] - b[1]) <= NEAR;
+}
+
+static const double *point_of(const hsr_segment &s, bool to) {
+  return to ? s.to : s.from;
+}
 
 // --- One edge on a line ------------------------------------------------------
 
-uint32_t Finder::node_of(uint32_t e, const hsr_segment &s, bool to) {
+static double bound_of(double t) {
+  return t == 1 ? 0 : CHANGE_ERROR * t;
+}
+
+// The nodes of the ends of an edge's intervals, two for each.
+std::vector<uint32_t> Finder::find_nodes(uint32_t e) {
   const Edge &edge = edges_.edge[e];
-  const double t = to ? s.t1 : s.t0, *point = to ? s.to : s.from;
-  if (t == (to ? 1 : 0))
-    return nodes_.of_named(to ? edge.b : edge.a);
-  if (!nodes_.has_implied())
-    return nodes_.at_point(point);
-  const Place lo = Place::between(edges_.a(e), edges_.b(e), t - ERROR * t),
-              hi = Place::between(edges_.a(e), edges_.b(e), t + ERROR * t);
-  return nodes_.of_change(e, lo, hi, point);
+  const hsr_segment *s = drawing_->segment + edge.first;
+  const auto t_of = [s](size_t k) { return k % 2 ? s[k / 2].t1 : s[k / 2].t0; };
+  const auto point = [s](size_t k) { return point_of(s[k / 2], k % 2); };
+  const auto is_one = [&](size_t k) { // with the next
+    const double t = t_of(k), u = t_of(k + 1);
+    return t == u || (u - t <= bound_of(t) + bound_of(u) &&
+                      is_near(point(k), point(k + 1)));
+  };
+  std::vector<uint32_t> node;
+  for (size_t k = 0, n; k < 2 * edge.n; k += n) {
+    for (n = 1; k + n < 2 * edge.n && is_one(k + n - 1);)
+      n++;
+    node.insert(node.end(), n,
+                t_of(k) == 0 ? nodes_.of_named(edge.a)
+                : t_of(k + n - 1) == 1
+                    ? nodes_.of_named(edge.b)
+                    : nodes_.of_change(e, t_of(k), point(k)));
+  }
+  return node;
 }
 
 void Finder::draw_alone(uint32_t e) {
   const Edge &edge = edges_.edge[e];
+  const std::vector<uint32_t> node = find_nodes(e);
   hsr_paper_line line{};
   line.line_class = class_of({e});
   line.object = object_of(world_, sides_, edge.name);
-  uint32_t before = NONE; // the node in which the last interval ends
-  for (size_t k = edge.first; k < edge.first + edge.n; k++) {
-    const hsr_segment &s = drawing_->segment[k];
-    line.invisibility = s.invisibility;
+  for (size_t k = 0; k < edge.n; k++) {
+    line.invisibility = drawing_->segment[edge.first + k].invisibility;
     line.pen =
-        hsr_line_pen_of(pens_, line.object, line.line_class, s.invisibility);
-    const bool goes_on = before != NONE && drawing_->segment[k - 1].t1 == s.t0;
-    const uint32_t from = goes_on ? before : node_of(e, s, false);
-    // Doubles cannot tell ends apart that are so near to one another.
-    const bool is_empty = s.t1 - s.t0 <= 0x1p-50 * s.t1 && s.t1 != 1;
-    before = is_empty ? from : node_of(e, s, true);
-    emit(line, from, before);
+        hsr_line_pen_of(pens_, line.object, line.line_class, line.invisibility);
+    emit(line, node[2 * k], node[2 * k + 1]);
   }
 }
 
@@ -208,7 +233,7 @@ End Finder::end_of(uint32_t laid, bool to, bool along) {
   const uint32_t e = laid_[laid].edge;
   const hsr_segment &s = drawing_->segment[laid_[laid].segment];
   const double t = to ? s.t1 : s.t0;
-  End end{nullptr, nullptr, nullptr, NONE, laid, to != along};
+  End end{nullptr, nullptr, nullptr, point_of(s, to), NONE, laid, to != along};
   if (t == (to ? 1 : 0)) {
     end.named = to ? edges_.edge[e].b : edges_.edge[e].a;
     end.at = end.lo = end.hi = &edges_.place[end.named];
@@ -219,8 +244,8 @@ End Finder::end_of(uint32_t laid, bool to, bool along) {
     return &place_.back();
   };
   end.at = put(t);
-  end.lo = put(t - ERROR * t);
-  end.hi = put(t + ERROR * t);
+  end.lo = put(t - CHANGE_ERROR * t);
+  end.hi = put(t + CHANGE_ERROR * t);
   if (!along)
     std::swap(end.lo, end.hi);
   return end;
@@ -237,17 +262,19 @@ void Finder::lay(uint32_t e, uint32_t space) {
   }
 }
 
-// Sorts the ends. Those whose bounds overlap are one stop. Returns the nodes of
-// all stops, in the order of the line.
+// Sorts the ends. Those are one stop whose bounds overlap and which nobody can
+// see apart. Returns the nodes of all stops, in the order of the line.
 std::vector<uint32_t> Finder::find_stops() {
   std::stable_sort(
       end_.begin(), end_.end(),
       [this](const End &p, const End &q) { return is_before(p.at, q.at); });
   std::vector<uint32_t> node;
   for (size_t k = 0, n; k < end_.size(); k += n) {
-    for (n = 1;
-         k + n < end_.size() && !is_before(end_[k + n - 1].hi, end_[k + n].lo);)
-      n++;
+    for (n = 1; k + n < end_.size(); n++) {
+      const End &p = end_[k + n - 1], &q = end_[k + n];
+      if (is_before(p.hi, q.lo) || !is_near(p.point, q.point))
+        break;
+    }
     const End *named = nullptr;
     for (size_t i = k; i < k + n; i++) {
       Laid &laid = laid_[end_[i].laid];
@@ -255,14 +282,10 @@ std::vector<uint32_t> Finder::find_stops() {
       if (!named && end_[i].named != NONE)
         named = &end_[i];
     }
-    const Laid &laid = laid_[end_[k].laid];
-    const hsr_segment &s = drawing_->segment[laid.segment];
-    const bool along = side_of(edges_.a(laid.edge), edges_.b(laid.edge), eye_,
-                               *aside_) == turn_;
-    node.push_back(
-        named ? nodes_.of_named(named->named)
-              : nodes_.of_change(laid.edge, *end_[k].lo, *end_[k + n - 1].hi,
-                                 end_[k].first == along ? s.from : s.to));
+    node.push_back(named
+                       ? nodes_.of_named(named->named)
+                       : nodes_.of_change(laid_[end_[k].laid].edge, *end_[k].lo,
+                                          *end_[k + n - 1].hi, end_[k].point));
   }
   return node;
 }

@@ -13,8 +13,9 @@
  *             node if that place has a name: a vertex, the end of an implied
  *             edge, or a change of visibility on one edge. Places of names are
  *             compared exactly. A change of visibility is known to 1e-12 of its
- *             parameter: on one line of the picture, ends whose bounds overlap
- *             are one. */
+ *             parameter: within that it is at a vertex, or the end of an implied
+ *             edge, whose image is on its line. On one line of the picture, ends
+ *             whose bounds overlap are one if nobody can see them apart. */
 #ifndef HSR_COMMON_PAPER_LINES_H
 #define HSR_COMMON_PAPER_LINES_H
 

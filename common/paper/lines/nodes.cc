@@ -118,13 +118,13 @@ Planes::Planes(const Drawn_edges &edges_of, const Place &centre)
 
 Nodes::Nodes(const Drawn_edges &edges, const Place &eye, const hsr_view *view)
     : edges_(edges), eye_(eye), view_(view), of_(edges.place.size(), NONE) {
-  for (size_t k = edges.n_vertices; k < edges.place.size(); k++)
+  for (size_t k = 0; k < edges.place.size(); k++)
     of_named(uint32_t(k));
 }
 
-uint32_t Nodes::add(double x, double y) {
-  at.push_back({std::min(std::max(x, 0.0), double(view_->m)),
-                std::min(std::max(y, 0.0), double(view_->n))});
+uint32_t Nodes::add(const std::array<double, 2> &image) {
+  at.push_back({std::min(std::max(image[0], 0.0), double(view_->m)),
+                std::min(std::max(image[1], 0.0), double(view_->n))});
   return uint32_t(at.size() - 1);
 }
 
@@ -137,8 +137,8 @@ uint32_t Nodes::of_named(uint32_t p) {
     return of_[p];
   const Place &place = edges_.place[p];
   Safe_interval image[2];
-  if (!find_image(place, view_, image))
-    return of_[p] = add(0, 0); // behind the eye: no line ends there
+  if (!find_image(place.rough, view_, image))
+    return of_[p] = add({0, 0}); // behind the eye: no line ends there
   std::vector<Cells::Cell> reached;
   cells_.reach(0, image[0], image[1],
                [&](const Cells::Cell &cell) { reached.push_back(cell); });
@@ -149,14 +149,14 @@ uint32_t Nodes::of_named(uint32_t p) {
           return of_[p] = of_[q];
   for (const Cells::Cell &cell : reached)
     cells_.put(cell, p);
-  return of_[p] = add(middle(image[0]), middle(image[1]));
+  return of_[p] = add({middle(image[0]), middle(image[1])});
 }
 
-uint32_t Nodes::at_point(const double point[3]) {
-  double image[3];
-  hsr_view_project(view_, point, image);
-  const double w = hsr_view_w(view_, image);
-  return add(image[0] / w, image[1] / w);
+std::array<double, 2> Nodes::image(const double point[3]) const {
+  double p[3];
+  hsr_view_project(view_, point, p);
+  const double w = hsr_view_w(view_, p);
+  return {p[0] / w, p[1] / w};
 }
 
 // Whether the image of x is between those of lo and hi, on one line with them.
@@ -170,29 +170,42 @@ static bool is_between(const Place &lo, const Place &x, const Place &hi,
   return false;
 }
 
+// The named places whose images lie on the line of an edge, and near the images
+// of lo and hi.
+std::vector<uint32_t> Nodes::find_named(uint32_t e, const Rough_row &lo,
+                                        const Rough_row &hi) const {
+  std::vector<uint32_t> found;
+  Safe_interval from[2], to[2], box[2];
+  if (!find_image(lo, view_, from) || !find_image(hi, view_, to))
+    return found;
+  for (int c = 0; c < 2; c++)
+    box[c] = CGAL::Interval_nt<true>(std::min(from[c].inf(), to[c].inf()),
+                                     std::max(from[c].sup(), to[c].sup()));
+  cells_.reach(0, box[0], box[1], [&](const Cells::Cell &cell) {
+    if (const std::vector<uint32_t> *others = cells_.at(cell))
+      for (uint32_t q : *others)
+        if (!side_of(edges_.a(e), edges_.b(e), eye_, edges_.place[q]))
+          found.push_back(q);
+  });
+  return found;
+}
+
+uint32_t Nodes::of_change(uint32_t e, double t, const double point[3]) {
+  const Place &a = edges_.a(e), &b = edges_.b(e);
+  const double before = t - CHANGE_ERROR * t, after = t + CHANGE_ERROR * t;
+  const Rough_row way = Place::rough_between(a, b, before, after);
+  if (find_named(e, way, way).empty())
+    return add(image(point));
+  return of_change(e, Place::between(a, b, before), Place::between(a, b, after),
+                   point);
+}
+
 uint32_t Nodes::of_change(uint32_t e, const Place &lo, const Place &hi,
                           const double point[3]) {
-  Safe_interval from[2], to[2];
-  uint32_t found = NONE;
-  if (has_implied() && find_image(lo, view_, from) && find_image(hi, view_, to))
-    cells_.reach(0,
-                 CGAL::Interval_nt<true>(std::min(from[0].inf(), to[0].inf()),
-                                         std::max(from[0].sup(), to[0].sup())),
-                 CGAL::Interval_nt<true>(std::min(from[1].inf(), to[1].inf()),
-                                         std::max(from[1].sup(), to[1].sup())),
-                 [&](const Cells::Cell &cell) {
-                   const std::vector<uint32_t> *others = cells_.at(cell);
-                   for (size_t k = 0; others && k < others->size(); k++) {
-                     const uint32_t q = (*others)[k];
-                     const Place &x = edges_.place[q];
-                     if (q < edges_.n_vertices ||
-                         side_of(edges_.a(e), edges_.b(e), eye_, x))
-                       continue;
-                     if (is_between(lo, x, hi, eye_))
-                       found = of_[q];
-                   }
-                 });
-  return found != NONE ? found : at_point(point);
+  for (uint32_t q : find_named(e, lo.rough, hi.rough))
+    if (is_between(lo, edges_.place[q], hi, eye_))
+      return of_[q];
+  return add(image(point));
 }
 
 } // namespace hsr

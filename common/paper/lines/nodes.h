@@ -64,17 +64,20 @@ public:
 
   // The node of a named place.
   uint32_t of_named(uint32_t place);
-  // A new node, at a point of the world.
-  uint32_t at_point(const double point[3]);
-  // The node of a change of visibility on an edge, between two places that bound
-  // it: that of an end of an implied edge if one is there, else a new one.
+  // The image of a point of the world, in pixels.
+  std::array<double, 2> image(const double point[3]) const;
+  // The node of a change of visibility on an edge, at t or a little before or
+  // after it: that of a named place which has one image with the edge there, else
+  // a new one.
+  uint32_t of_change(uint32_t e, double t, const double point[3]);
+  // The same between two places of the line of the picture on which the edge is.
   uint32_t of_change(uint32_t e, const Place &lo, const Place &hi,
                      const double point[3]);
-  // Whether of_change may find an end of an implied edge.
-  bool has_implied() const { return edges_.n_vertices < edges_.place.size(); }
 
 private:
-  uint32_t add(double x, double y);
+  uint32_t add(const std::array<double, 2> &image);
+  std::vector<uint32_t> find_named(uint32_t e, const Rough_row &lo,
+                                   const Rough_row &hi) const;
   const Drawn_edges &edges_;
   const Place &eye_;
   const hsr_view *view_;

@@ -53,6 +53,15 @@ Place Place::between(const Place &a, const Place &b, double t) {
   return place;
 }
 
+Rough_row Place::rough_between(const Place &a, const Place &b, double lo,
+                               double hi) {
+  const Safe_interval t(lo, hi), wa = a.rough[3], wb = b.rough[3];
+  const Safe_interval from = wb * (Safe_interval(1) - t), to = wa * t;
+  return {a.rough[0] * from + b.rough[0] * to,
+          a.rough[1] * from + b.rough[1] * to,
+          a.rough[2] * from + b.rough[2] * to, wa * wb};
+}
+
 Place Place::axis(int k) {
   Row row{Exact(0), Exact(0), Exact(0), Exact(0)};
   row[size_t(k)] = Exact(1);
@@ -82,8 +91,7 @@ bool at_one_image(const Place &a, const Place &b, const Place &eye) {
 }
 
 // The screen matrix is rounded, to 2^-52 of each entry: view.h.
-bool find_image(const Place &place, const hsr_view *view, Safe_interval at[2]) {
-  const Rough_row &p = place.rough;
+bool find_image(const Rough_row &p, const hsr_view *view, Safe_interval at[2]) {
   const auto entry = [](double x) {
     return Safe_interval(1 - 0x1p-51, 1 + 0x1p-51) * Safe_interval(x);
   };

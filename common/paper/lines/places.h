@@ -18,6 +18,10 @@
 
 namespace hsr {
 
+// Parameters of changes of visibility have a relative error of 1e-12:
+// docs/correct-drawing.md. Twice that is room for the two products.
+constexpr double CHANGE_ERROR = 2e-12;
+
 using Row = std::array<Exact, 4>;
 using Rough_row = std::array<Safe_interval, 4>;
 
@@ -32,6 +36,9 @@ struct Place {
   static Place of(const Exact_point &point);
   // The place at t of the way from a to b.
   static Place between(const Place &a, const Place &b, double t);
+  // Rows that hold the places from lo to hi of the way.
+  static Rough_row rough_between(const Place &a, const Place &b, double lo,
+                                 double hi);
   // The direction of an axis.
   static Place axis(int k);
 };
@@ -47,7 +54,8 @@ bool at_one_image(const Place &a, const Place &b, const Place &eye);
 
 // The place of the image on the screen, as two intervals; false if they are not
 // bounded.
-bool find_image(const Place &place, const hsr_view *view, Safe_interval at[2]);
+bool find_image(const Rough_row &place, const hsr_view *view,
+                Safe_interval at[2]);
 
 } // namespace hsr
 
