@@ -24,7 +24,8 @@ export NODE_OPTIONS := --no-experimental-fetch
 left_out = common/files/vtk/% common/paper/plot_cairo.c common/paper/plot_dxf.cc \
   bench/%/command.c bench/trace/output.c bench/trace/tracer.c \
   bench/lesson/frames.c bench/lesson/page.c bench/lesson/survey.c \
-  bench/run/serve.c bench/run/stage.c bench/run/worker.c
+  bench/modules/outside.c bench/results/figures.c bench/results/results.c \
+  bench/results/times.c bench/run/serve.c bench/run/stage.c bench/run/worker.c
 # The rooms of bench/ that serve the library and the lessons. What nothing calls,
 # the linker leaves out.
 rooms = bench/judge/% bench/lesson/% bench/library/% bench/modules/% \
@@ -52,7 +53,7 @@ C_FLAGS = -O3 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS)
 CXX_FLAGS = -O2 -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
 EXPORTS = $(srcdir)/bench/web/exports
 LINK_FLAGS = -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 \
-  -sEXPORT_NAME=createHsr -sENVIRONMENT=web,worker,node -sUSE_ES6_IMPORT_META=0 \
+  -sEXPORT_NAME=createHsr -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 \
   -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB \
   -sTOTAL_STACK=8MB -sEXPORTED_FUNCTIONS=@$(WEB)/exports.json \
   -sEXPORTED_RUNTIME_METHODS=FS,HEAPU8,stackSave,stackRestore \
