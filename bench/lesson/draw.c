@@ -25,42 +25,40 @@ static enum hsr_status check_events(struct lesson_recorder *recorder,
                 : HSR_OK;
 }
 
-static bool predicts(const struct hsr_algorithm *a) {
+bool lesson_predicts(const struct hsr_algorithm *a) {
   bool any = false;
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
     any = any || s->predict;
   return any;
 }
 
-/* The text of all that was recorded, to be freed. NULL: HSR_E_NOMEM. */
-static char *pack(const struct lesson_recorder *recorder, json_t *description) {
+/* Adds all that was recorded to *bytes. HSR_E_NOMEM. */
+static enum hsr_status pack(const struct lesson_recorder *recorder,
+                            json_t *description, struct lesson_bytes *bytes) {
   enum { FLAGS = JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(9) };
   char *json = description ? json_dumps(description, FLAGS) : NULL;
   json_decref(description);
   if (!json)
-    return NULL;
-  struct lesson_bytes all = {.at = NULL};
+    return HSR_E_NOMEM;
   size_t length = strlen(json);
   for (int k = 0; k < 4; k++)
-    lesson_add(&all, &(unsigned char){(unsigned char)(length >> 8 * k)}, 1);
-  lesson_add(&all, json, length);
+    lesson_add(bytes, &(unsigned char){(unsigned char)(length >> 8 * k)}, 1);
+  lesson_add(bytes, json, length);
   free(json);
-  lesson_add(&all, recorder->counters.at, recorder->counters.n);
-  all.failed = all.failed || recorder->counters.failed;
+  lesson_add(bytes, recorder->counters.at, recorder->counters.n);
+  bytes->failed = bytes->failed || recorder->counters.failed;
   int n = trace_n_counters(recorder->run->setup.algorithm);
   for (int c = 0; c < n; c++)
     for (int k = 0; k < LESSON_N_FIELDS; k++) {
       const struct lesson_bytes *field = &recorder->column[c].field[k];
-      lesson_add(&all, field->at, field->n);
-      all.failed = all.failed || field->failed;
+      lesson_add(bytes, field->at, field->n);
+      bytes->failed = bytes->failed || field->failed;
     }
-  char *text = lesson_squeeze(&all);
-  lesson_bytes_free(&all);
-  return text;
+  return bytes->failed ? HSR_E_NOMEM : HSR_OK;
 }
 
-static enum hsr_status record(struct lesson_recorder *recorder, char **text,
-                              struct hsr_error *err) {
+static enum hsr_status draw(struct lesson_recorder *recorder,
+                            struct lesson_bytes *bytes, struct hsr_error *err) {
   struct trace_run *run = recorder->run;
   struct hsr_trace trace = {.listen = lesson_listen, .context = recorder};
   struct hsr_tally tally = {.trace = &trace};
@@ -69,14 +67,51 @@ static enum hsr_status record(struct lesson_recorder *recorder, char **text,
       trace_answer_draw(&run->answer, &run->setup, &tally, err);
   if (!status)
     status = check_events(recorder, &tally, err);
-  bool has_table = predicts(run->setup.algorithm);
+  bool has_table = lesson_predicts(run->setup.algorithm);
   if (!status && has_table)
     status = measure_table1(&run->laid_out, &run->view, &table, err);
   if (status)
     return status;
-  *text = pack(recorder,
-               lesson_describe(recorder, &tally, has_table ? &table : NULL));
-  return *text ? HSR_OK : hsr_fail_nomem(err);
+  json_t *description =
+      lesson_describe(recorder, &tally, has_table ? &table : NULL);
+  return pack(recorder, description, bytes) ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+enum hsr_status lesson_record(struct trace_run *run, long most,
+                              struct lesson_record *record,
+                              struct hsr_error *err) {
+  struct lesson_recorder *recorder = calloc(1, sizeof *recorder);
+  if (!recorder)
+    return hsr_fail_nomem(err);
+  recorder->run = run;
+  recorder->most = (uint64_t)most;
+  recorder->parts = json_array();
+  recorder->has_list = lesson_has_list(&run->setup);
+  enum hsr_status status = draw(recorder, &record->bytes, err);
+  record->events = recorder->events;
+  record->kept = recorder->kept;
+  lesson_recorder_free(recorder);
+  free(recorder);
+  return status;
+}
+
+/* Records a run that is open, and says on stderr what was left out. */
+static enum hsr_status record_text(struct trace_run *run, long most,
+                                   char **text, struct hsr_error *err) {
+  struct lesson_record record = {.events = 0};
+  enum hsr_status status = lesson_record(run, most, &record, err);
+  if (!status) {
+    *text = lesson_squeeze(&record.bytes);
+    status = *text ? HSR_OK : hsr_fail_nomem(err);
+  }
+  lesson_bytes_free(&record.bytes);
+  if (!status && record.kept < record.events)
+    fprintf(stderr,
+            "hsr: %s: only the first %llu of %llu steps can be stepped "
+            "through (--events)\n",
+            run->variant->name, (unsigned long long)record.kept,
+            (unsigned long long)record.events);
+  return status;
 }
 
 enum hsr_status lesson_draw(const struct lesson_subject *subject,
@@ -87,24 +122,9 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject,
                           .view_options = subject->view,
                           .variant = subject->variant,
                           .most_faces = limits->faces};
-  struct lesson_recorder *recorder = calloc(1, sizeof *recorder);
-  if (!recorder)
-    return hsr_fail_nomem(err);
-  recorder->run = &run;
-  recorder->most = (uint64_t)limits->events;
-  recorder->parts = json_array();
   enum hsr_status status = trace_run_open(&run, err);
-  recorder->has_list = !status && lesson_has_list(&run.setup);
   if (!status)
-    status = record(recorder, text, err);
-  if (!status && recorder->kept < recorder->events)
-    fprintf(stderr,
-            "hsr: %s: only the first %llu of %llu steps can be stepped "
-            "through (--events)\n",
-            run.variant->name, (unsigned long long)recorder->kept,
-            (unsigned long long)recorder->events);
-  lesson_recorder_free(recorder);
-  free(recorder);
+    status = record_text(&run, limits->events, text, err);
   trace_run_close(&run);
   return status;
 }

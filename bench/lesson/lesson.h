@@ -134,7 +134,30 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table);
 
+/* The steps of Table III: a list of {label, terms: [[counter, factor], ...],
+ * formula, predicted}; and the letters of the formulas, a list of [symbol,
+ * meaning, measured]. What is not predicted or measured is null. New
+ * references, NULL for lack of memory. */
+json_t *lesson_costs_json(const struct hsr_algorithm *algorithm,
+                          const struct hsr_table1 *table);
+json_t *lesson_letters_json(const struct hsr_table1 *table);
+
+/* Whether the survey predicts any of them. */
+bool lesson_predicts(const struct hsr_algorithm *algorithm);
+
 /* --- One algorithm -------------------------------------------------------- */
+
+/* What a run told, before it is compressed. All zero at the start. */
+struct lesson_record {
+  struct lesson_bytes bytes; /* the caller's to free */
+  uint64_t events, kept;
+};
+
+/* Draws a run that was begun, and records at most `most` of its events.
+ * record->bytes is to be freed also after a failure. Fails as hsr trace does. */
+enum hsr_status lesson_record(struct trace_run *run, long most,
+                              struct lesson_record *record,
+                              struct hsr_error *err);
 
 /* The most faces that a scene may have. */
 enum { LESSON_MOST_FACES = 20000 };

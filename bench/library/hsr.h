@@ -317,6 +317,31 @@ HSR_API enum hsr_status hsr_get_scene(const struct hsr_scene *scene,
                                       struct hsr_scene_info *info,
                                       struct hsr_error *err);
 
+/* The faces of a scene, laid out. The arrays are as those of struct hsr_arrays,
+ * and belong to the scene. */
+struct hsr_geometry {
+  size_t size;
+  const double *xyz; /* 3 n_vertices, world units; those of one instance follow
+                        those of another */
+  size_t n_vertices;
+  const uint32_t *ring; /* n_faces: the number of corners of each face, by its
+                           id */
+  size_t n_faces;
+  const uint32_t *vertex; /* n_corners: the vertices of face 0, then of face 1
+                             ..., counter-clockwise seen from the front */
+  size_t n_corners;
+  const float *rgb;       /* 3 n_faces: the face's own colour, linear, 0 to 1 */
+  const uint32_t *object; /* n_faces: which object the face is of */
+  const char *const *object_name; /* n_objects */
+  size_t n_objects;
+};
+
+/* Lays the scene out, if no algorithm has done so, and sets *geometry to its
+ * faces. HSR_E_REFUSED if there are too many faces to be laid out. */
+HSR_API enum hsr_status hsr_get_geometry(const struct hsr_scene *scene,
+                                         struct hsr_geometry *geometry,
+                                         struct hsr_error *err);
+
 /* A camera: see Frame and Camera above. World units, degrees. */
 struct hsr_camera {
   size_t size;

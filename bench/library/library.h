@@ -28,6 +28,14 @@ enum hsr_status lib_null(const char *what, struct hsr_error *err);
 
 /* --- Scenes (scenes.c) ---------------------------------------------------- */
 
+/* The arrays of struct hsr_geometry that the world has in another form. */
+struct lib_geometry {
+  double *xyz;
+  uint32_t *ring;
+  float *rgb;
+  const char **object_name;
+};
+
 /* A scene, and its worlds, made when they are first needed. Who reads the scene
  * or a world holds the lock for reading; who makes a world, or the faces of a
  * grid, holds it for writing. */
@@ -37,6 +45,7 @@ struct lib_scene {
   pthread_rwlock_t lock;
   struct hsr_world laid_out, roster;
   bool has_laid_out, has_roster;
+  struct lib_geometry geometry; /* of laid_out; NULL: not made yet */
   uint64_t n_dropped;
   char notes[1000];
 };
@@ -60,6 +69,9 @@ enum hsr_status lib_scene_world(struct lib_scene *scene,
                                 const struct hsr_choice *choice,
                                 const struct hsr_world **world,
                                 struct hsr_error *err);
+
+/* Frees the arrays of a scene's geometry (geometry.c). */
+void lib_geometry_free(struct lib_geometry *geometry);
 
 /* Begins and ends reading. */
 void lib_scene_read(struct lib_scene *scene);

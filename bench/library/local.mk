@@ -6,6 +6,7 @@ noinst_LIBRARIES += libpublic.a
 libpublic_a_SOURCES = \
   %D%/arrays.c \
   %D%/draw.c \
+  %D%/geometry.c \
   %D%/judge.c \
   %D%/library.h \
   %D%/lists.c \

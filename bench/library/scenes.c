@@ -33,6 +33,7 @@ struct lib_scene *lib_scene_share(const struct lib_scene *scene) {
 void hsr_close(struct lib_scene *scene) {
   if (!scene || atomic_fetch_sub(&scene->users, 1) > 1)
     return;
+  lib_geometry_free(&scene->geometry);
   if (scene->has_laid_out)
     hsr_world_free(&scene->laid_out);
   if (scene->has_roster)

@@ -19,14 +19,8 @@ static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
              : HSR_OK;
 }
 
-enum hsr_status trace_run_open(struct trace_run *r, struct hsr_error *err) {
-  enum hsr_status status = open_scene(r->scene_options->name,
-                                      r->scene_options->import, &r->scene, err);
-  if (status)
-    return status;
-  status = choose_view(r->view_options, r->scene, 1, &r->view, err);
-  if (!status)
-    status = open_worlds(r, err);
+enum hsr_status trace_run_begin(struct trace_run *r, struct hsr_error *err) {
+  enum hsr_status status = open_worlds(r, err);
   if (!status)
     status = hsr_setup_init(
         &r->setup, r->variant->listed->counting, &r->variant->choice,
@@ -36,11 +30,23 @@ enum hsr_status trace_run_open(struct trace_run *r, struct hsr_error *err) {
   return status;
 }
 
-void trace_run_close(struct trace_run *r) {
+void trace_run_end(struct trace_run *r) {
   trace_answer_free(&r->answer);
   if (r->setup.algorithm)
     hsr_setup_free(&r->setup);
   hsr_world_free(&r->instanced);
   hsr_world_free(&r->laid_out);
+}
+
+enum hsr_status trace_run_open(struct trace_run *r, struct hsr_error *err) {
+  enum hsr_status status = open_scene(r->scene_options->name,
+                                      r->scene_options->import, &r->scene, err);
+  if (!status)
+    status = choose_view(r->view_options, r->scene, 1, &r->view, err);
+  return status ? status : trace_run_begin(r, err);
+}
+
+void trace_run_close(struct trace_run *r) {
+  trace_run_end(r);
   hsr_scene_delete(r->scene);
 }

@@ -153,6 +153,11 @@ struct trace_run {
 enum hsr_status trace_run_open(struct trace_run *run, struct hsr_error *err);
 void trace_run_close(struct trace_run *run);
 
+/* The same for a scene and a view that are set already, which stay the caller's.
+ * To be ended also after a failure. */
+enum hsr_status trace_run_begin(struct trace_run *run, struct hsr_error *err);
+void trace_run_end(struct trace_run *run);
+
 /* --- The header ----------------------------------------------------------- */
 
 /* What the first line describes. All borrowed. */

@@ -65,7 +65,7 @@ private:
   std::deque<line> lines_;
 
   line *grid_line(int k, long a, long b, long c);
-  point *grid_point(long x, long y);
+  point *grid_point(int x, int y);
   bool meets(shape &f, uint32_t edge, const cell &in, const box &around);
   point inner_point(const cell &in) const;
   bool may_be_seen(candidate *c, const cell &in, const box &around,
@@ -88,7 +88,7 @@ line *cutter::grid_line(int k, long a, long b, long c) {
   return &lines_.back();
 }
 
-point *cutter::grid_point(long x, long y) {
+point *cutter::grid_point(int x, int y) {
   points_.emplace_back();
   place(&points_.back(), x, y, 2);
   return &points_.back();
@@ -158,10 +158,8 @@ point cutter::inner_point(const cell &in) const {
     y += c->y.inf() / 3;
   }
   point middle;
-  constexpr long fine = 1L << 40;
-  const long fine_x = std::lrint(x * double(fine)),
-             fine_y = std::lrint(y * double(fine));
-  place(&middle, fine_x, fine_y, fine);
+  constexpr double fine = 0x1p40;
+  place(&middle, std::rint(x * fine), std::rint(y * fine), fine);
   if (is_inside(in, middle.x, middle.y))
     return middle;
   for (point *c : corner)

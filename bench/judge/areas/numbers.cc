@@ -100,13 +100,13 @@ void meet(point *made, line *p, line *q) {
   place_roughly(made);
 }
 
-void place(point *made, long x, long y, long w) {
+void place(point *made, double x, double y, double w) {
   made->p = made->q = nullptr;
   made->X = x;
   made->Y = y;
   made->W = w;
-  made->x = Interval(double(x) / double(w));
-  made->y = Interval(double(y) / double(w));
+  made->x = Interval(x / w);
+  made->y = Interval(y / w);
 }
 
 int sign_at(line &f, point &at) {

@@ -71,8 +71,8 @@ struct point {
 
 /* The point where two lines meet that are not parallel. */
 void meet(point *made, line *p, line *q);
-/* (x/w, y/w), which are doubles. */
-void place(point *made, long x, long y, long w);
+/* (x/w, y/w), which are doubles. x, y and w are whole. */
+void place(point *made, double x, double y, double w);
 
 /* The sign of the function at the point as far as intervals tell; and for
  * certain. */

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `make web`: the core as WebAssembly, into web/ of the build. docs/web.md.
+EXTRA_DIST += \
+  %D%/client.js \
+  %D%/core.js \
+  %D%/exports \
+  %D%/libraries \
+  %D%/stand_in/argp.h \
+  %D%/stand_in/charconv \
+  %D%/stand_in/config.h \
+  %D%/web.mk \
+  %D%/worker.js
+EXTRA_DIST += $(web_files)
+web_files = \
+  %D%/drawing.c \
+  %D%/hash.c \
+  %D%/hash.h \
+  %D%/judging.c \
+  %D%/left_out.c \
+  %D%/lists.c \
+  %D%/over.cc \
+  %D%/over.h \
+  %D%/reply.c \
+  %D%/request.c \
+  %D%/scenes.c \
+  %D%/steps.c \
+  %D%/survey.c \
+  %D%/web.h \
+  %D%/why.c
+
+web:
+	$(AM_V_at)$(MKDIR_P) web && $(MAKE) --no-print-directory \
+	  -f $(srcdir)/%D%/web.mk srcdir="$(srcdir)" core="$(libcore_a_SOURCES)" \
+	  players="$(algorithm_files)" judges="$(oracle_files)" \
+	  bench="$(libpublic_a_SOURCES) $(libbench_a_SOURCES)" own="$(web_files)"
+.PHONY: web

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The core as WebAssembly: hsr.wasm and hsr.js, of the sources that the Makefile
+# above names. GNU make. bench/web/local.mk calls it in the folder of the build:
+#
+#   srcdir    the tree
+#   core      common/, scenes/, the lists of algorithms
+#   players   the algorithms, which are compiled twice
+#   judges    the oracles
+#   bench     the library hsr.h, and the rooms of bench/ that serve it
+#   own       bench/web
+EMCC = emcc
+EMXX = em++
+WEB = web
+LIBRARIES = $(WEB)/libraries
+OBJECTS = $(WEB)/objects
+
+# acorn, which emcc calls, is where Debian's node looks; emcc takes paths for
+# addresses where node has fetch.
+export NODE_PATH := /usr/share/nodejs:$(NODE_PATH)
+export NODE_OPTIONS := --no-experimental-fetch
+
+# What no page can have: other programs, files in the formats of other
+# libraries. bench/web/left_out.c stands for it.
+left_out = common/files/vtk/% common/paper/plot_cairo.c common/paper/plot_dxf.cc \
+  bench/%/command.c bench/trace/output.c bench/trace/tracer.c \
+  bench/lesson/frames.c bench/lesson/page.c bench/lesson/survey.c \
+  bench/modules/outside.c bench/results/figures.c bench/results/results.c \
+  bench/results/times.c bench/run/serve.c bench/run/stage.c bench/run/worker.c
+# The rooms of bench/ that serve the library and the lessons. What nothing calls,
+# the linker leaves out.
+rooms = bench/judge/% bench/lesson/% bench/library/% bench/modules/% \
+  bench/ranks/ranks.c bench/results/% bench/run/% bench/trace/%
+core_files = $(filter-out $(left_out),$(core) $(filter $(rooms),$(bench))) \
+  common/files/vtk/no_vtk.cc
+sources = $(filter %.c %.cc,$(1))
+objects = $(addprefix $(OBJECTS)/$(1)/,$(addsuffix .o,$(call sources,$(2))))
+
+core_objects = $(call objects,once,$(core_files) $(judges) $(own))
+plain_objects = $(call objects,plain,$(players))
+counting_objects = $(call objects,counting,$(players))
+
+# CGAL cannot have the mode of rounding that it asks for: there is but one. It
+# widens its intervals instead.
+INCLUDES = -I$(srcdir)/bench/web/stand_in -I. -I$(srcdir) \
+  -isystem $(LIBRARIES)/include -isystem $(WEB)/headers
+DEFINES = -DHSR_LIBEXECDIR='""' -DHSR_REPORT_DIR='""'
+WARNINGS = -Wall -Wextra
+COMMON = -msimd128 $(INCLUDES) $(DEFINES) -MMD -MP
+CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
+  -DCGAL_HAS_NO_THREADS -fwasm-exceptions -Wno-unused-parameter
+EXACT = -ffp-contract=off
+C_FLAGS = -O3 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
+CXX_FLAGS = -O2 -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
+EXPORTS = $(srcdir)/bench/web/exports
+LINK_FLAGS = -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 \
+  -sEXPORT_NAME=createHsr -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 \
+  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB \
+  -sTOTAL_STACK=8MB -sEXPORTED_FUNCTIONS=@$(WEB)/exports.json \
+  -sEXPORTED_RUNTIME_METHODS=FS,HEAPU8,stackSave,stackRestore \
+  -sFORCE_FILESYSTEM=1 -sSTRICT=0 -sNODEJS_CATCH_EXIT=0 \
+  -sNODEJS_CATCH_REJECTION=0 $(EXTRA_LINK)
+
+.DELETE_ON_ERROR:
+all: $(WEB)/hsr.js $(WEB)/core.js $(WEB)/worker.js $(WEB)/client.js
+
+$(WEB)/%.js: $(srcdir)/bench/web/%.js
+	cp $< $@
+
+$(WEB)/hsr.js: $(core_objects) $(plain_objects) $(counting_objects) \
+    $(WEB)/exports.json
+	@echo "  LINK     $@"
+	@rm -f $(WEB)/hsr.a
+	@emar rcs $(WEB)/hsr.a $(core_objects) $(plain_objects) $(counting_objects)
+	@$(EMXX) $(LINK_FLAGS) -o $@ -Wl,--whole-archive $(filter $(OBJECTS)/once/bench/web/%.o,$(core_objects)) \
+	  -Wl,--no-whole-archive $(WEB)/hsr.a -L$(LIBRARIES)/lib -ljansson -lmpfr \
+	  -lgmp -lz
+$(WEB)/exports.json: $(EXPORTS)
+	@sed 's/.*/"_&"/' $< | paste -sd, | sed 's/.*/[&]/' >$@
+
+$(WEB)/made: $(srcdir)/bench/web/libraries
+	@echo "  LIBRARIES"
+	@mkdir -p $(OBJECTS)
+	@$(srcdir)/bench/web/libraries $(LIBRARIES) >$(WEB)/libraries.log 2>&1
+	@mkdir -p $(WEB)/headers
+	@ln -sfn /usr/include/CGAL $(WEB)/headers/CGAL
+	@ln -sfn /usr/include/boost $(WEB)/headers/boost
+	@: >$@
+
+compile_c = @echo "  EMCC     $<"; mkdir -p $(@D); $(EMCC) $(C_FLAGS) $(1) -c -o $@ $<
+compile_cxx = @echo "  EMXX     $<"; mkdir -p $(@D); $(EMXX) $(CXX_FLAGS) $(1) -c -o $@ $<
+
+$(core_objects) $(plain_objects) $(counting_objects): | $(WEB)/made
+$(OBJECTS)/once/%.c.o: $(srcdir)/%.c
+	$(call compile_c,-DHSR_COUNTING=$(if $(filter $*.c,$(judges)),1,0))
+$(OBJECTS)/once/%.cc.o: $(srcdir)/%.cc
+	$(call compile_cxx,-DHSR_COUNTING=$(if $(filter $*.cc,$(judges)),1,0))
+$(OBJECTS)/plain/%.c.o: $(srcdir)/%.c
+	$(call compile_c,-DHSR_COUNTING=0)
+$(OBJECTS)/plain/%.cc.o: $(srcdir)/%.cc
+	$(call compile_cxx,-DHSR_COUNTING=0)
+again = -include $(WEB)/counting-names.h -DHSR_COUNTING=1
+$(OBJECTS)/counting/%.c.o: $(srcdir)/%.c $(WEB)/counting-names.h
+	$(call compile_c,$(again))
+$(OBJECTS)/counting/%.cc.o: $(srcdir)/%.cc $(WEB)/counting-names.h
+	$(call compile_cxx,$(again))
+
+# The header changes only if a name does.
+$(WEB)/counting-names.stamp: $(plain_objects)
+	@NM=emnm $(srcdir)/algorithms/names-again _counting $^ >$(WEB)/counting-names.new
+	@cmp -s $(WEB)/counting-names.new $(WEB)/counting-names.h || \
+	  cp $(WEB)/counting-names.new $(WEB)/counting-names.h
+	@: >$@
+$(WEB)/counting-names.h: $(WEB)/counting-names.stamp
+	@:
+
+-include $(patsubst %.o,%.d,$(core_objects) $(plain_objects) $(counting_objects))
