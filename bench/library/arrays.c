@@ -62,11 +62,24 @@ static enum hsr_status add_vertices(struct hsr_object *object,
   return HSR_OK;
 }
 
-static bool is_colour(const float *rgb) {
-  for (int c = 0; rgb && c < 3; c++)
-    if (!(rgb[c] >= 0 && rgb[c] <= 1))
+/* Whether all n are in 0 to 1. */
+static bool are_shares(const float *x, int n) {
+  for (int k = 0; k < n; k++)
+    if (!(x[k] >= 0 && x[k] <= 1))
       return false;
   return true;
+}
+
+/* Adds face f, whose first corner is at `vertex`. */
+static enum hsr_status add_face(struct hsr_object *object,
+                                const struct hsr_arrays *a, size_t f,
+                                const uint32_t *vertex) {
+  const float *rgb = a->rgb ? &a->rgb[3 * f] : NULL;
+  enum hsr_status status =
+      hsr_object_face(object, vertex, a->ring ? a->ring[f] : 3, rgb);
+  return status || !a->opacity
+             ? status
+             : hsr_object_set_opacity(object, (uint32_t)f, a->opacity[f]);
 }
 
 static enum hsr_status add_faces(struct hsr_object *object,
@@ -74,20 +87,21 @@ static enum hsr_status add_faces(struct hsr_object *object,
                                  struct hsr_error *err) {
   const uint32_t *vertex = a->vertex;
   for (size_t f = 0; f < a->n_faces; f++) {
-    size_t n = a->ring ? a->ring[f] : 3;
-    const float *rgb = a->rgb ? &a->rgb[3 * f] : NULL;
-    if (!is_colour(rgb))
+    if (a->rgb && !are_shares(&a->rgb[3 * f], 3))
       return hsr_fail(err, HSR_E_INPUT,
                       "arrays: face %zu: a colour is not in 0 to 1", f);
-    enum hsr_status status = hsr_object_face(object, vertex, n, rgb);
+    if (a->opacity && !are_shares(&a->opacity[f], 1))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "arrays: face %zu: its opacity is not in 0 to 1", f);
+    enum hsr_status status = add_face(object, a, f, vertex);
     if (status == HSR_E_NOMEM)
       return hsr_fail_nomem(err);
     if (status)
       return hsr_fail(err, HSR_E_INPUT,
                       "arrays: face %zu: it has fewer than 3 vertices, or one "
-                      "that is out of range or there twice",
+                      "that is out of range or follows itself",
                       f);
-    vertex += n;
+    vertex += a->ring ? a->ring[f] : 3;
   }
   return HSR_OK;
 }
@@ -205,7 +219,7 @@ static enum hsr_status check_grid(const struct hsr_grid_arrays *g,
   if (!(g->least <= g->most))
     return hsr_fail(err, HSR_E_USAGE, "grid: least must not be above most");
   for (size_t k = 0; g->rgb && k < n; k++)
-    if (!is_colour(&g->rgb[3 * k]))
+    if (!are_shares(&g->rgb[3 * k], 3))
       return hsr_fail(err, HSR_E_INPUT,
                       "grid: sample %zu: a colour is not in 0 to 1", k);
   return HSR_OK;

@@ -8,6 +8,7 @@ void lib_geometry_free(struct lib_geometry *geometry) {
   free(geometry->xyz);
   free(geometry->ring);
   free(geometry->rgb);
+  free(geometry->opacity);
   free(geometry->object_name);
   *geometry = (struct lib_geometry){.xyz = NULL};
 }
@@ -21,9 +22,10 @@ static bool allocate(struct lib_geometry *to, const struct hsr_world *world) {
   to->xyz = array(world->mesh.n_vertices, 3 * sizeof *to->xyz);
   to->ring = array(world->n_faces, sizeof *to->ring);
   to->rgb = array(world->n_faces, 3 * sizeof *to->rgb);
+  to->opacity = array(world->n_faces, sizeof *to->opacity);
   to->object_name =
       array(world->roster.scene->n_objects, sizeof *to->object_name);
-  return to->xyz && to->ring && to->rgb && to->object_name;
+  return to->xyz && to->ring && to->rgb && to->opacity && to->object_name;
 }
 
 static void fill(struct lib_geometry *to, const struct hsr_world *world) {
@@ -40,6 +42,7 @@ static void fill(struct lib_geometry *to, const struct hsr_world *world) {
     to->ring[f] = hsr_face_size(world, f);
     memcpy(&to->rgb[3 * (size_t)f], hsr_face_rgb(place.object, place.face),
            3 * sizeof *to->rgb);
+    to->opacity[f] = hsr_face_opacity(place.object, place.face);
   }
   for (uint32_t k = 0; k < scene->n_objects; k++)
     to->object_name[k] = scene->objects[k].name;
@@ -95,6 +98,7 @@ enum hsr_status hsr_get_geometry(const struct lib_scene *scene,
                                      .vertex = world->mesh.vertex,
                                      .n_corners = world->mesh.n_corners,
                                      .rgb = handle->geometry.rgb,
+                                     .opacity = handle->geometry.opacity,
                                      .object = world->mesh.object,
                                      .object_name =
                                          handle->geometry.object_name,

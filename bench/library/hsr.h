@@ -250,6 +250,7 @@ struct hsr_arrays {
    * z, 1). NULL, and n_instances 0: as they are. */
   const double *instance;
   size_t n_instances;
+  const float *opacity; /* n_faces: 0 to 1; NULL: all are opaque */
 };
 
 /* Makes a scene of arrays. Face f of the arrays is face f of the scene; with
@@ -257,8 +258,8 @@ struct hsr_arrays {
  * eight around it. options->strict has no effect. The caller frees *scene by
  * hsr_close. HSR_E_USAGE if the lengths do not fit one another; HSR_E_INPUT, with
  * the face, vertex or instance, if a coordinate is not finite or above 1e30 in
- * size, a vertex is out of range or twice in a face, a face has no area, or a
- * colour is not in 0 to 1. */
+ * size, a vertex is out of range or follows itself in a face, a face has no
+ * area, or a colour or an opacity is not in 0 to 1. */
 HSR_API enum hsr_status hsr_open_arrays(const struct hsr_arrays *arrays,
                                         const struct hsr_open_options *options,
                                         struct hsr_scene **scene,
@@ -331,6 +332,7 @@ struct hsr_geometry {
                              ..., counter-clockwise seen from the front */
   size_t n_corners;
   const float *rgb;       /* 3 n_faces: the face's own colour, linear, 0 to 1 */
+  const float *opacity;   /* n_faces: 0 to 1 */
   const uint32_t *object; /* n_faces: which object the face is of */
   const char *const *object_name; /* n_objects */
   size_t n_objects;

@@ -32,7 +32,7 @@ enum hsr_status lib_null(const char *what, struct hsr_error *err);
 struct lib_geometry {
   double *xyz;
   uint32_t *ring;
-  float *rgb;
+  float *rgb, *opacity;
   const char **object_name;
 };
 

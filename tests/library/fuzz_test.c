@@ -203,7 +203,7 @@ static void open_name(struct fuzz *f) {
 static void open_arrays(struct fuzz *f) {
   double xyz[3 * 8];
   uint32_t ring[4], vertex[16];
-  float rgb[12];
+  float rgb[12], opacity[4];
   double places[2 * 12];
   for (int k = 0; k < 24; k++)
     places[k] = one_in(f, 200) ? real(f) : (double)below(f, 9) - 4;
@@ -213,6 +213,8 @@ static void open_arrays(struct fuzz *f) {
     vertex[k] = one_in(f, 60) ? (uint32_t)number(f, 8) : below(f, 8);
   for (int k = 0; k < 12; k++)
     rgb[k] = one_in(f, 50) ? (float)real(f) : (float)below(f, 5) / 4;
+  for (int k = 0; k < 4; k++)
+    opacity[k] = one_in(f, 50) ? (float)real(f) : (float)below(f, 5) / 4;
   size_t corners = 0, faces = 1 + below(f, 4);
   for (size_t k = 0; k < faces; k++)
     corners += ring[k] = one_in(f, 40) ? below(f, 3) : 3 + below(f, 2);
@@ -226,6 +228,7 @@ static void open_arrays(struct fuzz *f) {
                    .vertex = one_in(f, 40) ? NULL : vertex,
                    .n_corners = corners,
                    .rgb = one_in(f, 2) ? NULL : rgb,
+                   .opacity = one_in(f, 2) ? NULL : opacity,
                    .instance = one_in(f, 40) ? NULL : places,
                    .n_instances = one_in(f, 40) ? SIZE_MAX : below(f, 3)});
   /* What the caller says of lengths must be true, or be refused before it is
@@ -267,9 +270,11 @@ static void open_grid(struct fuzz *f) {
 
 static void ask_scene(struct fuzz *f) {
   ROOMY(hsr_scene_info, info);
+  ROOMY(hsr_geometry, geometry);
   ROOMY(hsr_camera, camera);
   struct hsr_scene *scene = one_in(f, 30) ? NULL : f->scene;
   CALL(hsr_get_scene, scene, one_in(f, 30) ? NULL : &info.its);
+  CALL(hsr_get_geometry, scene, one_in(f, 30) ? NULL : &geometry.its);
   CALL(hsr_get_camera, scene, (uint32_t)number(f, 9),
        one_in(f, 30) ? NULL : &camera.its);
 }

@@ -353,6 +353,93 @@ static uint32_t face_at(struct hsr_scene *scene, double x) {
   return face;
 }
 
+/* --- Geometry ------------------------------------------------------------- */
+
+/* Whether the exact picture of the glass is the same. */
+static bool is_seen_alike(struct hsr_scene *a, struct hsr_scene *b) {
+  struct hsr_camera camera = {.size = sizeof camera};
+  struct hsr_request request = request_of("transparent-oracle", 30, 20);
+  struct hsr_answer *answer[2] = {NULL, NULL};
+  const uint16_t *rgba[2];
+  int channels = 0;
+  request.camera = &camera;
+  bool good = !hsr_get_camera(a, 0, &camera, NULL) &&
+              !hsr_draw(a, &request, &answer[0], NULL) &&
+              !hsr_draw(b, &request, &answer[1], NULL);
+  for (int k = 0; k < 2 && good; k++)
+    good = !hsr_get_rgba(answer[k], &rgba[k], &channels, NULL);
+  good = good && !memcmp(rgba[0], rgba[1], 2 * 3 * 600);
+  hsr_free(answer[0]);
+  hsr_free(answer[1]);
+  return good;
+}
+
+/* A scene of the geometry of another. */
+static struct hsr_scene *scene_of(const struct hsr_geometry *g) {
+  struct hsr_scene *scene = NULL;
+  hsr_open_arrays(&(struct hsr_arrays){.size = sizeof(struct hsr_arrays),
+                                       .xyz = g->xyz,
+                                       .n_vertices = g->n_vertices,
+                                       .ring = g->ring,
+                                       .n_faces = g->n_faces,
+                                       .vertex = g->vertex,
+                                       .n_corners = g->n_corners,
+                                       .rgb = g->rgb,
+                                       .opacity = g->opacity},
+                  &(struct hsr_open_options){
+                      .size = sizeof(struct hsr_open_options), .two_sided = 1},
+                  &scene, NULL);
+  return scene;
+}
+
+static void test_geometry(struct tap *tap) {
+  struct hsr_geometry g = {.size = sizeof g}, again = {.size = sizeof again};
+  struct hsr_open_options options = {.size = sizeof options, .two_sided = 1};
+  struct hsr_scene *scene = NULL, *made = NULL;
+  ok(tap,
+     !hsr_open("greenhouse", &options, &scene, NULL) &&
+         !hsr_get_geometry(scene, &g, NULL) && g.n_faces > 10 && g.n_objects &&
+         g.object[g.n_faces - 1] < g.n_objects && *g.object_name[0],
+     "the faces of a scene are arrays");
+  size_t n = 0;
+  for (size_t f = 0; f < g.n_faces; f++)
+    n += g.ring[f];
+  ok(tap, n == g.n_corners, "as many corners as the rings have");
+  made = scene_of(&g);
+  ok(tap, made && is_seen_alike(scene, made),
+     "and make the same scene, with its opacity");
+  ok(tap,
+     !hsr_get_geometry(scene, &again, NULL) && again.xyz == g.xyz &&
+         again.opacity == g.opacity,
+     "asked again, they are the same arrays");
+  ok(tap,
+     hsr_get_geometry(NULL, &g, NULL) == HSR_E_USAGE &&
+         hsr_get_geometry(scene, NULL, NULL) == HSR_E_USAGE,
+     "NULL is refused");
+  hsr_close(made);
+  hsr_close(scene);
+}
+
+static void test_opacity(struct tap *tap) {
+  static const float opacity[] = {1, 0.25f}, wrong[] = {1, 1.5f};
+  struct hsr_arrays arrays = two_faces();
+  struct hsr_scene_info info = {.size = sizeof info};
+  struct hsr_geometry g = {.size = sizeof g};
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene = NULL;
+  arrays.opacity = opacity;
+  ok(tap,
+     !hsr_open_arrays(&arrays, NULL, &scene, NULL) &&
+         !hsr_get_scene(scene, &info, NULL) && info.is_transparent &&
+         !hsr_get_geometry(scene, &g, NULL) && g.opacity[0] == 1 &&
+         g.opacity[1] == 0.25f,
+     "faces of arrays have an opacity");
+  hsr_close(scene);
+  arrays.opacity = wrong;
+  ok(tap, status_of(&arrays, &err) == HSR_E_INPUT && strstr(err.text, "face 1"),
+     "%s", err.text);
+}
+
 /* Two places: as they are, and 10 to the right, twice as wide. */
 static void test_instances(struct tap *tap) {
   static const double places[] = {1, 0, 0, 0,  0, 1, 0, 0, 0, 0, 1, 0,
@@ -569,7 +656,7 @@ static void test_wrong_contents(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(55);
+  struct tap tap = plan(62);
   test_lists(&tap);
   test_algorithms(&tap);
   test_sizes(&tap);
@@ -577,6 +664,8 @@ int main(void) {
   test_files(&tap);
   test_cameras(&tap);
   test_arrays(&tap);
+  test_geometry(&tap);
+  test_opacity(&tap);
   test_instances(&tap);
   test_grids(&tap);
   test_wrong_grids(&tap);

@@ -88,6 +88,7 @@ static enum hsr_status open_by_arrays(const struct hsr_scene *scene,
   (void)scene, (void)word;
   static const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   static const uint32_t vertex[] = {0, 1, 2, 0, 1, 3};
+  static const float opacity[] = {1, 0.5f};
   static const double places[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0,
                                   1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0};
   struct hsr_arrays arrays = {.size = sizeof arrays,
@@ -96,10 +97,14 @@ static enum hsr_status open_by_arrays(const struct hsr_scene *scene,
                               .n_faces = 2,
                               .vertex = vertex,
                               .n_corners = 6,
+                              .opacity = opacity,
                               .instance = places,
                               .n_instances = 2};
   struct hsr_scene *own;
   enum hsr_status status = hsr_open_arrays(&arrays, NULL, &own, NULL);
+  struct hsr_geometry geometry = {.size = sizeof geometry};
+  if (!status)
+    status = hsr_get_geometry(own, &geometry, NULL);
   hsr_close(own);
   return status;
 }

@@ -48,6 +48,7 @@ STRUCTS = {
     hsr.Algorithm: "hsr_algorithm_info",
     hsr.SceneInfo: "hsr_scene_info",
     hsr.Camera: "hsr_camera",
+    hsr.Geometry: "hsr_geometry",
     hsr.AnswerInfo: "hsr_answer_info",
     hsr.Verdict: "hsr_verdict",
     hsr.Polygons: "hsr_polygon_arrays",
@@ -59,6 +60,7 @@ STRUCTS = {
 OTHER = {
     "Option": {"n_words"},
     "Algorithm": {"n_options", "n_counters"},
+    "Geometry": {"n_vertices", "n_faces", "n_corners", "n_objects"},
     "AnswerInfo": {"kind", "algorithm_number"},
     "Verdict": {"place", "room", "n_places"},
     "Polygons": {"n_regions", "n_cycles", "n_points"},
@@ -155,6 +157,25 @@ def test_faces():
     strided[:, ::2] = vertices
     same = hsr.scene_from_arrays(strided[:, ::2], table[::-1])
     ok(same.render("zbuffer", SIZE).judge().is_right, "arrays with gaps")
+
+
+def test_geometry():
+    glass = hsr.scene("greenhouse", two_sided=True)
+    g = glass.geometry
+    ok(len(g.ring) == glass.n_faces and g.ring.sum() == len(g.vertex), "its faces")
+    ok(0 < g.opacity.min() < 1 and not g.xyz.flags.writeable, "glass, to be read only")
+    ok(len(g.object_name) == glass.info.n_objects > g.object.max(), f"{g.object_name}")
+    faces = np.split(g.vertex, np.cumsum(g.ring)[:-1])
+    made = hsr.scene_from_arrays(
+        g.xyz, faces, g.rgb, opacity=g.opacity, two_sided=True
+    )
+    camera, algorithm = glass.camera(0), "transparent-oracle"
+    a, b = (s.render(algorithm, SIZE, camera=camera) for s in (glass, made))
+    ok((a.rgba == b.rgba).all(), "they make the same scene")
+    raises(hsr.UsageError, "opacity", hsr.scene_from_arrays, TETRAHEDRON, SIDES,
+           opacity=[1, 2])  # fmt: skip
+    raises(hsr.InputError, "face 3", hsr.scene_from_arrays, TETRAHEDRON, SIDES,
+           opacity=[1, 0, 0.5, 1.5])  # fmt: skip
 
 
 def test_instances():

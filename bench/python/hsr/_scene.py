@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, NamedTuple, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays
 from ._answer import Answer, Verdict, judged
@@ -186,6 +187,29 @@ class SceneInfo:
     notes: str
 
 
+class Geometry(NamedTuple):
+    """The faces of a scene as arrays that share the library's memory.
+
+    xyz          (n_vertices, 3) world units; those of one instance follow those of
+                 another
+    ring         the number of corners of each face, by its id
+    vertex       the vertices of face 0, then of face 1 ..., counter-clockwise seen
+                 from the front
+    rgb          (n_faces, 3) the face's own colour, linear, 0 to 1
+    opacity      of each face, 0 to 1
+    object       which object each face is of
+    object_name  of each object
+    """
+
+    xyz: NDArray[np.float64]
+    ring: NDArray[np.uint32]
+    vertex: NDArray[np.uint32]
+    rgb: NDArray[np.float32]
+    opacity: NDArray[np.float32]
+    object: NDArray[np.uint32]
+    object_name: tuple[str, ...]
+
+
 class Scene:
     """A scene. hsr.scene and hsr.scene_from_arrays make it.
 
@@ -211,6 +235,27 @@ class Scene:
     def n_faces(self) -> int:
         """How many faces it has. Their ids are 0 to n_faces - 1."""
         return self.info.n_faces
+
+    @property
+    def geometry(self) -> Geometry:
+        """Its faces. scene_from_arrays makes a scene of such arrays."""
+        info = struct("hsr_geometry")
+        call(lib.hsr_get_geometry, self._handle, info)
+        names = [text(info.object_name[k]) for k in range(info.n_objects)]
+        n, ids = info.n_faces, np.uint32
+
+        def array(name: str, dtype: Any, *shape: int) -> Any:
+            return _arrays.shared(self._handle, getattr(info, name), shape, dtype)
+
+        return Geometry(
+            xyz=array("xyz", np.float64, info.n_vertices, 3),
+            ring=array("ring", ids, n),
+            vertex=array("vertex", ids, info.n_corners),
+            rgb=array("rgb", np.float32, n, 3),
+            opacity=array("opacity", np.float32, n),
+            object=array("object", ids, n),
+            object_name=tuple(names),
+        )
 
     @property
     def cameras(self) -> tuple[Camera, ...]:
@@ -455,6 +500,7 @@ def scene_from_arrays(
     faces: Any,
     colors: Any = None,
     *,
+    opacity: Any = None,
     instances: Any = None,
     name: str = "arrays",
     threads: int = 1,
@@ -468,6 +514,7 @@ def scene_from_arrays(
     faces     (n, k) vertices of each face, counter-clockwise seen from the front;
               or a list of faces of different lengths
     colors    (n, 3) linear red, green and blue of each face, 0 to 1; None: grey
+    opacity   (n,) of each face, 0 to 1; None: all are opaque
     instances (n, 3, 4) where the faces stand: world = M (x, y, z, 1); None: as
               they are
 
@@ -484,10 +531,16 @@ def scene_from_arrays(
         vertex=_arrays.pointer_to("uint32_t[]", vertex),
         n_corners=len(vertex),
         rgb=None if colors is None else _colors(colors, (len(ring),)),
+        opacity=None if opacity is None else _opacity(opacity, len(ring)),
         **_places(instances),
     )
     options = struct("hsr_open_options", threads=threads, two_sided=bool(two_sided))
     return _opened(lib.hsr_open_arrays, arrays, options)
+
+
+def _opacity(opacity: Any, n: int) -> Any:
+    shares = _arrays.taken("opacity", opacity, np.float32, (n,))
+    return _arrays.pointer_to("float[]", shares)
 
 
 def _places(instances: Any) -> dict[str, Any]:
