@@ -283,6 +283,7 @@ bench-check:
 	@$(top_srcdir)/%D%/instructions/run "$(abs_builddir)/instructions"
 
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
+  %D%/drawings/read_dxf \
   %D%/example/hsr-example %D%/export/round_trip %D%/suite/read_back \
   %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
@@ -374,6 +375,8 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_bench_judge_schema_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_stranger_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
+%C%_drawings_read_dxf_LDADD = $(DXFLIB_LIBS)
+%C%_drawings_read_dxf_SOURCES = %D%/drawings/read_dxf.cc
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc

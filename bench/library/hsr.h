@@ -662,14 +662,19 @@ struct hsr_style {
                     drawn */
   const float *background; /* 3 numbers, linear, 0 to 1; NULL: the standard.
                               Of kinds "ids", "polygons", "composited" */
+  const char *style; /* of line drawings: "screen", "iso", "plotter", or a file
+                        that ends in .json, of docs/schemas/style.schema.json;
+                        NULL: "screen". `hidden` and `crease` overrule it where
+                        they are not 0 */
 };
 
 /* Writes an answer to a file, as hsr render -o does: .exr .png ... of pictures,
  * .npy of ids and splats, .rgb.npy of colours, .depth.npy and .depth.png of the
- * depths of ids, .svg .pdf .vtp .json of drawings, .vti of voxels. A failure
- * leaves no partial file. HSR_E_USAGE if such a file cannot hold the answer, or
- * the kind takes no account of what the style says; HSR_E_INPUT if it cannot be
- * written. */
+ * depths of ids, .svg .pdf .eps .dxf .vtp .json of drawings, .vti of voxels. A
+ * failure leaves no partial file. HSR_E_USAGE if such a file cannot hold the answer,
+ * the kind takes no account of what the style says, or there is no style of that
+ * name; HSR_E_INPUT if the file cannot be written, or that of the style cannot be
+ * read. */
 HSR_API enum hsr_status hsr_write(const struct hsr_answer *answer,
                                   const char *path,
                                   const struct hsr_style *style,

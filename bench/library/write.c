@@ -58,10 +58,23 @@ static enum hsr_status check_style(const struct lib_answer *answer,
   enum hsr_status status = check_values(s, err);
   if (!status && s->shading)
     status = lib_takes(answer, HSR_SHADING, "shading", err);
-  if (!status && (s->hidden || s->crease > 0))
-    status = lib_takes(answer, HSR_LINES, "hidden and crease", err);
+  if (!status && (s->hidden || s->crease > 0 || s->style))
+    status = lib_takes(answer, HSR_LINES, "hidden, crease and style", err);
   if (!status && s->background)
     status = lib_takes(answer, HSR_BACKDROP, "background", err);
+  return status;
+}
+
+/* How lines are drawn, as by the options of the command. */
+static enum hsr_status find_lines(const struct hsr_style *s,
+                                  struct hsr_line_style *lines,
+                                  struct hsr_error *err) {
+  enum hsr_status status =
+      hsr_line_style_find(s->style ? s->style : "screen", lines, err);
+  if (!status && s->crease > 0)
+    status = hsr_line_style_crease(lines, s->crease, err);
+  if (!status && s->hidden)
+    status = hsr_line_style_hide(lines, (enum hsr_hidden)s->hidden, err);
   return status;
 }
 
@@ -148,8 +161,11 @@ enum hsr_status hsr_write(const struct lib_answer *answer, const char *path,
     return lib_null(answer ? "path" : "answer", err);
   const struct hsr_answer_type *type = answer->answer.form.type;
   enum hsr_status status = lib_take("style", &s, sizeof s, style, err);
+  struct hsr_line_style lines;
   if (!status)
     status = check_style(answer, &s, err);
+  if (!status)
+    status = find_lines(&s, &lines, err);
   if (status)
     return status;
   if (!type->fits(path))
@@ -157,10 +173,6 @@ enum hsr_status hsr_write(const struct lib_answer *answer, const char *path,
                     "%.200s: cannot hold an answer of the kind %s", path,
                     type->name);
   struct hsr_showing showing = lib_showing(answer, s.shading);
-  struct hsr_line_style lines;
-  hsr_line_style_plain(&lines, (enum hsr_hidden)s.hidden);
-  if (s.crease > 0)
-    hsr_line_style_crease(&lines, s.crease);
   showing.style = &lines;
   showing.background.given = s.background;
   if (s.background)

@@ -2,7 +2,6 @@
 #include "bench/options/lines.h"
 #include "bench/options/page.h"
 #include "bench/options/words.h"
-#include "common/files/suffix.h"
 
 #include <string.h>
 
@@ -180,26 +179,13 @@ error_t parse_line_option(struct line_options *o, int key, const char *arg,
 
 /* --- The style ------------------------------------------------------------ */
 
-/* A style by its name, or from a file. */
-static enum hsr_status find_style(const char *name,
-                                  struct hsr_line_style *style,
-                                  struct hsr_error *err) {
-  if (hsr_line_style_named(name, style))
-    return HSR_OK;
-  if (hsr_ends_in(name, ".json"))
-    return hsr_line_style_read(name, style, err);
-  return hsr_fail(
-      err, HSR_E_USAGE,
-      "--style %.100s: must be " HSR_LINE_STYLES ", or a .json file", name);
-}
-
 enum hsr_status line_options_style(const struct line_options *o,
                                    struct hsr_line_style *style,
                                    struct hsr_error *err) {
   enum hsr_status status =
-      find_style(o->style ? o->style : "screen", style, err);
-  if (!status && o->has_crease && !hsr_line_style_crease(style, o->crease))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: too many rules", o->style);
+      hsr_line_style_find(o->style ? o->style : "screen", style, err);
+  if (!status && o->has_crease)
+    status = hsr_line_style_crease(style, o->crease, err);
   if (!status && o->hidden)
     status = hsr_line_style_hide(style,
                                  (enum hsr_hidden)choose(o->hidden, ways), err);

@@ -139,11 +139,23 @@ static void say_no_faces(const struct render_options *o) {
   }
 }
 
+/* A scene whose unit is not a millimetre is a dot on a page to scale. */
+static void say_unit(const struct render *r) {
+  const struct hsr_page *page = &r->options->page;
+  if (page->scale > 0 && !(page->unit > 0) && r->drawn.strokes &&
+      r->drawn.ink < 20)
+    fprintf(stderr,
+            "hsr: to this scale all lines together are %.3g mm long; --unit "
+            "says how long a unit of the scene is, if it is not 1mm\n",
+            r->drawn.ink);
+}
+
 enum hsr_status say_notes(const struct render *r, struct hsr_error *err) {
   const struct hsr_drawing *drawing = hsr_answer_lines(&r->answer);
   if (!drawing || !r->options->n_outputs)
     return HSR_OK;
   say_no_faces(r->options);
+  say_unit(r);
   enum hsr_status status = say_seams(r, drawing, err);
   return status ? status : say_rear(r, err);
 }

@@ -5,8 +5,10 @@
 #include "bench/render/render.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/crew.h"
+#include "common/answers/on_paper.h"
 #include "common/base/clock.h"
 #include "common/files/image.h"
+#include "common/files/suffix.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,6 +89,27 @@ static const char *file_name(const struct render *r, const char *given,
              : given;
 }
 
+/* Drawings of lines on paper are written together. Those of a series have names
+ * of their own. */
+static bool goes_on_paper(const struct render *r, const char *file) {
+  return hsr_answer_lines(&r->answer) && hsr_is_paper_file(file) &&
+         !is_series(r->options);
+}
+
+static enum hsr_status write_papers(const struct render *r,
+                                    const struct hsr_showing *showing,
+                                    struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  const char *file[MOST_OUTPUTS];
+  size_t n = 0;
+  for (int k = 0; k < o->n_outputs; k++)
+    if (goes_on_paper(r, o->output[k]))
+      file[n++] = o->output[k];
+  return n ? hsr_write_on_paper(showing, hsr_answer_lines(&r->answer),
+                                showing->fill, file, n, err)
+           : HSR_OK;
+}
+
 enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   const struct hsr_algorithm *a = r->setup.algorithm;
   const struct render_options *o = r->options;
@@ -96,10 +119,11 @@ enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   lib_set_texts(&showing, &texts, r->view_number, a);
   showing.drawn = &r->drawn;
   double begin = hsr_seconds_now();
-  enum hsr_status status = HSR_OK;
+  enum hsr_status status = write_papers(r, &showing, err);
   for (int k = 0; k < o->n_outputs && !status; k++)
-    status = r->kind->write(&r->answer, &showing, &r->shaded,
-                            file_name(r, o->output[k], name), err);
+    if (!goes_on_paper(r, o->output[k]))
+      status = r->kind->write(&r->answer, &showing, &r->shaded,
+                              file_name(r, o->output[k], name), err);
   if (o->work && !status)
     status = hsr_image_write_work(file_name(r, o->work, name), r->view.m,
                                   r->view.n, r->work, err);

@@ -21,6 +21,13 @@ enum hsr_status hsr_show_on_paper(const struct hsr_showing *showing,
                                   const struct hsr_polygons *polygons,
                                   const char *path, struct hsr_error *err);
 
+/* The same to n files of .svg .pdf .eps .dxf. What they show is found once. */
+enum hsr_status hsr_write_on_paper(const struct hsr_showing *showing,
+                                   const struct hsr_drawing *drawing,
+                                   const struct hsr_polygons *polygons,
+                                   const char *const *path, size_t n,
+                                   struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

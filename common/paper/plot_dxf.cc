@@ -87,10 +87,21 @@ void Dxf::name_layers() {
   }
 }
 
+// LibreCAD knows these names, and draws such lines by dashes of its own. Those of
+// other types are solid there.
 std::string Dxf::type_name(uint32_t pen) const {
-  return plot_->pens.pen[pen].dash > 0 && !plot_->cuts_dashes
-             ? "DASHED" + std::to_string(pen)
-             : "CONTINUOUS";
+  static const char *const known[] = {"DASHEDTINY", "DASHED2", "DASHED",
+                                      "DASHEDX2"};
+  const auto is_dashed = [this](uint32_t k) {
+    return plot_->pens.pen[k].dash > 0 && !plot_->cuts_dashes;
+  };
+  size_t before = 0; // dashed pens
+  for (uint32_t k = 0; k < pen; k++)
+    before += is_dashed(k);
+  return !is_dashed(pen) ? "CONTINUOUS"
+         : before < sizeof known / sizeof *known
+             ? known[before]
+             : "DASHED" + std::to_string(pen);
 }
 
 // The nearest width that DXF has, in 1/100 mm.

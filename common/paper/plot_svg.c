@@ -102,14 +102,44 @@ static void path_line(void *on, const double place[2]) {
   put_place(on, 'L', place_at(place));
 }
 
+/* Whether all dashes are alike, and all gaps. */
+static bool is_even(const struct hsr_dashes *dashes) {
+  for (size_t k = 2; k < dashes->n; k++)
+    if (dashes->length[k] != dashes->length[k - 2])
+      return false;
+  return true;
+}
+
+/* To what a list of dashes is rounded, in thousandths of a pixel: 20 of it are no
+ * more than the shortest. */
+static long step_of(const struct hsr_dashes *dashes) {
+  double shortest = dashes->length[0];
+  for (size_t k = 1; k < dashes->n; k++)
+    shortest = fmin(shortest, dashes->length[k]);
+  return shortest >= 2 ? 100 : shortest >= .2 ? 10 : 1;
+}
+
+/* A list begins again where it ends: two numbers are enough for dashes that are
+ * alike. Else all are there, and their sum is rounded, so that corners are where
+ * they ought to be. */
 static void put_lengths(FILE *out, const struct hsr_dashes *dashes) {
   fputs("stroke-dasharray=\"", out);
-  for (size_t k = 0; k < dashes->n; k++) {
-    fputs(k ? " " : "", out);
-    put_number(out, lround(1000 * dashes->length[k]));
+  if (is_even(dashes)) {
+    fprintf(out, "%.6g %.6g\" ", dashes->length[0], dashes->length[1]);
+    return;
   }
-  /* The list begins again where it ends; what is left over of the stroke, by
-   * rounding, is ink. */
+  const long step = step_of(dashes);
+  double sum = 0;
+  long put = 0;
+  for (size_t k = 0; k < dashes->n; k++) {
+    sum += 1000 * dashes->length[k];
+    const long to = k + 1 < dashes->n ? step * lround(sum / (double)step)
+                                      : lround(sum);
+    fputs(k ? " " : "", out);
+    put_number(out, to - put);
+    put = to;
+  }
+  /* What is left over of the stroke, by rounding, is ink. */
   if (dashes->n % 2)
     fputs(" 0", out);
   fputs("\" ", out);

@@ -3,12 +3,13 @@
 """What is in drawings on paper, for drawings.test.
 
   paper.py layers FILE.svg        the layers, a line each: name, strokes
-  paper.py dashes FILE.svg        complains of dashed strokes whose dashes do not
-                                  add up, or that have no gap
+  paper.py dashes FILE.svg D G    walks along dashed strokes; complains of one that
+                                  has no gap, that does not begin and end with ink,
+                                  or of which a corner has none; D and G are the px of a
+                                  dash and a gap
   paper.py lengths FILE.svg       mm of line by layer
-  paper.py dxf FILE.dxf           the same of polylines
-  paper.py longest FILE.pdf N     complains if the thinner of two pens draws more
-                                  than N points at once
+  paper.py pdf FILE.pdf N         complains if the thinner of two pens draws more
+                                  than N points at once, or a stroke of one dash
   paper.py colours FILE.ppm RRGGBB ...  how many pixels have each; complains of
                                   less than 20
   paper.py ink FILE.ppm           how dark all pixels are together, of 1 each
@@ -52,20 +53,66 @@ def show_layers(name):
         print(layer.get(INK + "label"), len(layer.findall(f".//{SVG}path")))
 
 
-def check_dashes(name):
-    """A dash list ends with ink; it may have a gap of 0 at its end."""
+def turns(a, b, c):
+    """By how many degrees a way from a by b to c turns."""
+    u, v = ((q[0] - p[0], q[1] - p[1]) for p, q in ((a, b), (b, c)))
+    return abs(math.degrees(math.atan2(u[0] * v[1] - u[1] * v[0],
+                                       u[0] * v[0] + u[1] * v[1])))
+
+
+def corners_of(stroke, least):
+    """How far along a stroke its corners are: where it turns by 30 degrees or more,
+    at least so far from the last and from the end."""
+    way, last, total = 0, 0, length(stroke)
+    for a, b, c in zip(stroke, stroke[1:], stroke[2:]):
+        way += math.dist(a, b)
+        if (way - last > least + .01 and total - way > least + .01
+                and turns(a, b, c) > 30.5):
+            last = way
+            yield way
+
+
+def walk(dashes, total):
+    """The dashes along a stroke, from and to."""
+    at, k = 0, 0
+    while at < total:
+        to = at + dashes[k % len(dashes)]
+        if k % 2 == 0:
+            yield at, min(to, total)
+        at, k = to, k + 1
+
+
+CLOSE = .01  # px
+
+
+def faults(path, dashes, least):
+    (stroke,) = strokes_of(path)
+    total = length(stroke)
+    ink = []
+    for a, b in walk(dashes, total):
+        if ink and a == ink[-1][1]:
+            a = ink.pop()[0]
+        ink.append((a, b))
+    if total > .05 and not any(b[0] - a[1] > .005 for a, b in zip(ink, ink[1:])):
+        yield "solid"
+    if stroke[0] != stroke[-1] and ink[-1][1] < total - CLOSE:
+        yield "no ink at the end"
+    if stroke[0] != stroke[-1] and ink[-1][1] - ink[-1][0] < CLOSE < ink[0][1]:
+        yield "hardly any ink at the end"
+    for corner in corners_of(stroke, least):
+        if not any(a < corner < b for a, b in ink):
+            yield f"no ink at a corner, {corner:.2f} from the beginning"
+
+
+def check_dashes(name, dash, gap):
     wrong = 0
     for path in ET.parse(name).getroot().iter(SVG + "path"):
         dashes = path.get("stroke-dasharray")
         if dashes is None:
             continue
-        numbers = [float(x) for x in dashes.split()]
-        (stroke,) = strokes_of(path)
-        if abs(sum(numbers) - length(stroke)) > .002 * (len(numbers) + len(stroke)):
-            print("a sum of", sum(numbers), "for", length(stroke))
-            wrong += 1
-        if length(stroke) > .05 and not max(numbers[1::2]) > 0:
-            print("solid:", path.get("d"))
+        for fault in faults(path, [float(x) for x in dashes.split()],
+                            2 * dash + gap):
+            print(fault, path.get("d")[:200])
             wrong += 1
     return wrong
 
@@ -77,54 +124,38 @@ def show_lengths(name):
         print(layer.get(INK + "label"), f"{total * 25.4 / 96:.1f}")
 
 
-def show_dxf(name):
-    """Group codes and values take turns, a line each."""
-    lines = open(name).read().splitlines()
-    pairs = [(int(c), v.strip()) for c, v in zip(lines[::2], lines[1::2])]
-    total, stroke, x, closed, layer, inside = {}, [], 0, False, "", False
-    for code, value in pairs + [(0, "END")]:
-        if code == 0:
-            if inside and stroke:
-                way = stroke + (stroke[:1] if closed else [])
-                total[layer] = total.get(layer, 0) + length(way)
-            inside, stroke, closed = value == "LWPOLYLINE", [], False
-        elif inside and code == 8:
-            layer = value
-        elif inside and code == 70:
-            closed = bool(int(value) & 1)
-        elif inside and code == 10:
-            x = float(value)
-        elif inside and code == 20:
-            stroke.append((x, float(value)))
-    for layer in total:
-        print(layer, f"{total[layer]:.1f}")
-
-
-def check_longest(name, most):
-    """The longest straight way of the PDF's thin pen, in points."""
-    data = open(name, "rb").read()
+def strokes_of_pdf(name):
+    """What is painted at once, by the width of its pen: lists of polylines."""
     text = ""
-    for stream in re.findall(rb"stream\r?\n(.*?)endstream", data, re.S):
+    for stream in re.findall(rb"stream\r?\n(.*?)endstream", open(name, "rb").read(), re.S):
         try:
             text += zlib.decompress(stream).decode("latin-1")
         except zlib.error:
             continue
-    width, at, way, longest = 0.0, None, 0.0, {}
+    found, width, lines = {}, 0.0, []
     number = r"(-?[0-9.]+)"
-    for numbers in re.findall(rf"{number}\s+(w)\b|{number}\s+{number}\s+([ml])\b", text):
-        *numbers, command = [word for word in numbers if word]
-        if command == "w":
-            width = float(numbers[-1])
-        elif command == "m":
-            at, way = tuple(float(x) for x in numbers[-2:]), 0.0
-        elif command == "l" and at:
-            to = tuple(float(x) for x in numbers[-2:])
-            way += math.dist(at, to)
-            at = to
-            longest[width] = max(longest.get(width, 0), way)
-    thin = min(longest)
-    print(f"pens {len(longest)}, the thin one draws at most {longest[thin]:.2f}")
-    return not (len(longest) > 1 and longest[thin] < most)
+    for w, x, y, to, end in re.findall(
+            rf"{number}\s+w\b|{number}\s+{number}\s+([ml])\b|\b([Sf])\b", text):
+        if w:
+            width = float(w)
+        elif to == "m":
+            lines.append([(float(x), float(y))])
+        elif to == "l":
+            lines[-1].append((float(x), float(y)))
+        elif end:
+            found.setdefault(width, []).append(lines)
+            lines = []
+    return found
+
+
+def check_pdf(name, most):
+    """Of the thin pen: the longest dash, and strokes of one dash."""
+    found = strokes_of_pdf(name)
+    thin = found[min(found)]
+    longest = max(length(dash) for stroke in thin for dash in stroke)
+    solid = sum(len(stroke) < 2 and length(stroke[0]) > .05 for stroke in thin)
+    print(f"{len(thin)} strokes, {solid} of them solid, no dash longer than {longest:.2f}")
+    return len(found) > 1 and longest < most and not solid
 
 
 def pixels(name):
@@ -150,17 +181,15 @@ def main():
     if what == "layers":
         show_layers(name)
     elif what == "dashes":
-        sys.exit(1 if check_dashes(name) else 0)
+        sys.exit(1 if check_dashes(name, *(float(x) for x in sys.argv[3:])) else 0)
     elif what == "lengths":
         show_lengths(name)
-    elif what == "dxf":
-        show_dxf(name)
     elif what == "colours":
         sys.exit(0 if count_colours(name, sys.argv[3:]) else 1)
     elif what == "ink":
         show_ink(name)
     else:
-        sys.exit(1 if check_longest(name, float(sys.argv[3])) else 0)
+        sys.exit(0 if check_pdf(name, float(sys.argv[3])) else 1)
 
 
 main()

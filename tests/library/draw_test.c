@@ -482,6 +482,53 @@ static bool is_written(const char *path) {
   return full;
 }
 
+/* Whether a text is in a file, which is removed. */
+static bool holds(const char *path, const char *text) {
+  static char all[1 << 16];
+  FILE *file = fopen(path, "r");
+  const size_t n = file ? fread(all, 1, sizeof all - 1, file) : 0;
+  if (file)
+    fclose(file);
+  remove(path);
+  all[n] = '\0';
+  return strstr(all, text);
+}
+
+static void test_line_style(struct tap *tap, const struct hsr_scene *scene) {
+  struct hsr_answer *answer = draw_by(scene, "zbuffer", M, N),
+                    *lines = draw_by(scene, "appel", M, N);
+  struct hsr_style style = {.size = sizeof style, .style = "iso"};
+  struct hsr_error err = {.text = ""};
+  const char *path = "library-style.svg", *json = "library-style.json";
+  const char *visible = "stroke-width=\"1.89\"", /* .5 mm */
+      *dashed = "stroke-dasharray";
+  ok(tap, !hsr_write(lines, path, &style, NULL) && holds(path, visible),
+     "lines are drawn in the style iso");
+  ok(tap, !hsr_write(lines, path, &style, NULL) && !holds(path, dashed),
+     "without hidden ones");
+  style.hidden = HSR_LINES_DASHED;
+  ok(tap, !hsr_write(lines, path, &style, NULL) && holds(path, dashed),
+     "or with hidden ones, by its pen");
+  FILE *file = fopen(json, "w");
+  fputs("{\"schema\": \"hsr-style/1\", \"rules\": [{\"colour\": "
+        "\"#123456\"}]}",
+        file);
+  fclose(file);
+  style.style = json;
+  ok(tap,
+     !hsr_write(lines, path, &style, NULL) && holds(path, "stroke=\"#123456\""),
+     "or in that of a file");
+  remove(json);
+  ok(tap, hsr_write(lines, path, &style, &err) == HSR_E_INPUT, "%s", err.text);
+  style.style = "fine";
+  ok(tap, hsr_write(lines, path, &style, &err) == HSR_E_USAGE, "%s", err.text);
+  style = (struct hsr_style){.size = sizeof style, .style = "iso"};
+  ok(tap, hsr_write(answer, "x.ppm", &style, &err) == HSR_E_USAGE, "%s",
+     err.text);
+  hsr_free(answer);
+  hsr_free(lines);
+}
+
 static void test_files(struct tap *tap, const struct hsr_scene *scene) {
   static const float blue[3] = {0, 0, 1}, wrong[3] = {0, 0, 2};
   struct hsr_answer *answer = draw_by(scene, "zbuffer", M, N),
@@ -551,7 +598,7 @@ static void test_life(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(64);
+  struct tap tap = plan(71);
   struct hsr_scene *scene = open_scene("house");
   test_usage(&tap, scene);
   test_refused(&tap, scene);
@@ -568,6 +615,7 @@ int main(void) {
   test_trace(&tap, scene);
   test_no_trace(&tap, scene);
   test_files(&tap, scene);
+  test_line_style(&tap, scene);
   test_life(&tap);
   hsr_close(scene);
   return finish(&tap);

@@ -452,11 +452,13 @@ static void write_file(struct fuzz *f) {
   static const char *const names[] = {"a.png", "a.exr",       "a.svg",  "a.pdf",
                                       "a.vtp", "a.vti",       "a.json", "a",
                                       "",      "/none/a.png", "a.xyz"};
+  static const char *const styles[] = {NULL, "iso", "plotter", "", "no.json"};
   ROOMY(hsr_style, style);
   FILL(style,
        (struct hsr_style){.shading = (enum hsr_shading_choice)below(f, 5),
                           .hidden = (enum hsr_hidden_lines)below(f, 5),
-                          .crease = one_in(f, 3) ? real(f) : 0});
+                          .crease = one_in(f, 3) ? real(f) : 0,
+                          .style = styles[below(f, 5)]});
   const char *name = names[below(f, sizeof names / sizeof *names)];
   CALL(hsr_write, one_in(f, 40) ? NULL : f->answer, name,
        one_in(f, 2) ? &style.its : NULL);

@@ -318,15 +318,18 @@ class Answer:
         hidden: str = "left-out",
         crease: float = 0.0,
         background: Sequence[float] | None = None,
+        style: str | os.PathLike[str] | None = None,
     ) -> None:
         """Writes it to a file, as hsr render -o does: .exr .png ... of pictures,
-        .svg .pdf .vtp of drawings, .vti of voxels.
+        .svg .pdf .eps .dxf .vtp .json of drawings, .vti of voxels.
 
         shading     as in `shaded`
         hidden      how hidden lines are drawn: "left-out", "dashed", "thin", "all"
         crease      edges where faces meet at less than so many degrees are left
                     out, unless they are outlines; 0: all are drawn
         background  linear red, green and blue
+        style       how lines are drawn: "screen", "iso", "plotter", or a .json file;
+                    `hidden` and `crease` overrule it, unless they are standard
         """
         style = struct(
             "hsr_style",
@@ -334,6 +337,7 @@ class Answer:
             hidden=value_of("hidden", hidden, _HIDDEN),
             crease=crease,
             background=None if background is None else _background(background),
+            style=None if style is None else string("style", style),
         )
         call(lib.hsr_write, self._handle, string("path", path), style)
 

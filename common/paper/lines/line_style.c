@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/paper/lines/line_style.h"
+#include "common/files/suffix.h"
 
 #include <fnmatch.h>
 #include <stdlib.h>
@@ -69,6 +70,18 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style) {
   return false;
 }
 
+enum hsr_status hsr_line_style_find(const char *name,
+                                    struct hsr_line_style *style,
+                                    struct hsr_error *err) {
+  if (hsr_line_style_named(name, style))
+    return HSR_OK;
+  if (hsr_ends_in(name, ".json"))
+    return hsr_line_style_read(name, style, err);
+  return hsr_fail(err, HSR_E_USAGE,
+                  "style %.100s: must be " HSR_LINE_STYLES ", or a .json file",
+                  name);
+}
+
 /* Lines of planes that differ by no more than the angle: left out, or drawn. */
 static const struct hsr_line_rule flat = {.classes = HSR_FLAT_LINES,
                                           .levels = HSR_ALL_LEVELS,
@@ -136,9 +149,10 @@ void hsr_line_style_plain(struct hsr_line_style *style,
   hsr_line_style_hide(style, hidden, NULL); /* there is room */
 }
 
-bool hsr_line_style_crease(struct hsr_line_style *style, double degrees) {
+enum hsr_status hsr_line_style_crease(struct hsr_line_style *style,
+                                      double degrees, struct hsr_error *err) {
   style->crease = degrees;
-  return !hsr_line_style_add(style, degrees < 0 ? &every : &flat, NULL);
+  return hsr_line_style_add(style, degrees < 0 ? &every : &flat, err);
 }
 
 enum hsr_status hsr_line_style_add(struct hsr_line_style *style,

@@ -63,6 +63,11 @@ struct hsr_line_style {
 /* Makes a standard style: "screen", "iso" (line types and widths of ISO 128) or
  * "plotter". False if there is none of that name. */
 bool hsr_line_style_named(const char *name, struct hsr_line_style *style);
+/* The same, or reads a style from a file that ends in .json. HSR_E_USAGE if it is
+ * neither; else as hsr_line_style_read. */
+enum hsr_status hsr_line_style_find(const char *name,
+                                    struct hsr_line_style *style,
+                                    struct hsr_error *err);
 /* The names, for messages. */
 #define HSR_LINE_STYLES "screen, iso or plotter"
 
@@ -93,8 +98,9 @@ void hsr_line_style_plain(struct hsr_line_style *style, enum hsr_hidden hidden);
 
 /* Sets the angle of creases, 0 to 180 degrees, and leaves out lines of planes
  * that differ by no more. A negative angle leaves out none. To be called before
- * hsr_line_style_hide. False if there are too many rules. */
-bool hsr_line_style_crease(struct hsr_line_style *style, double degrees);
+ * hsr_line_style_hide. HSR_E_INPUT if there are too many rules. */
+enum hsr_status hsr_line_style_crease(struct hsr_line_style *style,
+                                      double degrees, struct hsr_error *err);
 
 /* Whether lines of a class are drawn which so many faces hide, of objects that
  * no rule names. */

@@ -168,7 +168,7 @@ static enum hsr_status take_crease(const struct hsr_json_node *at, void *to) {
   if (!status && !(degrees >= 0 && degrees <= 180))
     status = hsr_json_refuse(at, "must be degrees, 0 to 180");
   if (!status)
-    hsr_line_style_crease(to, degrees); /* there is room */
+    hsr_line_style_crease(to, degrees, NULL); /* there is room */
   return status;
 }
 

@@ -135,7 +135,7 @@ static struct found draw(struct hsr_scene *scene, double crease) {
   draw_lines(hsr_algorithm_find("line-oracle")->plain, &world, &view, &drawing,
              NULL);
   hsr_line_style_plain(&style, HSR_HIDDEN_DASHED);
-  must(crease < 0 || hsr_line_style_crease(&style, crease));
+  must(crease < 0 || !hsr_line_style_crease(&style, crease, NULL));
   must(!hsr_line_pens_init(&pens, &style, scene, NULL));
   must(!hsr_lines_find(&lines, &drawing, &world, &view, style.crease, &pens,
                        NULL));
