@@ -95,10 +95,17 @@ function coreOf(hsr) {
   const asked = (name, scene, what, ...more) =>
     withCopies([request(what)], (text) => call(name, idOf(scene), text, ...more));
 
-  const answerOf = ({ ids, rgba, segments, counts, ...rest }) => ({ ...rest,
+  const polygonsOf = ({ nRegions, nCycles, nPoints, ...p }) => ({
+    face: copyOf(Uint32Array, p.face, nRegions),
+    cycle: copyOf(Uint32Array, p.cycle, nRegions + 1),
+    point: copyOf(Uint32Array, p.point, nCycles + 1),
+    xy: copyOf(Float64Array, p.xy, 2 * nPoints) });
+
+  const answerOf = ({ ids, rgba, segments, polygons, counts, ...rest }) => ({ ...rest,
     ids: copyOf(Uint32Array, ids, rest.m * rest.n),
     rgba: copyOf(Uint8ClampedArray, rgba, 4 * rest.m * rest.n),
-    segments: segments ?? undefined, counts: counts ?? undefined });
+    segments: segments ?? undefined,
+    polygons: polygons ? polygonsOf(polygons) : undefined, counts: counts ?? undefined });
 
   // --- Scenes ---
 

@@ -64,6 +64,18 @@ static json_t *segments_json(const struct lib_answer *answer) {
   return segments;
 }
 
+/* null: it is no picture of polygons. Sizes have 32 bits here. */
+static json_t *polygons_json(const struct lib_answer *answer) {
+  struct hsr_polygon_arrays p = {.size = sizeof p};
+  if (hsr_get_polygons(answer, &p, NULL))
+    return json_null();
+  return json_pack("{sI sI sI so so so so}", "nRegions",
+                   (json_int_t)p.n_regions, "nCycles", (json_int_t)p.n_cycles,
+                   "nPoints", (json_int_t)p.n_points, "face",
+                   web_address(p.face), "cycle", web_address(p.cycle), "point",
+                   web_address(p.point), "xy", web_address(p.xy));
+}
+
 /* null: they were not asked for. */
 static json_t *counts_json(const struct lib_answer *answer) {
   const uint64_t *count;
@@ -99,14 +111,15 @@ static enum hsr_status answer_json(const struct lib_answer *answer,
     return err->status;
   summarise(answer, summary, sizeof summary);
   hash_answer(answer, hash);
-  *json = json_pack(
-      "{ss si si s[iiii] so so so so s{sf sf sf} ss ss ss}", "kind",
-      info.kind_name, "m", info.m, "n", info.n, "window", info.window[0],
-      info.window[1], info.window[2], info.window[3], "ids", ids_json(answer),
-      "rgba", web_address(rgba), "segments", segments_json(answer), "counts",
-      counts_json(answer), "seconds", "adapt", info.adapt_seconds, "prepare",
-      info.prepare_seconds, "draw", info.draw_seconds, "adapted", info.adapted,
-      "summary", summary, "hash", hash);
+  *json = json_pack("{ss si si s[iiii] so so so so so s{sf sf sf} ss ss ss}",
+                    "kind", info.kind_name, "m", info.m, "n", info.n, "window",
+                    info.window[0], info.window[1], info.window[2],
+                    info.window[3], "ids", ids_json(answer), "rgba",
+                    web_address(rgba), "segments", segments_json(answer),
+                    "polygons", polygons_json(answer), "counts",
+                    counts_json(answer), "seconds", "adapt", info.adapt_seconds,
+                    "prepare", info.prepare_seconds, "draw", info.draw_seconds,
+                    "adapted", info.adapted, "summary", summary, "hash", hash);
   return *json ? HSR_OK : hsr_fail_nomem(err);
 }
 

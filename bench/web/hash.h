@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A number that tells answers apart. It is made of all that hsr.h gives of an
- * answer, bit by bit, and is the same on every machine whose answers are. */
+/* A number that tells answers apart. It is made of what hsr.h gives of an answer,
+ * bit by bit: ids, lights, sums, bounds, channels, solids. Of line drawings and
+ * polygons it has which edges and faces there are, how they are divided, and
+ * what hides them; but no coordinates, since these are rounded, and on every
+ * machine a little differently. */
 #ifndef HSR_BENCH_WEB_HASH_H
 #define HSR_BENCH_WEB_HASH_H
 
