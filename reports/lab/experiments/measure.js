@@ -146,7 +146,8 @@ export function measure(lab, core, source) {
     const cells = shown.map((r) => [r.algorithm, r.x, r.y, r.predicted]);
     chart.replaceChildren(figure({ caption,
       draw: (width) => growthPlot(shown, experiment.label, { label:
-        `↑ ${labelOf(state.measure.what)}`, show }, width),
+        `↑ ${labelOf(state.measure.what)}`, show }, width, Math.max(260,
+        innerHeight - chart.getBoundingClientRect().top - 110)),
       keys: names.map((name) => ({ looks: looks(plainName(name)), label: name })),
       numbers: numbers(heads, cells, show, caption) }));
   }
@@ -195,6 +196,8 @@ export function measure(lab, core, source) {
     if (!experiment) state.measure.by = "size";
     experiment ??= varied("size", state, core, source);
     told.textContent = "";
+    slider.value = 60;
+    at.textContent = whole(valueAt(60));
     showTop();
   }
 

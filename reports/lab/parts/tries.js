@@ -8,7 +8,7 @@ export const TRIES = [
     overlay: "differ", note: "Each bar lies over the next, so no order to paint them " +
       "is right. Turn the picture: where is the painter wrong? Then choose Step, and " +
       "see where Newell divides a bar." }],
-  ["Newell divides", { s: "soup:2:7", a: "newell", mode: "step", to: "kind:split",
+  ["Newell divides", { s: "soup:2:6", a: "newell", mode: "step", to: "kind:split",
     note: "Two triangles penetrate. Press › for the next division. Which plane " +
       "divides which piece?" }],
   ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",

@@ -50,9 +50,20 @@ export function painter(canvas) {
     if (!answer) return;
     if (answer.rgba) put(answer.rgba, answer.m, answer.n);
     if (answer.segments) drawing();
-    if (layers.heat) putSamples(layers.heat.m, layers.heat.n, warmth(layers.heat));
+    if (layers.heat) {
+      grey();
+      putSamples(layers.heat.m, layers.heat.n, warmth(layers.heat));
+    }
     if (layers.mask) marks(layers.mask);
     vectors();
+  };
+
+  // Without colours, so that those of a layer are seen.
+  const grey = () => {
+    context.globalCompositeOperation = "saturation";
+    context.fillStyle = "#000";
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.globalCompositeOperation = "source-over";
   };
 
   const drawing = () => {
