@@ -140,7 +140,7 @@ export function measure(lab, core, source) {
       return;
     }
     const caption = `${labelOf(state.measure.what)} of ${names.join(", ")} over ${
-      experiment.label.replace(" →", "")}, ${state.scene}`;
+      experiment.label.replace(" →", "")}, ${experiment.of}`;
     const heads = ["algorithm", experiment.label.replace(" →", ""), labelOf(
       state.measure.what), "predicted by the survey"];
     const cells = shown.map((r) => [r.algorithm, r.x, r.y, r.predicted]);
@@ -174,11 +174,13 @@ export function measure(lab, core, source) {
   }
 
   function showTop() {
+    const all = offered();
+    if (!Object.hasOwn(all, state.measure.what)) state.measure.what = "compare";
     top.replaceChildren(
       ...algorithmSlots(lab, core.algorithms.filter((a) => !a.drawsNothing),
         "measured"),
       choice("varied", VARIED, state.measure.by, (by) => change({ by }), "vary "),
-      choice("what", offered(), state.measure.what, (what) => {
+      choice("what", all, state.measure.what, (what) => {
         state.measure.what = what;
         draw();
         lab.tell("measure");

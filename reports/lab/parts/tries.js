@@ -15,7 +15,7 @@ export const TRIES = [
     note: "Warnock divides each window that is not simple yet. Turn the house, edit " +
       "it or add to it, until there are twice as many subdivisions." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
-    mode: "measure", mwhat: "span", note: "Press Measure all. Which of the two shows " +
+    mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of the two shows " +
       "fewer spans? Then count something else: where does the other one win?" }],
 ];
 
