@@ -29,7 +29,7 @@ const history = makeHistory(lab);
 async function begin() {
   const asked = await readAddress().catch(() => null);
   if (asked) Object.assign(state, asked);
-  const core = await openCore();
+  const core = await openCore(state.a.length);
   document.getElementById("version").textContent = core.version;
   build(core);
   globalThis.lab = { ...globalThis.lab, core };

@@ -271,7 +271,7 @@ await test("the steps of one row are those of that row", async () => {
 });
 
 await test("faces that penetrate are divided by Newell", async () => {
-  await go("#/?s=soup:2:7&a=newell&mode=step&to=kind:split");
+  await go("#/?s=soup:2:6&a=newell&mode=step&to=kind:split");
   await page.waitForSelector(".panel .words");
   const splits = await page.evaluate(() => {
     const { trace, header } = globalThis.lab.modes.step.runs()[0];

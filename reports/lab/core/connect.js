@@ -13,11 +13,13 @@ async function packedCore() {
     new Blob([script], { type: "text/javascript" })) };
 }
 
-// { algorithms, builtins, kinds, version, seats: one for each picture, judge }
-export async function openCore() {
+// { algorithms, builtins, kinds, version, seats: one for each picture, judge }. The
+// first n seats are made ready at once.
+export async function openCore(n) {
   const parts = packedCore();
   const client = () => connect(parts);
   const seats = [0, 1, 2].map(() => seat(client));
+  seats.slice(1, n).forEach((s) => s.lists((c) => c.version).catch(() => {}));
   const [version, algorithms, builtins, kinds] = await seats[0].lists((c) =>
     Promise.all([c.version, c.algorithms(), c.builtins(), c.kinds()]));
   return { version, algorithms, builtins, kinds, seats, judge: seat(client) };

@@ -8,7 +8,9 @@
 // come after an old one void. The promise of what is left out gives undefined.
 
 const STOPPED = 7; // as hsr.h has it
-const SLOW = 400; // ms after which work that nobody waits for any more is ended
+// ms after which work that nobody waits for any more is ended. A new worker has to open
+// the scene anew, so pictures that move are given time.
+const SLOW = 400, SLOW_MOVING = 2500;
 const ROWS = ["must", "draw", "after"];
 
 // connect(): a new client of the core.
@@ -21,13 +23,13 @@ export function seat(connect) {
 
   const leaveOut = (row) => rows[row].splice(0).forEach(({ give }) => give(undefined));
 
-  function enqueue(row, work) {
+  function enqueue(row, work, patience = SLOW) {
     if (row !== "must") leaveOut("after");
     if (row === "draw") leaveOut("draw");
     if (row === "draw" && running && running.row !== "must" &&
-        performance.now() - since > SLOW) client().stop();
+        performance.now() - since > running.patience) client().stop();
     return new Promise((give, fail) => {
-      rows[row].push({ row, work, give, fail });
+      rows[row].push({ row, work, patience, give, fail });
       if (!running) advance();
     });
   }
@@ -78,7 +80,7 @@ export function seat(connect) {
   return {
     // Draws by an algorithm that stays ready, for pictures that move.
     redraw: (subject, request) => enqueue("draw", async () =>
-      client().redraw(await ready(subject, request.algorithm), request)),
+      client().redraw(await ready(subject, request.algorithm), request), SLOW_MOVING),
     // Draws as if nothing had been drawn before.
     draw: (subject, request) => enqueue("draw", async () =>
       client().draw((await opened(subject)).id, request)),

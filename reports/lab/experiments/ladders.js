@@ -8,21 +8,22 @@ export const VARIED = { scene: "the faces of the scene", size: "the picture",
   depth: "the depth complexity" };
 export const M = 320, N = 240; // of pictures that are not varied
 
-// { label, values, at(value): { subject, view, m, n } }, or null.
+// { label, of: what, least, most, values, at(value): { subject, view, m, n } }, or
+// null.
 export function varied(by, state, core, source) {
   const view = state.camera ? { camera: state.camera } : { view: state.view };
-  if (by === "size") return { label: "columns of the picture →", most: 1024, least: 16,
+  if (by === "size") return { label: "columns of the picture →", of: state.scene, most: 1024, least: 16,
     values: ladder({ least: 16, most: 1024 }, 13), at: async (m) =>
       ({ subject: (await source.current()).subject, m, n: Math.round(m * 3 / 4),
         ...view }) };
-  if (by === "depth") return { label: "walls, one behind another →", least: 1, most: 64,
+  if (by === "depth") return { label: "walls, one behind another →", of: "walls of squares", least: 1, most: 64,
     values: ladder({ least: 1, most: 64 }, 12), at: async (depth) =>
       ({ subject: layers(depth), m: M, n: N, view: 0 }) };
   const builtin = state.own ? null
     : core.builtins.find((b) => b.name === nameOf(state.scene));
   const [first, ...rest] = builtin ? parametersOf(builtin.usage, state.scene) : [];
   if (!first) return null;
-  return { label: `${first.word} of ${builtin.name} →`, least: Math.max(1, first.least),
+  return { label: `${first.word} of ${builtin.name} →`, of: state.scene, least: Math.max(1, first.least),
     most: first.most, values: ladder(first, 12), at: async (value) => {
       const name = withValues(builtin.usage, [value, ...rest.map((p) => p.value)]);
       return { subject: { key: name, open: (client) => client.open({ name }) }, m: M,

@@ -140,13 +140,14 @@ export function measure(lab, core, source) {
       return;
     }
     const caption = `${labelOf(state.measure.what)} of ${names.join(", ")} over ${
-      experiment.label.replace(" →", "")}, ${state.scene}`;
+      experiment.label.replace(" →", "")}, ${experiment.of}`;
     const heads = ["algorithm", experiment.label.replace(" →", ""), labelOf(
       state.measure.what), "predicted by the survey"];
     const cells = shown.map((r) => [r.algorithm, r.x, r.y, r.predicted]);
     chart.replaceChildren(figure({ caption,
       draw: (width) => growthPlot(shown, experiment.label, { label:
-        `↑ ${labelOf(state.measure.what)}`, show }, width),
+        `↑ ${labelOf(state.measure.what)}`, show }, width, Math.max(260,
+        innerHeight - chart.getBoundingClientRect().top - 110)),
       keys: names.map((name) => ({ looks: looks(plainName(name)), label: name })),
       numbers: numbers(heads, cells, show, caption) }));
   }
@@ -173,11 +174,13 @@ export function measure(lab, core, source) {
   }
 
   function showTop() {
+    const all = offered();
+    if (!Object.hasOwn(all, state.measure.what)) state.measure.what = "compare";
     top.replaceChildren(
       ...algorithmSlots(lab, core.algorithms.filter((a) => !a.drawsNothing),
         "measured"),
       choice("varied", VARIED, state.measure.by, (by) => change({ by }), "vary "),
-      choice("what", offered(), state.measure.what, (what) => {
+      choice("what", all, state.measure.what, (what) => {
         state.measure.what = what;
         draw();
         lab.tell("measure");
@@ -195,6 +198,8 @@ export function measure(lab, core, source) {
     if (!experiment) state.measure.by = "size";
     experiment ??= varied("size", state, core, source);
     told.textContent = "";
+    slider.value = 60;
+    at.textContent = whole(valueAt(60));
     showTop();
   }
 

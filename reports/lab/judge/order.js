@@ -37,7 +37,7 @@ export function order({ over, polygons, camera, name, seed, judge, again }) {
     const left = faces.filter((f) => !painted.includes(f));
     const said = h("div", { role: "status" });
     side.replaceChildren(h("h2", {}, "Paint from the farthest to the nearest"),
-      h("p", {}, painted.length ? `Painted: ${painted.map(name).join(", ")}.`
+      h("p", {}, painted.length ? `Painted so far, by number: ${painted.join(", ")}.`
         : "Choose the face to be painted first. Each covers those before it."),
       h("div", { class: "answers" }, left.map((face) => h("button", { type: "button",
         style: `--own: var(${colours.get(face)})`, onclick: () => paint(face),

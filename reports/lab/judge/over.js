@@ -2,7 +2,7 @@
 // Which faces lie over the samples of a small picture, the nearest first, as exact
 // numbers have it.
 
-export const M = 48, N = 36; // samples
+export const M = 64, N = 48; // samples
 
 // A list of [{ face, depth }] for each sample.
 export async function facesOver(client, scene, view) {

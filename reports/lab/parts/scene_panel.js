@@ -2,7 +2,7 @@
 // The scene at the side: which one, its parameters, and what can be done to it.
 import { number, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
-import { nameOf, parametersOf, standardScene, withValues } from "../scene/params.js";
+import { fits, nameOf, parametersOf, standardScene, withValues } from "../scene/params.js";
 import { KINDS_OF_FILES, ownScene } from "../scene/own.js";
 import { editPanel } from "./edit_panel.js";
 
@@ -11,7 +11,7 @@ export function scenePanel(lab, core, source, editing, history) {
   const told = h("p", { class: "about" });
   const facts = h("p", { class: "scene-facts", role: "status" });
   const sliders = h("div", { class: "sliders" });
-  const there = core.builtins.filter((b) => b.isThere);
+  const there = core.builtins.filter(fits);
   const select = h("select", { name: "scene", "aria-label": "Scene",
     onchange: (e) => open(standardScene(usageOf(e.target.value))) });
   const file = h("input", { type: "file", hidden: true, "aria-label": "Own file", accept: KINDS_OF_FILES,
@@ -94,7 +94,7 @@ export function scenePanel(lab, core, source, editing, history) {
     h("div", { class: "scene-choice" }, select, file,
       h("button", { type: "button", class: "quiet", onclick: () => file.click(),
         title: `Open a file: ${KINDS_OF_FILES}. Or drop one on the page` },
-      "Own file …")),
+      "Open a file …")),
     told, sliders, facts, edits);
 }
 

@@ -8,14 +8,14 @@ export const TRIES = [
     overlay: "differ", note: "Each bar lies over the next, so no order to paint them " +
       "is right. Turn the picture: where is the painter wrong? Then choose Step, and " +
       "see where Newell divides a bar." }],
-  ["Newell divides", { s: "soup:2:7", a: "newell", mode: "step", to: "kind:split",
+  ["Newell divides", { s: "soup:2:6", a: "newell", mode: "step", to: "kind:split",
     note: "Two triangles penetrate. Press › for the next division. Which plane " +
       "divides which piece?" }],
   ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",
     note: "Warnock divides each window that is not simple yet. Turn the house, edit " +
       "it or add to it, until there are twice as many subdivisions." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
-    mode: "measure", mwhat: "span", note: "Press Measure all. Which of the two shows " +
+    mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of the two shows " +
       "fewer spans? Then count something else: where does the other one win?" }],
 ];
 

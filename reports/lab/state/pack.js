@@ -14,8 +14,12 @@ export async function pack(bytes) {
   return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
 }
 
-export const bytesOf = (base64) => Uint8Array.from(
-  atob(base64.replace(/-/g, "+").replace(/_/g, "/")), (c) => c.charCodeAt(0));
+export function bytesOf(base64) {
+  const text = atob(base64.replace(/-/g, "+").replace(/_/g, "/"));
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < bytes.length; k++) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
 
 export const unpack = (text) => inflate(bytesOf(text));
 

@@ -27,7 +27,7 @@ export function algorithmSelect(all, chosen, attributes, onchange) {
   return h("select", { ...attributes, onchange: (e) => onchange(e.target.value) },
     [...groups].map(([label, own]) => h("optgroup", { label },
       own.map((a) => h("option", { value: a.name, selected: a.name === chosen,
-        title: a.title }, a.isKnownWrong ? `${a.name} (known to be wrong)`
+        title: a.title }, a.isKnownWrong ? `${a.name} (wrong at times)`
         : a.name)))));
 }
 

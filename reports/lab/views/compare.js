@@ -11,6 +11,13 @@ export function differences(a, b) {
   return places;
 }
 
+// The picture with which all others are compared: the first that ought to be right.
+// Of [{ algorithm, answer }].
+export function reference(all) {
+  const pictures = all.filter(({ answer }) => answer?.ids);
+  return pictures.find(({ algorithm }) => !algorithm.isKnownWrong) ?? pictures[0];
+}
+
 // The line above the pictures. shown(): [{ algorithm, text, answer }].
 export function verdictLine(lab, core, source, shown) {
   const said = h("span", { role: "status" });
@@ -22,9 +29,10 @@ export function verdictLine(lab, core, source, shown) {
 
   function show(all) {
     judged.textContent = "";
-    const pictures = all.filter(({ answer }) => answer?.ids);
-    said.replaceChildren(...pictures.length > 1 ? pictures.slice(1).flatMap((other) =>
-      [...inWords(pictures[0], other), " "]) : [alone(all)]);
+    const first = reference(all);
+    const others = all.filter((x) => x.answer?.ids && x !== first);
+    said.replaceChildren(...others.length ? others.flatMap((other) =>
+      [...inWords(first, other), " "]) : [alone(all)]);
   }
 
   const alone = (all) => all.filter(({ answer }) => answer).length > 1
@@ -35,9 +43,8 @@ export function verdictLine(lab, core, source, shown) {
     const names = `${first.text} and ${other.text}`;
     if (!n) return [h("b", { class: "good" }, "✓ 0"), ` of ${
       whole(first.answer.ids.length)} samples differ: ${names} agree.`];
-    const wrong = [first, other].find((x) => x.algorithm.isKnownWrong);
-    return [h("b", { class: "bad" }, `✕ ${whole(n)}`), ` samples differ: ${names}${
-      wrong ? `. ${wrong.text} is known to be wrong here` : ""}. `,
+    return [h("b", { class: "bad" }, `✕ ${whole(n)}`), ` samples differ: ${names}. ${
+      other.algorithm.isKnownWrong ? `${other.text} is known to be wrong. ` : ""}`,
     h("button", { type: "button", class: "quiet", onclick: () => lab.set({ overlay:
       lab.state.overlay === "differ" ? "" : "differ" }) },
     lab.state.overlay === "differ" ? "Hide them" : "Show them")];

@@ -4,12 +4,13 @@ import { h } from "../../page/parts/dom.js";
 import { MOST } from "../state/lab.js";
 import { another, plainName } from "./algorithms.js";
 import { blinking } from "./blink.js";
-import { differences, verdictLine } from "./compare.js";
+import { differences, reference, verdictLine } from "./compare.js";
 import { pacer } from "./pace.js";
 import { stage } from "./stage.js";
 import { workOf } from "./work.js";
 
 const SHAPE = 4 / 3, MOST_COLUMNS = 1024;
+const PREVIEW = 40000; // samples
 
 // lab: the state; core: as of core/connect.js; source: the scene. over: { attach(canvas),
 // layers(), changed() }: what is done on pictures, and lies over them.
@@ -84,11 +85,15 @@ export function look(lab, core, source, over) {
     const [m, n] = moves ? s.pace.size(whole()) : whole();
     const request = { algorithm: s.text, m, n, counts: true, ...looked() };
     const from = state.camera, began = performance.now();
-    const late = setTimeout(() => s.element.classList.add("late"), 150);
+    const passed = () => (performance.now() - began) / 1000;
+    const late = setTimeout(() => s.wait(), 300);
     try {
+      if (!moves && !s.answer) await preview(s, seat, subject, request);
       const answer = await (moves ? seat.redraw : seat.draw)(subject, request);
-      if (!answer || !stages.includes(s)) return;
-      s.pace.took((performance.now() - began) / 1000);
+      if (!stages.includes(s)) return;
+      if (!answer && moves && passed() > 0.3) s.pace.took(passed(), passed());
+      if (!answer) return;
+      s.pace.took(passed(), answer.seconds.draw);
       Object.assign(s, { answer, drawn: mine, heat: null });
       s.show(answer, from ?? await viewCamera(), !moves);
     } catch (error) {
@@ -101,6 +106,14 @@ export function look(lab, core, source, over) {
     }
   }
 
+  // A large picture that is the first one has a small one before it.
+  async function preview(s, seat, subject, request) {
+    const { m, n } = request;
+    if (m * n < PREVIEW) return;
+    const small = await seat.draw(subject, { ...request, m: m >> 2, n: n >> 2 });
+    if (small && stages.includes(s)) s.show(small, state.camera ?? await viewCamera());
+  }
+
   async function viewCamera() {
     const { views } = await (await source.current()).info;
     return views[Math.min(state.view, views.length - 1)];
@@ -108,7 +121,6 @@ export function look(lab, core, source, over) {
 
   // What is asked once a picture rests.
   async function rested(s, seat, subject, request) {
-    s.element.classList.remove("late");
     settled();
     if (!s.answer) return;
     if (state.overlay === "work") await showWork(s, seat, subject, request);
@@ -140,7 +152,7 @@ export function look(lab, core, source, over) {
   }
 
   function overlay() {
-    const base = over.layers(), first = stages.find((s) => s.answer?.ids)?.answer;
+    const base = over.layers(), first = reference(stages)?.answer;
     for (const s of stages) {
       const mask = state.overlay === "differ" && first && s.answer?.ids
         ? { m: first.m, places: differences(first, s.answer) } : null;

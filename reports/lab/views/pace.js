@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How large a picture may be while it moves.
 
-const FRAME = 0.028; // seconds; 30 frames are 33 ms each, and the page needs some
-const LEAST = 48; // columns
+const FRAME = 0.03; // seconds: 30 frames in a second, and a little for the page
+const SMALL = 160, LEAST = 48; // columns
 
-// share: of the whole picture's sides, in the last frame.
+// size(whole): the size now; took(all, drawn): seconds that a frame took, of them those
+// in which it was drawn. A picture that is small gets smaller only for drawing's sake.
 export function pacer() {
-  let share = 0.6;
+  let share = 0.5, least = SMALL;
   return {
     size: ([m, n]) => {
-      const least = Math.min(1, LEAST / m);
-      share = Math.max(least, Math.min(1, share));
+      share = Math.max(Math.min(1, least / m), Math.min(1, share));
       return share > 0.95 ? [m, n] : [Math.round(m * share), Math.round(n * share)];
     },
-    took: (seconds) => {
-      share *= Math.max(0.5, Math.min(1.2, Math.sqrt(FRAME / Math.max(seconds, 1e-4))));
+    took: (all, drawn) => {
+      least = drawn > FRAME || least < SMALL && drawn > FRAME / 3 ? LEAST : SMALL;
+      share *= Math.max(0.4, Math.min(1.25, Math.sqrt(FRAME / Math.max(all, 1e-4))));
     },
   };
 }

@@ -50,14 +50,27 @@ export function painter(canvas) {
     if (!answer) return;
     if (answer.rgba) put(answer.rgba, answer.m, answer.n);
     if (answer.segments) drawing();
-    if (layers.heat) putSamples(layers.heat.m, layers.heat.n, warmth(layers.heat));
+    if (layers.heat) {
+      grey();
+      putSamples(layers.heat.m, layers.heat.n, warmth(layers.heat));
+    }
     if (layers.mask) marks(layers.mask);
     vectors();
   };
 
+  // Without colours, so that those of a layer are seen.
+  const grey = () => {
+    context.globalCompositeOperation = "saturation";
+    context.fillStyle = "#000";
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.globalCompositeOperation = "source-over";
+  };
+
   const drawing = () => {
     const see = projection({ ...camera, width: canvas.width, height: canvas.height });
-    kindNamed("segments").draw({ context, line }, answer.segments.map((s) =>
+    const many = answer.segments.length; // thinner, the more there are
+    const thin = many > 2000 ? 0.5 : many > 400 ? 0.7 : 1;
+    kindNamed("segments").draw({ context, line: (w) => line(w * thin) }, answer.segments.map((s) =>
       [null, s.invisibility, s.t0, s.t1, null, null,
         ...[s.from, s.to].map((p) => see(p)?.slice(0, 2))]));
   };
@@ -103,5 +116,5 @@ function warmth({ values, most }) {
   const [r, g, b] = [1, 3, 5].map((k) =>
     parseInt(colourOf("--hue-1").slice(k, k + 2), 16));
   return (k) => values[k] > 0
-    ? [r, g, b, 30 + 200 * Math.log(1 + values[k]) / Math.log(1 + most)] : null;
+    ? [r, g, b, 10 + 225 * (Math.log(1 + values[k]) / Math.log(1 + most)) ** 1.6] : null;
 }

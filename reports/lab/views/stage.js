@@ -41,6 +41,7 @@ export function stage(algorithms, text, act) {
   // The answer; isWhole: not one of those while it moves.
   const show = (answer, camera, isWhole) => {
     refusal.hidden = true;
+    element.classList.remove("late");
     brush.show(answer, camera);
     const { m, n } = answer;
     canvas.setAttribute("aria-label", `${algorithm.name} draws ${m} by ${n}: ${
@@ -53,14 +54,20 @@ export function stage(algorithms, text, act) {
     answer.ids || !answer.summary ? "" : `; ${answer.summary}`);
     if (answer.counts) table.show(answer.counts);
   };
+  const wait = () => {
+    element.classList.add("late");
+    facts.textContent = "It is drawing …";
+  };
   const refuse = (error) => {
+    element.classList.remove("late");
     brush.show(null, null);
     refusal.hidden = false;
     refusal.textContent = error.text ?? error.message;
     facts.textContent = "";
     table.clear();
   };
-  return { element, canvas, algorithm, text, show, refuse, over: brush.over,
+  return { element, canvas, algorithm, text, show, refuse, wait,
+    over: brush.over,
     paint: brush.paint, predict: table.predict,
     tell: (words) => words && facts.append(`; ${words}`),
     areOptionsOpen: () => options?.open,

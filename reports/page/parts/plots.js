@@ -65,7 +65,8 @@ const style = { background: "transparent", fontSize: "12px", overflow: "visible"
 // Lines through marks, both axes logarithmic. lines: [{ looks, points: [{ x, y,
 // low, high, line, title }], behind }]; points of one `line` are joined. behind: those
 // of a broad line behind them, in order.
-function lines(all, x, y, width) {
+function lines(all, x, y, width,
+  height = Math.min(560, Math.max(340, 0.6 * width))) {
   const points = all.flatMap((l) => l.points);
   const marks = all.flatMap(({ looks: { colour, symbol, dash }, points: own,
     behind = [] }) => {
@@ -81,7 +82,7 @@ function lines(all, x, y, width) {
     ];
   });
   return Plot.plot({
-    width, height: Math.min(560, Math.max(340, 0.6 * width)), style,
+    width, height, style,
     marginLeft: 52, marginRight: 16, marginBottom: 42,
     x: { type: "log", label: x, ticks: decades(points.map((p) => p.x), width - 70),
       tickFormat: short(count), grid: true, nice: false },
@@ -111,7 +112,7 @@ export function countPlot(points, counters, width) {
 
 // What algorithms count as N grows, each over what is predicted of it. points:
 // [{ algorithm, looks, x, y, predicted: or null }], above 0.
-export function growthPlot(points, x, y, width) {
+export function growthPlot(points, x, y, width, height) {
   const sorted = points.filter((p) => p.y > 0).sort((a, b) => a.x - b.x);
   return lines(unique(sorted.map((p) => p.algorithm)).map((name) => {
     const own = sorted.filter((p) => p.algorithm === name);
@@ -120,7 +121,7 @@ export function growthPlot(points, x, y, width) {
         y: p.predicted })),
       points: own.map((p) => ({ ...p, line: name, title: `${name}\n${y.show(p.y)} at ${
         count(p.x)}${p.predicted > 0 ? `\npredicted ${y.show(p.predicted)}` : ""}` })) };
-  }), x, y, width);
+  }), x, y, width, height);
 }
 
 // As many powers of ten as have room; if there are too few, steps between them.
