@@ -157,6 +157,7 @@ function coreOf(hsr) {
     kinds: () => call("kinds"),
     algorithms: () => call("algorithms"),
     open, openArrays, geometry,
+    memory: () => buffer().byteLength, // of the core, bytes
     close: (scene) => { call("close", idOf(scene)); },
     draw: (scene, what) => answerOf(asked("draw", scene, what)),
     prepare: (scene, what) => asked("prepare", scene, what),

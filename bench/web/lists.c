@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What there is: scenes, kinds of answers, algorithms. */
+#include "bench/web/check.h"
 #include "bench/web/web.h"
 #include "common/files/json/json.h"
 
 #include <string.h>
 
+/* The first call. HSR_E_INTERNAL if arithmetic is not what it should be. */
 WEB_CALL enum hsr_status web_version(void) {
-  web_begin();
-  return web_end(HSR_OK, json_string(hsr_version()));
+  struct hsr_error *err = web_begin();
+  const char *wrong = check_numbers();
+  return wrong ? web_end(hsr_fail(err, HSR_E_INTERNAL, "%s", wrong), NULL)
+               : web_end(HSR_OK, json_string(hsr_version()));
 }
 
 /* --- Scenes and kinds ----------------------------------------------------- */

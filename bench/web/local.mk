@@ -5,6 +5,7 @@ EXTRA_DIST += \
   %D%/core.js \
   %D%/exports \
   %D%/libraries \
+  %D%/stand_in/CGAL/FPU.h \
   %D%/stand_in/argp.h \
   %D%/stand_in/charconv \
   %D%/stand_in/config.h \
@@ -12,6 +13,8 @@ EXTRA_DIST += \
   %D%/worker.js
 EXTRA_DIST += $(web_files)
 web_files = \
+  %D%/check.cc \
+  %D%/check.h \
   %D%/drawing.c \
   %D%/hash.c \
   %D%/hash.h \

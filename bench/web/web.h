@@ -11,6 +11,7 @@
  * survey.c     Table I, and the predictions of Table III
  * steps.c      the steps of a run, as the stepping page reads them
  * why.c, over.cc   the faces that lie over a sample
+ * check.cc     whether arithmetic is what it should be
  * hash.c       a number that tells answers apart; also for native programs
  * left_out.c   in place of what a page cannot have
  *

@@ -38,6 +38,7 @@ objects = $(addprefix $(OBJECTS)/$(1)/,$(addsuffix .o,$(call sources,$(2))))
 core_objects = $(call objects,once,$(core_files) $(judges) $(own))
 plain_objects = $(call objects,plain,$(players))
 counting_objects = $(call objects,counting,$(players))
+every_object = $(core_objects) $(plain_objects) $(counting_objects)
 
 # CGAL cannot have the mode of rounding that it asks for: there is but one. It
 # widens its intervals instead.
@@ -47,6 +48,7 @@ DEFINES = -DHSR_LIBEXECDIR='""' -DHSR_REPORT_DIR='""'
 WARNINGS = -Wall -Wextra
 COMMON = -msimd128 $(INCLUDES) $(DEFINES) -MMD -MP
 CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
+  -DCGAL_IA_DONT_STOP_CONSTANT_PROPAGATION -DCGAL_NDEBUG \
   -DCGAL_HAS_NO_THREADS -fwasm-exceptions -Wno-unused-parameter
 EXACT = -ffp-contract=off
 C_FLAGS = -O3 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
@@ -66,11 +68,10 @@ all: $(WEB)/hsr.js $(WEB)/core.js $(WEB)/worker.js $(WEB)/client.js
 $(WEB)/%.js: $(srcdir)/bench/web/%.js
 	cp $< $@
 
-$(WEB)/hsr.js: $(core_objects) $(plain_objects) $(counting_objects) \
-    $(WEB)/exports.json
+$(WEB)/hsr.js: $(every_object) $(WEB)/exports.json $(WEB)/LINK.flags
 	@echo "  LINK     $@"
 	@rm -f $(WEB)/hsr.a
-	@emar rcs $(WEB)/hsr.a $(core_objects) $(plain_objects) $(counting_objects)
+	@emar rcs $(WEB)/hsr.a $(every_object)
 	@$(EMXX) $(LINK_FLAGS) -o $@ -Wl,--whole-archive $(filter $(OBJECTS)/once/bench/web/%.o,$(core_objects)) \
 	  -Wl,--no-whole-archive $(WEB)/hsr.a -L$(LIBRARIES)/lib -ljansson -lmpfr \
 	  -lgmp -lz
@@ -89,7 +90,13 @@ $(WEB)/made: $(srcdir)/bench/web/libraries
 compile_c = @echo "  EMCC     $<"; mkdir -p $(@D); $(EMCC) $(C_FLAGS) $(1) -c -o $@ $<
 compile_cxx = @echo "  EMXX     $<"; mkdir -p $(@D); $(EMXX) $(CXX_FLAGS) $(1) -c -o $@ $<
 
-$(core_objects) $(plain_objects) $(counting_objects): | $(WEB)/made
+# All is compiled anew if the flags are others.
+$(WEB)/%.flags: always
+	@echo '$($*_FLAGS)' | cmp -s - $@ || echo '$($*_FLAGS)' >$@
+.PHONY: all always
+$(every_object): | $(WEB)/made
+$(filter %.c.o,$(every_object)): $(WEB)/C.flags
+$(filter %.cc.o,$(every_object)): $(WEB)/CXX.flags
 $(OBJECTS)/once/%.c.o: $(srcdir)/%.c
 	$(call compile_c,-DHSR_COUNTING=$(if $(filter $*.c,$(judges)),1,0))
 $(OBJECTS)/once/%.cc.o: $(srcdir)/%.cc
@@ -113,4 +120,4 @@ $(WEB)/counting-names.stamp: $(plain_objects)
 $(WEB)/counting-names.h: $(WEB)/counting-names.stamp
 	@:
 
--include $(patsubst %.o,%.d,$(core_objects) $(plain_objects) $(counting_objects))
+-include $(patsubst %.o,%.d,$(every_object))
