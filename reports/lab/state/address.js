@@ -10,11 +10,26 @@ import { bytesOf, inflate, pack, packed, unpacked } from "./pack.js";
 
 const LARGEST = 6000; // characters of a file in a link
 
+// A page may have a scene in it, in place of its mark <!--scene-->:
+// <script type="text/plain" id="scene" data-name="anchor.off">BASE64</script>. Without
+// a text, it is the built-in scene of that name.
+function sceneOfPage(own) {
+  const element = document.getElementById("scene");
+  if (!element) return;
+  const { name } = element.dataset, text = element.textContent.trim();
+  own.scene = name;
+  if (text) own.own = { ...ownOf(name, bytesOf(text)), isOfPage: true };
+}
+
 // The state that an address holds; what is wrong there has its standard.
 export async function readAddress() {
   const { params } = read();
   const own = standard(), get = (name) => params.get(name) ?? "";
-  if (get("s")) own.scene = get("s");
+  sceneOfPage(own);
+  if (get("s") && get("s") !== own.scene) {
+    own.scene = get("s");
+    own.own = null;
+  }
   own.note = get("note").slice(0, 400);
   if (get("f")) own.own = ownOf(own.scene, await inflate(bytesOf(get("f"))));
   if (get("e")) own.edits = await unpacked(get("e"));
@@ -65,7 +80,7 @@ function readMeasure(measure, get) {
 export async function addressOf(state) {
   const { play, measure, decide } = state, usual = standard();
   let note = "", file = null;
-  if (state.own) {
+  if (state.own && !state.own.isOfPage) {
     file = await pack(state.own.bytes);
     if (file.length > LARGEST) {
       file = null;
