@@ -8,8 +8,8 @@ export const VARIED = { scene: "the faces of the scene", size: "the picture",
   depth: "the depth complexity" };
 const M = 320, N = 240; // of pictures that are not varied
 
-// { label, of: what, least, most, values, at(value): { subject, view, m, n } }; null: the
-// scene has no parameter.
+// { label, of: what, least, most, values, at(value): { subject, view, m, n } }; null:
+// the scene has no parameter.
 export function varied(by, state, core, source) {
   return { size: () => bySize(state, source), depth: byDepth,
     scene: () => byFaces(state, core) }[by]();

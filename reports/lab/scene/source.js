@@ -27,7 +27,7 @@ export function makeSource(state, ask) {
     const faces = async () => {
       const { nFaces } = await info;
       if (nFaces > LARGEST)
-        throw new Error(`Scenes of more than ${whole(LARGEST)} faces are not edited here`);
+        throw new Error(`More than ${whole(LARGEST)} faces are not edited here`);
       return meshOf(await ask(subject, (client, id) => client.geometry(id)));
     };
     let mesh = null; // asked for when somebody wants it
