@@ -74,14 +74,18 @@ lab_sources = \
   %D%/lab/main.js \
   %D%/lab/core/connect.js \
   %D%/lab/core/seats.js \
+  %D%/lab/editing/edits_by_hand.js \
   %D%/lab/editing/hand.js \
+  %D%/lab/experiments/chart.js \
   %D%/lab/experiments/ladders.js \
   %D%/lab/experiments/measure.js \
+  %D%/lab/experiments/values.js \
   %D%/lab/judge/board.js \
   %D%/lab/judge/decide.js \
   %D%/lab/judge/order.js \
   %D%/lab/judge/over.js \
   %D%/lab/judge/seen.js \
+  %D%/lab/parts/choice.js \
   %D%/lab/parts/edit_panel.js \
   %D%/lab/parts/header.js \
   %D%/lab/parts/keys.js \

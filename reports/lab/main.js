@@ -46,7 +46,10 @@ function build(core) {
   const moves = movedByKeys(pictures);
   const looking = { element: h("div", { class: "looking" },
     viewBar(lab, source, pictures.camera), pictures.element, keyHelp()),
-  open: pictures.open, close: pictures.close, show: () => { pictures.paint(); moves(); } };
+  open: pictures.open, close: pictures.close, show: () => {
+    pictures.paint();
+    moves();
+  } };
   const modes = { look: looking, step: steps(lab, core, source),
     measure: measure(lab, core, source), decide: decide(lab, core, source) };
   const room = h("section", { class: "work", "aria-label": "The work" });
@@ -61,7 +64,8 @@ function build(core) {
     open.open();
   };
   document.body.prepend(head.element);
-  main.replaceChildren(h("h1", { class: "unseen" }, "The laboratory of hidden surfaces"),
+  main.replaceChildren(
+    h("h1", { class: "unseen" }, "The laboratory of hidden surfaces"),
     welcome(lab), h("div", { class: "desk" }, h("aside", { class: "side",
       "aria-label": "The scene" }, scenePanel(lab, core, source, editing, history)),
     room));
@@ -94,6 +98,7 @@ function keepAddress(head) {
   const write = async () => {
     const { hash } = await addressOf(state);
     written = hash;
+    document.title = `${state.scene}: ${state.a.join(", ")} · the laboratory of hsr`;
     globalThis.history.replaceState(null, "", hash);
   };
   lab.when(Object.keys(state).join(" "), () => {

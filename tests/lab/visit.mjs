@@ -16,7 +16,7 @@ async function open(options = {}) {
     "clipboard-write"]).catch(() => {});
   const settled = () => page.waitForFunction(() => globalThis.lab?.core &&
     (globalThis.lab.state.mode !== "look" || globalThis.lab.pictures.isSettled()),
-  null, { timeout: 60000 });
+  null, { timeout: 120000 });
   const go = async (hash) => {
     await page.goto("about:blank");
     await page.goto(addressOf(file) + hash);
@@ -61,10 +61,10 @@ await test("every algorithm draws the house, or a volume, or says why not", asyn
     if (await page.locator(".frame .refusal:visible").count()) {
       const said = await page.textContent(".frame .refusal:visible");
       if (said.trim().length < 10 || said.includes("\n")) bad.push(`${name}: “${said}”`);
-      await set({ scene: "checker-cube:5", size: [64, 48] });
+      await set({ scene: "checker-cube:5", a: [name] });
     }
     if (await page.locator(".frame .refusal:visible").count()) {
-      await set({ scene: "checker-plane", size: [64, 48] });
+      await set({ scene: "checker-plane", a: [name] });
       if (await page.locator(".frame .refusal:visible").count())
         bad.push(`${name} draws nothing`);
     }

@@ -6,7 +6,7 @@ import { projection } from "../../lesson/data/projection.js";
 import { h } from "../../page/parts/dom.js";
 import { M, N } from "./over.js";
 
-export const HUES = 8;
+const HUES = 8;
 export const hue = (k) => `--hue-${k % HUES}`;
 
 // polygons: of each face the corners in the world.

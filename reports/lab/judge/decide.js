@@ -50,7 +50,8 @@ export function decide(lab, core, source) {
         mesh.points[p])]),
       judge: (wrong) => core.judge.ask(now.subject, (client, id) =>
         client.judge(id, { algorithm: "zbuffer", ...view, ...wrong.size }, wrong.ids)),
-      again: () => lab.set({ decide: { ...state.decide, seed: state.decide.seed + 1 } }) };
+      again: () => lab.set({ decide: { ...state.decide,
+        seed: state.decide.seed + 1 } }) };
   }
 
   function showTop() {

@@ -74,23 +74,24 @@ export function order({ over, polygons, camera, name, seed, judge, again }) {
     h("button", { type: "button", onclick: again }, "Another start"));
     const k = bad[0];
     said.replaceChildren(h("p", {}, h("b", { class: "bad" }, `✕ ${number(
-      verdict.differing, "samples")} are wrong`), ` of ${whole(verdict.compared)}. At column ${
-      k % M}, row ${Math.floor(k / M)} you show ${name(own[k])}, but ${
+      verdict.differing, "samples")} are wrong`), ` of ${whole(verdict.compared)}. In ${
+      `column ${k % M}, row ${Math.floor(k / M)}`} you show ${name(own[k])}, but ${
       whyWords(over[k], name)}`), depths(over[k], name), h("p", {}, circleWords()));
   }
 
   function circleWords() {
     const circle = circleIn(over);
-    return circle ? `No order is right: ${circle.map((f, k) => `${name(f)} lies over ${
-      name(circle[(k + 1) % circle.length])}`).join(", ")}. So Newell divides one of them.`
-      : "There is an order that is right.";
+    if (!circle) return "There is an order that is right.";
+    const words = circle.map((f, k) => `${name(f)} lies over ${
+      name(circle[(k + 1) % circle.length])}`);
+    return `No order is right: ${words.join(", ")}. So Newell divides one of them.`;
   }
 
-  if (!faces.length || faces.length > MANY) return { show: () => {}, open: () => {},
-    element: h("p", {}, `${number(faces.length, "faces")} lie in this picture: ${
-      faces.length ? `more than ${MANY} are too many to put in order by hand` : "turn the camera"
-    }. Try `, link("#/?s=cyclic-overlap&a=painter&mode=decide&task=order",
-      "cyclic-overlap"), ".") };
+  if (!faces.length || faces.length > MANY)
+    return { show: () => {}, open: () => {}, element: h("p", {}, `${number(faces.length,
+      "faces")} lie in this picture. Up to ${MANY} can be put in order by hand: try `,
+    link("#/?s=cyclic-overlap&a=painter&mode=decide&task=order", "cyclic-overlap"),
+    ".") };
   return { element, open: show, show: draw, faces: () => faces, paint,
     right: () => over.map((list) => list[0]?.face ?? NONE) };
 }

@@ -63,11 +63,12 @@ export function seen({ over, polygons, camera, name, seed, again }) {
   }
 
   function end() {
-    side.replaceChildren(h("h2", {}, places.length ? `${right} of ${places.length} right`
+    const many = places.length;
+    side.replaceChildren(h("h2", {}, many ? `${right} of ${many} right`
       : "No sample has two faces over it"),
-    h("p", {}, places.length ? "Turn the camera in Look for other questions, or:"
+    h("p", {}, many ? "Turn the camera in Look for other questions, or:"
       : "Choose another scene, or turn the camera in Look."),
-    places.length ? h("button", { type: "button", class: "main-act", onclick: again },
+    many ? h("button", { type: "button", class: "main-act", onclick: again },
       "Other samples") : "");
     draw({ sample: null, strong: new Map(), filled: new Set() });
   }

@@ -2,7 +2,8 @@
 // The scene at the side: which one, its parameters, and what can be done to it.
 import { number, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
-import { fits, nameOf, parametersOf, standardScene, withValues } from "../scene/params.js";
+import { fits, nameOf, parametersOf, standardScene, withValues }
+  from "../scene/params.js";
 import { KINDS_OF_FILES, ownScene } from "../scene/own.js";
 import { editPanel } from "./edit_panel.js";
 
@@ -14,8 +15,8 @@ export function scenePanel(lab, core, source, editing, history) {
   const there = core.builtins.filter(fits);
   const select = h("select", { name: "scene", "aria-label": "Scene",
     onchange: (e) => open(standardScene(usageOf(e.target.value))) });
-  const file = h("input", { type: "file", hidden: true, "aria-label": "Own file", accept: KINDS_OF_FILES,
-    onchange: () => file.files[0] && openFile(file.files[0]) });
+  const file = h("input", { type: "file", hidden: true, "aria-label": "Own file",
+    accept: KINDS_OF_FILES, onchange: () => file.files[0] && openFile(file.files[0]) });
   const edits = editPanel(lab, source, editing, history);
 
   const usageOf = (name) => there.find((b) => b.name === name)?.usage ?? name;

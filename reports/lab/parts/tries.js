@@ -3,7 +3,7 @@
 // opens the link, as a teacher's task.
 import { h } from "../../page/parts/dom.js";
 
-export const TRIES = [
+const TRIES = [
   ["Why the painter fails", { s: "cyclic-overlap", a: "painter,newell",
     overlay: "differ", note: "Each bar lies over the next, so no order to paint them " +
       "is right. Turn the picture: where is the painter wrong? Then choose Step, and " +
@@ -15,8 +15,9 @@ export const TRIES = [
     note: "Warnock divides each window that is not simple yet. Turn the house, edit " +
       "it or add to it, until there are twice as many subdivisions." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
-    mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of the two shows " +
-      "fewer spans? Then count something else: where does the other one win?" }],
+    mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of " +
+      "the two shows fewer spans? Then count something else: where does the " +
+      "other one win?" }],
 ];
 
 const LONGEST = 400; // letters of a note

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is chosen above the pictures.
 import { h } from "../../page/parts/dom.js";
-import { choice } from "../editing/hand.js";
+import { choice } from "./choice.js";
 import { otherProjection } from "../views/camera.js";
 
 const SIZES = { "": "as large as here", "64x48": "64 × 48", "128x96": "128 × 96",

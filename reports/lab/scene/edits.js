@@ -85,7 +85,7 @@ function rotation([x, y, z], t) {
 }
 
 // "#rrggbb" as linear numbers, of a few digits.
-export const linear = (colour) => [1, 3, 5].map((k) => {
+const linear = (colour) => [1, 3, 5].map((k) => {
   const c = parseInt(colour.slice(k, k + 2), 16) / 255;
   return Math.round(1e4 * (c <= 0.04045 ? c / 12.92
     : ((c + 0.055) / 1.055) ** 2.4)) / 1e4;

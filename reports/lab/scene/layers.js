@@ -4,7 +4,7 @@
 
 const COLUMNS = 8, ROWS = 6;
 
-export function layersFile(depth) {
+function layersFile(depth) {
   const vertices = [], faces = [], colours = [];
   for (let d = 0; d < depth; d++)
     for (let j = 0; j < ROWS; j++)

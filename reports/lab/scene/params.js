@@ -11,7 +11,8 @@ const RANGES = {
   "soup:N": [1, 200, 3000], "lattice:N": [1, 200, 2000], "panes:N": [1, 60, 600],
   "checker-cube:N": [3, 12, 24], "grid:N": [2, 6, 16], "heights:N": [2, 32, 96],
 };
-const BY_WORD = { NX: [1, 1, 3], NY: [0, 0, 3], NZ: [0, 0, 3], SEED: [0, 1, 99], N: [1, 10, 200] };
+const BY_WORD = { NX: [1, 1, 3], NY: [0, 0, 3], NZ: [0, 0, 3],
+  SEED: [0, 1, 99], N: [1, 10, 200] };
 
 // Too large for a page.
 const LARGE = new Set(["tower", "tower-bare", "traffic"]);

@@ -28,7 +28,7 @@ function hit(points, from, along) {
   return isInside(points, at[u], at[v], u, v) ? t : null;
 }
 
-export function normalOf(points) {
+function normalOf(points) {
   let sum = [0, 0, 0];
   for (let k = 1; k + 1 < points.length; k++) {
     const n = cross(minus(points[k], points[0]), minus(points[k + 1], points[0]));

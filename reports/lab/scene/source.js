@@ -3,6 +3,9 @@
 import { edited } from "./edits.js";
 import { sceneFile } from "./file.js";
 import { meshOf, orderOf } from "./mesh.js";
+import { whole } from "../../page/data/format.js";
+
+const LARGEST = 100000; // faces of a scene that is edited
 
 // ask(subject, does): asks a worker for what is in a scene.
 export function makeSource(state, ask) {
@@ -20,12 +23,15 @@ export function makeSource(state, ask) {
   function baseNow() {
     const subject = baseSubject();
     if (base?.key === subject.key) return base;
-    let mesh = null;
-    base = { key: subject.key, subject,
-      info: ask(subject, (client, id, info) => info),
-      // Asked for when somebody wants it: of a large scene it is large.
-      mesh: () => mesh ??= ask(subject, (client, id) => client.geometry(id))
-        .then((g) => meshOf(g)) };
+    const info = ask(subject, (client, id, found) => found);
+    const faces = async () => {
+      const { nFaces } = await info;
+      if (nFaces > LARGEST)
+        throw new Error(`More than ${whole(LARGEST)} faces are not edited here`);
+      return meshOf(await ask(subject, (client, id) => client.geometry(id)));
+    };
+    let mesh = null; // asked for when somebody wants it
+    base = { key: subject.key, subject, info, mesh: () => mesh ??= faces() };
     return base;
   }
 

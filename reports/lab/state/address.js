@@ -89,7 +89,8 @@ export async function addressOf(state) {
     : {};
   const all = { s: state.scene, f: file,
     e: state.edits.length ? await packed(state.edits) : null,
-    note: state.note || null, a: state.a.join(","), c: state.camera ? cameraText(state.camera) : null,
+    note: state.note || null, a: state.a.join(","),
+    c: state.camera ? cameraText(state.camera) : null,
     v: state.camera ? null : state.view || null, size: sizeText(state.size) || null,
     mode: unlike(state.mode, "look"), overlay: state.overlay || null,
     blink: state.blink ? 1 : null, ...steps, ...measured, ...decided };

@@ -21,7 +21,7 @@ export function bytesOf(base64) {
   return bytes;
 }
 
-export const unpack = (text) => inflate(bytesOf(text));
+const unpack = (text) => inflate(bytesOf(text));
 
 export const packed = (value) =>
   pack(new TextEncoder().encode(JSON.stringify(value)));

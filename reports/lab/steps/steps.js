@@ -5,7 +5,7 @@ import { runOf } from "../../lesson/data/run.js";
 import { traceOf } from "../../lesson/data/trace.js";
 import { player } from "../../lesson/parts/player.js";
 import { h } from "../../page/parts/dom.js";
-import { choice } from "../editing/hand.js";
+import { choice } from "../parts/choice.js";
 import { sizeOf } from "../parts/view_bar.js";
 import { algorithmSlots } from "../views/algorithms.js";
 

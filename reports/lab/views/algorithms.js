@@ -6,14 +6,14 @@ import { MOST } from "../state/lab.js";
 
 export const plainName = (text) => text.split(":")[0];
 
-export function optionsOf(text) {
+function optionsOf(text) {
   return new Map(text.split(":").slice(1).map((part) => {
     const at = part.indexOf("=");
     return [part.slice(0, at), part.slice(at + 1)];
   }));
 }
 
-export const withOptions = (name, options) => [name, ...[...options].map(
+const withOptions = (name, options) => [name, ...[...options].map(
   ([key, value]) => `${key}=${value}`)].join(":");
 
 // A list of all algorithms, by their places in the survey's taxonomy.

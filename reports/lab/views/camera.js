@@ -7,7 +7,7 @@ export const plus = (a, b, t = 1) => a.map((x, k) => x + t * b[k]);
 export const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1],
   a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-export const unit = (a) => a.map((x) => x / Math.hypot(...a));
+const unit = (a) => a.map((x) => x / Math.hypot(...a));
 
 export const short = (x) => Number(x.toPrecision(6));
 const shortAll = (a) => a.map((x) => short(Math.abs(x) < 1e-9 ? 0 : x));

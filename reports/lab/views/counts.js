@@ -34,7 +34,7 @@ export function countTable({ name, counters }) {
       c.predicted !== null) ? costTable(costs) : "") };
 }
 
-export const comparisons = (counters, counts) => counters.reduce((sum, c, k) =>
+const comparisons = (counters, counts) => counters.reduce((sum, c, k) =>
   sum + (c.step === "compare" ? counts[k] : 0), 0);
 
 // costs: [{ label, measured, predicted, formula }]

@@ -12,8 +12,8 @@ import { workOf } from "./work.js";
 const SHAPE = 4 / 3, MOST_COLUMNS = 1024;
 const PREVIEW = 40000; // samples
 
-// lab: the state; core: as of core/connect.js; source: the scene. over: { attach(canvas),
-// layers(), changed() }: what is done on pictures, and lies over them.
+// lab: the state; core: as of core/connect.js; source: the scene; over: what is done on
+// pictures, and lies over them: { attach(canvas), layers(), changed() }.
 export function look(lab, core, source, over) {
   const { state } = lab;
   const box = h("div", { class: "stages" });
@@ -76,7 +76,7 @@ export function look(lab, core, source, over) {
     if (mine !== stamp || !(state.camera ?? found)) return;
     camera = state.camera ??
       found.views[Math.min(state.view, found.views.length - 1)];
-    over.changed();
+    if (!moves) over.changed();
   }
 
   const looked = () => state.camera ? { camera: state.camera } : { view: state.view };

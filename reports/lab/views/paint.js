@@ -70,9 +70,9 @@ export function painter(canvas) {
     const see = projection({ ...camera, width: canvas.width, height: canvas.height });
     const many = answer.segments.length; // thinner, the more there are
     const thin = many > 2000 ? 0.5 : many > 400 ? 0.7 : 1;
-    kindNamed("segments").draw({ context, line: (w) => line(w * thin) }, answer.segments.map((s) =>
-      [null, s.invisibility, s.t0, s.t1, null, null,
-        ...[s.from, s.to].map((p) => see(p)?.slice(0, 2))]));
+    const parts = answer.segments.map((s) => [null, s.invisibility, s.t0, s.t1, null,
+      null, ...[s.from, s.to].map((p) => see(p)?.slice(0, 2))]);
+    kindNamed("segments").draw({ context, line: (w) => line(w * thin) }, parts);
   };
 
   // Samples that differ, as squares that are seen from afar.
@@ -115,6 +115,6 @@ export function painter(canvas) {
 function warmth({ values, most }) {
   const [r, g, b] = [1, 3, 5].map((k) =>
     parseInt(colourOf("--hue-1").slice(k, k + 2), 16));
-  return (k) => values[k] > 0
-    ? [r, g, b, 10 + 225 * (Math.log(1 + values[k]) / Math.log(1 + most)) ** 1.6] : null;
+  const share = (x) => (Math.log(1 + x) / Math.log(1 + most)) ** 1.6;
+  return (k) => values[k] > 0 ? [r, g, b, 10 + 225 * share(values[k])] : null;
 }

@@ -11,7 +11,7 @@ import { painter } from "./paint.js";
 export function stage(algorithms, text, act) {
   const algorithm = algorithms.find((a) => a.name === plainName(text)) ??
     algorithms[0];
-  const canvas = h("canvas", { class: "view", tabindex: 0, role: "img",
+  const canvas = h("canvas", { class: "view", tabindex: 0, role: "application",
     "aria-describedby": "view-keys" });
   const brush = painter(canvas);
   const facts = h("p", { class: "facts-of" });
@@ -44,8 +44,8 @@ export function stage(algorithms, text, act) {
     element.classList.remove("late");
     brush.show(answer, camera);
     const { m, n } = answer;
-    canvas.setAttribute("aria-label", `${algorithm.name} draws ${m} by ${n}: ${
-      answer.summary ?? ""}`);
+    canvas.setAttribute("aria-label", `The picture that ${algorithm.name} draws, ${
+      m} by ${n}. Arrow keys turn the camera. ${answer.summary ?? ""}`);
     facts.replaceChildren(`${m} × ${n}`, answer.seconds
       ? ` in ${seconds(answer.seconds.draw)}` : "",
     answer.seconds?.prepare > 1e-4 && isWhole

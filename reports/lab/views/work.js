@@ -15,7 +15,7 @@ export async function workOf(client, scene, request) {
   return spread(trace, m, n);
 }
 
-export function spread({ kept, x, y, width, height }, m, n) {
+function spread({ kept, x, y, width, height }, m, n) {
   const values = new Float32Array(m * n);
   let elsewhere = 0;
   for (let k = 0; k < kept; k++) {

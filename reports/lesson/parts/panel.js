@@ -230,5 +230,5 @@ const lettersIn = (text) => text.split(LETTER).filter((_, k) => k % 2);
 function lettered(text, letters) {
   return text.split(LETTER).map((part, k) => k % 2
     ? h("abbr", { title: letters.find(([symbol]) => symbol === part)?.[1] },
-      formula(part)) : part);
+      formula(part)) : formula(part));
 }
