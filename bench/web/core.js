@@ -121,13 +121,15 @@ function coreOf(hsr) {
     }
   }
 
-  function openArrays({ name = "arrays", xyz, ring, vertex, rgb, twoSided = false }) {
+  function openArrays({ name = "arrays", xyz, ring, vertex, rgb, opacity,
+    twoSided = false }) {
     const corners = Uint32Array.from(vertex), rings = ring && Uint32Array.from(ring);
     const faces = rings ? rings.length : corners.length / 3;
+    const floats = (list) => list ? Float32Array.from(list) : null;
     return withCopies([name, Float64Array.from(xyz), rings ?? null, corners,
-      rgb ? Float32Array.from(rgb) : null], (text, points, sizes, list, colours) =>
+      floats(rgb), floats(opacity)], (text, points, sizes, list, colours, shares) =>
       call("open_arrays", text, points, xyz.length / 3, sizes, faces, list,
-        corners.length, colours, twoSided ? 1 : 0));
+        corners.length, colours, shares, twoSided ? 1 : 0));
   }
 
   function geometry(scene) {
@@ -136,6 +138,7 @@ function coreOf(hsr) {
       ring: copyOf(Uint32Array, g.ring, g.nFaces),
       vertex: copyOf(Uint32Array, g.vertex, g.nCorners),
       rgb: copyOf(Float32Array, g.rgb, 3 * g.nFaces),
+      opacity: copyOf(Float32Array, g.opacity, g.nFaces),
       object: copyOf(Uint32Array, g.object, g.nFaces), objects: g.objects };
   }
 

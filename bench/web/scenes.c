@@ -59,11 +59,13 @@ WEB_CALL enum hsr_status web_open(const char *name, const char *path,
   return end_open(hsr_open(name, &options, &scene, err), scene);
 }
 
-/* ring and rgb may be NULL. The arrays are copied. */
-WEB_CALL enum hsr_status
-web_open_arrays(const char *name, const double *xyz, uint32_t n_vertices,
-                const uint32_t *ring, uint32_t n_faces, const uint32_t *vertex,
-                uint32_t n_corners, const float *rgb, int two_sided) {
+/* ring, rgb and opacity may be NULL. The arrays are copied. */
+WEB_CALL enum hsr_status web_open_arrays(const char *name, const double *xyz,
+                                         uint32_t n_vertices,
+                                         const uint32_t *ring, uint32_t n_faces,
+                                         const uint32_t *vertex,
+                                         uint32_t n_corners, const float *rgb,
+                                         const float *opacity, int two_sided) {
   struct hsr_error *err = web_begin();
   const struct hsr_open_options options = {.size = sizeof options,
                                            .two_sided = two_sided};
@@ -75,7 +77,8 @@ web_open_arrays(const char *name, const double *xyz, uint32_t n_vertices,
                                     .n_faces = n_faces,
                                     .vertex = vertex,
                                     .n_corners = n_corners,
-                                    .rgb = rgb};
+                                    .rgb = rgb,
+                                    .opacity = opacity};
   struct lib_scene *scene = NULL;
   return end_open(hsr_open_arrays(&arrays, &options, &scene, err), scene);
 }
@@ -104,10 +107,10 @@ WEB_CALL enum hsr_status web_geometry(const struct lib_scene *scene) {
     return web_end(status, NULL);
   return web_end(
       HSR_OK,
-      json_pack("{so sI so sI so sI so so so}", "xyz", web_address(g.xyz),
+      json_pack("{so sI so sI so sI so so so so}", "xyz", web_address(g.xyz),
                 "nVertices", (json_int_t)g.n_vertices, "ring",
                 web_address(g.ring), "nFaces", (json_int_t)g.n_faces, "vertex",
                 web_address(g.vertex), "nCorners", (json_int_t)g.n_corners,
-                "rgb", web_address(g.rgb), "object", web_address(g.object),
-                "objects", names_json(&g)));
+                "rgb", web_address(g.rgb), "opacity", web_address(g.opacity),
+                "object", web_address(g.object), "objects", names_json(&g)));
 }

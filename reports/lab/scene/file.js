@@ -8,7 +8,7 @@ export function sceneFile(mesh, name, views) {
   const objects = [];
   let place = null, last = -1;
   for (const f of order) {
-    const { ring, rgb, solid } = mesh.faces[f];
+    const { ring, rgb, opacity = 1, solid } = mesh.faces[f];
     if (solid !== last) {
       last = solid;
       place = new Map();
@@ -20,7 +20,7 @@ export function sceneFile(mesh, name, views) {
       if (!place.has(p)) place.set(p, own.vertices.push(mesh.points[p]) - 1);
       return place.get(p);
     }));
-    own.face_colours.push(rgb);
+    own.face_colours.push(opacity < 1 ? [...rgb, opacity] : rgb);
   }
   return JSON.stringify({ schema: "hsr-scene/1", name, objects,
     views: views.map(viewOf) });

@@ -2,11 +2,11 @@
 // Faces of solids, as the reader edits them. A face and a solid keep their numbers
 // through all edits; those that were deleted are null.
 //
-// { points: [[x, y, z]], faces: [{ ring: [point], rgb: [r, g, b], solid }],
-//   solids: [name] }
+// { points: [[x, y, z]], faces: [{ ring: [point], rgb: [r, g, b], opacity: 0 to 1,
+//   or undefined: opaque, solid }], solids: [name] }
 
 // geometry: as core.geometry gives it.
-export function meshOf({ xyz, ring, vertex, rgb, object, objects }) {
+export function meshOf({ xyz, ring, vertex, rgb, opacity, object, objects }) {
   const points = [];
   for (let k = 0; k < xyz.length; k += 3)
     points.push([xyz[k], xyz[k + 1], xyz[k + 2]]);
@@ -15,7 +15,8 @@ export function meshOf({ xyz, ring, vertex, rgb, object, objects }) {
     const corners = ring?.[f] ?? 3;
     at += corners;
     return { ring: Array.from(vertex.subarray(at - corners, at)),
-      rgb: [rgb[3 * f], rgb[3 * f + 1], rgb[3 * f + 2]], solid: object[f] };
+      rgb: [rgb[3 * f], rgb[3 * f + 1], rgb[3 * f + 2]], opacity: opacity[f],
+      solid: object[f] };
   });
   return { points, faces, solids: objects.slice() };
 }
