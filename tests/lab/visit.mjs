@@ -61,6 +61,7 @@ await test("every algorithm draws the house, or a volume, or says why not", asyn
     if (await page.locator(".frame .refusal:visible").count()) {
       const said = await page.textContent(".frame .refusal:visible");
       if (said.trim().length < 10 || said.includes("\n")) bad.push(`${name}: “${said}”`);
+      if (kind === "voxels") continue;
       await set({ scene: "checker-cube:5", a: [name] });
     }
     if (await page.locator(".frame .refusal:visible").count()) {
@@ -132,6 +133,8 @@ await test("a link opens what it was copied from", async () => {
       lab.history.add(["box", 1, 1, 1, 2, 2, 2, "#3d7dc8"]);
       lab.history.add(["turn", "o0", 0, 1, 0, 0.25]);
     });
+    await page.focus("canvas.view");
+    await page.keyboard.press("ArrowRight");
     await settled();
     await page.click(".lab-head .main-act");
     await page.waitForFunction(() => /copied/.test(
@@ -154,6 +157,8 @@ await test("what is wrong in an address has its standard", async () => {
     await go(hash);
     assert.deepEqual(await page.evaluate(blemishes), [], hash);
   }
+  await go("#/?e=!!!&c=1,2");
+  assert.match(await page.textContent(".said"), /cannot be read: edits, camera/);
   assert.deepEqual(faults, []);
 });
 
