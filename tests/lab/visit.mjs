@@ -336,7 +336,7 @@ for (const [width, height, colorScheme] of [[1440, 900, "light"], [1366, 657, "d
   await test(`at ${width} pixels, ${colorScheme}`, async () => {
     const own = await open({ viewport: { width, height }, colorScheme });
     for (const mode of ["look", "step", "measure", "decide"]) {
-      await own.go(`#/?s=cyclic-overlap&a=watkins,newell&mode=${mode}&mx=2`);
+      await own.go(`#/?s=cyclic-overlap&a=watkins,newell&mode=${mode}&mx=64,128`);
       await own.page.waitForTimeout(500);
       assert.deepEqual(await own.page.evaluate(blemishes), [], mode);
       assert.deepEqual(await serious(own.page), [], mode);
