@@ -202,7 +202,6 @@ lab: web
 	@$(MAKE) %D%/page/lab.html
 all-local:
 	@test ! -f web/hsr.wasm || $(MAKE) %D%/page/lab.html
-.PHONY: lab
 CLEANFILES += %D%/page/lab.js %D%/page/lab.html
 
 distclean-local:
@@ -214,4 +213,4 @@ install-lab:
 	@test ! -f %D%/page/lab.html || { \
 	  $(MKDIR_P) "$(DESTDIR)$(pkgdatadir)/report" && \
 	  $(INSTALL_DATA) %D%/page/lab.html "$(DESTDIR)$(pkgdatadir)/report"; }
-.PHONY: install-lab
+.PHONY: lab install-lab
