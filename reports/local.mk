@@ -116,6 +116,7 @@ lab_sources = \
   %D%/lab/views/paint.js \
   %D%/lab/views/stage.js \
   %D%/lab/views/turning.js \
+  %D%/lab/views/under.js \
   %D%/lab/views/work.js
 lab_page = %D%/lab/lab.html %D%/lab/lab.css %D%/lab/assemble.mjs
 # Figures of Greene's thesis, for reports/greene/make; built by make check.

@@ -113,6 +113,21 @@ await test("the camera turns by dragging, by keys and by the wheel", async () =>
   assert.deepEqual(await hashes(page), before);
 });
 
+await test("what lies under the pointer is named, and why", async () => {
+  await go("#/?s=house&a=watkins&size=256x192");
+  const { x, y, width, height } = await page.locator("canvas.view").boundingBox();
+  await page.mouse.move(x + 0.5 * width, y + 0.75 * height);
+  await page.waitForFunction(() => /^face \d+ \(/.test(
+    document.querySelector(".under").textContent));
+  const { name, all } = await page.evaluate(() => ({ name: document.querySelector(
+    ".under").textContent, all: globalThis.lab.pictures.shown()[0].answer.ids }));
+  assert.match(name, new RegExp(`^face ${all[256 * 144 + 128]} `));
+  await page.mouse.click(x + 0.5 * width, y + 0.75 * height);
+  await page.waitForFunction(() => /at depth .* before/.test(
+    document.querySelector(".under").textContent));
+  assert.ok((await page.textContent(".under")).startsWith(`${name} at depth`));
+});
+
 await test("pictures blink, and show where the work went", async () => {
   await go("#/?s=house&a=warnock,watkins&overlay=work&blink=1");
   await page.waitForFunction(() => /the work at/.test(
