@@ -117,6 +117,7 @@ lab_sources = \
   %D%/lab/views/paint.js \
   %D%/lab/views/stage.js \
   %D%/lab/views/turning.js \
+  %D%/lab/views/under.js \
   %D%/lab/views/work.js
 lab_page = %D%/lab/lab.html %D%/lab/lab.css %D%/lab/assemble.mjs
 # Figures of Greene's thesis, for reports/greene/make; built by make check.
@@ -203,7 +204,6 @@ lab: web
 	@$(MAKE) %D%/page/lab.html
 all-local:
 	@test ! -f web/hsr.wasm || $(MAKE) %D%/page/lab.html
-.PHONY: lab
 CLEANFILES += %D%/page/lab.js %D%/page/lab.html
 
 distclean-local:
@@ -215,4 +215,4 @@ install-lab:
 	@test ! -f %D%/page/lab.html || { \
 	  $(MKDIR_P) "$(DESTDIR)$(pkgdatadir)/report" && \
 	  $(INSTALL_DATA) %D%/page/lab.html "$(DESTDIR)$(pkgdatadir)/report"; }
-.PHONY: install-lab
+.PHONY: lab install-lab

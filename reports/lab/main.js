@@ -27,11 +27,11 @@ const { state } = lab;
 const history = makeHistory(lab);
 
 async function begin() {
-  const asked = await readAddress().catch(() => null);
-  if (asked) Object.assign(state, asked);
+  const asked = await readAddress();
+  Object.assign(state, asked.state);
   const core = await openCore(state.a.length);
   document.getElementById("version").textContent = core.version;
-  build(core);
+  tellUnread(build(core), asked.unread);
   globalThis.lab = { ...globalThis.lab, core };
 }
 
@@ -77,6 +77,7 @@ function build(core) {
   keepAddress(head);
   change();
   globalThis.lab = { state, set: lab.set, source, pictures, modes, history, editing };
+  return head;
 }
 
 // A picture that is moved by keys is drawn whole after a moment.
@@ -107,13 +108,16 @@ function keepAddress(head) {
   });
   addEventListener("hashchange", async () => {
     if (location.hash === written) return;
-    const asked = await readAddress().catch(() => null);
-    if (!asked) return head.say("This link cannot be read.");
+    const { state: asked, unread } = await readAddress();
     Object.assign(state.play, asked.play);
     lab.set({ ...asked, play: state.play });
     history.forget();
+    tellUnread(head, unread);
   });
 }
+
+const tellUnread = (head, unread) => unread.length && head.say(
+  `Of this link, this cannot be read: ${unread.join(", ")}.`);
 
 async function copyLink() {
   const { hash, note } = await addressOf({ ...state, size: state.size ??

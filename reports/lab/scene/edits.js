@@ -13,7 +13,8 @@ import { boundsOf, copyOf, facesOf, pointsOf } from "./mesh.js";
 
 export function edited(mesh, edits) {
   const own = copyOf(mesh);
-  for (const [name, ...given] of edits) DOES[name]?.(own, ...given);
+  for (const [name, ...given] of edits)
+    if (Object.hasOwn(DOES, name)) DOES[name](own, ...given);
   return own;
 }
 

@@ -11,29 +11,47 @@ import { bytesOf, inflate, pack, packed, unpacked } from "./pack.js";
 
 const LARGEST = 6000; // characters of a file in a link
 
-// The state that an address holds; what is wrong there has its standard.
+// The state that an address holds. What is wrong there has its standard, and is named
+// in `unread`.
 export async function readAddress() {
   const { params } = read();
-  const own = { ...standard(), ...asked }, get = (name) => params.get(name) ?? "";
+  const own = { ...standard(), ...asked }, unread = [];
+  const get = (name) => params.get(name) ?? "";
+  const part = async (name, words, does, normal) => {
+    const found = get(name) && await Promise.resolve(get(name)).then(does)
+      .catch(() => null);
+    if (found) return found;
+    if (get(name)) unread.push(words);
+    return normal;
+  };
   if (get("s")) Object.assign(own, { scene: get("s"), own: fileOfPage(get("s")),
     camera: null });
   own.note = get("note").slice(0, 400);
-  if (get("f")) own.own = ownOf(own.scene, await inflate(bytesOf(get("f"))));
-  if (get("e")) own.edits = await unpacked(get("e"));
+  own.own = await part("f", "file", async (text) => ownOf(own.scene,
+    await inflate(bytesOf(text))), own.own);
+  own.edits = await part("e", "edits", async (text) =>
+    editsOf(await unpacked(text)), []);
   if (get("a")) own.a = get("a").split(",").slice(0, MOST);
-  own.camera = cameraOf(get("c")) ?? own.camera;
+  own.camera = await part("c", "camera", cameraOf, own.camera);
   own.view = whole(get("v"));
-  own.size = sizeOf(get("size"));
+  own.size = await part("size", "size", sizeOf, null);
   if (Object.hasOwn(MODES, get("mode"))) own.mode = get("mode");
   if (/^(work|differ)$/.test(get("overlay"))) own.overlay = get("overlay");
   own.blink = get("blink") === "1";
   if (sizeOf(get("steps"))) own.steps = get("steps");
-  own.window = windowOf(get("w"));
+  own.window = await part("w", "part of the picture", windowOf, null);
   readPlayer(own.play, get);
   readMeasure(own.measure, get);
   if (/^(seen|order)$/.test(get("task"))) own.decide.task = get("task");
   if (get("seed")) own.decide.seed = whole(get("seed"));
-  return own;
+  return { state: own, unread };
+}
+
+// They are lists of names, targets, numbers and colours.
+function editsOf(value) {
+  const isGood = (x) => typeof x === "string" || Number.isFinite(x);
+  return Array.isArray(value) && value.every((edit) => Array.isArray(edit) &&
+    edit.every(isGood)) ? value : null;
 }
 
 const whole = (text) => /^\d{1,9}$/.test(text) ? Number(text) : 0;

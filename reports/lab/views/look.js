@@ -7,6 +7,7 @@ import { blinking } from "./blink.js";
 import { differences, reference, verdictLine } from "./compare.js";
 import { pacer } from "./pace.js";
 import { stage } from "./stage.js";
+import { under } from "./under.js";
 import { workOf } from "./work.js";
 
 const SHAPE = 4 / 3, MOST_COLUMNS = 1024;
@@ -37,6 +38,8 @@ export function look(lab, core, source, over) {
     stages.forEach((s, p) => {
       if (open[p] === plainName(s.text)) s.openOptions();
       over.attach(s.canvas);
+      s.canvas.after(under(s.canvas, source, core.judge, () =>
+        s.drawn === stamp ? s.answer : null, looked));
     });
     box.className = `stages of-${stages.length}${state.blink ? " blinks" : ""}`;
     box.replaceChildren(...stages.map((s) => s.element),

@@ -40,7 +40,8 @@ export function stage(algorithms, text, act) {
 
   // The answer; isWhole: not one of those while it moves.
   const show = (answer, camera, isWhole) => {
-    refusal.hidden = true;
+    refusal.hidden = Boolean(answer.rgba || answer.segments);
+    refusal.textContent = `Answers of the kind “${answer.kind}” are seen in Step.`;
     element.classList.remove("late");
     brush.show(answer, camera);
     const { m, n } = answer;
