@@ -155,10 +155,11 @@ static enum hsr_status draw(const struct hsr_plot *plot,
 
 /* --- Pages ---------------------------------------------------------------- */
 
+/* To a stream that is memory. */
 static cairo_status_t append(void *stream, const unsigned char *data,
                              unsigned length) {
   return fwrite(data, 1, length, stream) == length ? CAIRO_STATUS_SUCCESS
-                                                   : CAIRO_STATUS_WRITE_ERROR;
+                                                   : CAIRO_STATUS_NO_MEMORY;
 }
 
 /* A pixel of the page, in points, which are the units of PDF and EPS. */

@@ -224,6 +224,24 @@ static void try_square_under(struct tap *t) {
      ink_of(&f, true));
 }
 
+/* The long side of a triangle passes behind a sheet, from corner to corner, or a
+ * little beside the corners. */
+static void try_corners(struct tap *t) {
+  static const double at[][3] = {{-4, -4, -1}, {4, -4, -1}, {4, 4, -1}};
+  for (int beside = 0; beside < 2; beside++) {
+    const double up = beside ? 1e-9 : 0;
+    struct hsr_scene *scene = scene_new();
+    add_sheet(scene, 0, up, 3, 3 + up, 0);
+    struct hsr_object *object = object_of(scene, "triangle", false);
+    add_points(object, at, 3);
+    FACE(object, 0, 1, 2);
+    const struct found f = draw(scene, -1);
+    ok(t, f.strokes[0] == (beside ? 2 : 1) && f.strokes[1] == 1,
+       "a line that is hidden from %s corner on: %zu strokes",
+       beside ? "beside a" : "a", f.strokes[0]);
+  }
+}
+
 /* Above the side from a to b lies one face, and below it two, from a to m and
  * from m to b. */
 static void try_t_junction(struct tap *t) {
@@ -399,9 +417,10 @@ static void try_contours(struct tap *t) {
 }
 
 int main(void) {
-  struct tap t = plan(31);
+  struct tap t = plan(33);
   try_overlaid(&t);
   try_square_under(&t);
+  try_corners(&t);
   try_t_junction(&t);
   try_chain(&t);
   try_creases(&t);
