@@ -11,4 +11,5 @@ libbench_a_SOURCES += \
   %D%/recorder.c \
   %D%/structure.c \
   %D%/survey.c \
-  %D%/survey.def
+  %D%/survey.def \
+  %D%/volumes.c
