@@ -30,6 +30,12 @@ report_sources = \
   %D%/page/parts/work_scale.js
 lesson_sources = \
   %D%/lesson/main.js \
+  %D%/lesson/beside/all.js \
+  %D%/lesson/beside/board.js \
+  %D%/lesson/beside/list.js \
+  %D%/lesson/beside/pyramid.js \
+  %D%/lesson/beside/row.js \
+  %D%/lesson/beside/tree.js \
   %D%/lesson/data/branches.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
@@ -72,7 +78,6 @@ lesson_sources = \
   %D%/lesson/looks/faces.js \
   %D%/lesson/looks/solids.js \
   %D%/lesson/looks/windows.js \
-  %D%/lesson/parts/beside.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/course.js \
   %D%/lesson/parts/edge_strip.js \

@@ -96,7 +96,7 @@ function chooser() {
     state.lead = 0;
     begin().catch(fail);
   };
-  const slot = (p) => h("label", {}, p ? "beside" : "algorithm",
+  const slot = (p) => h("label", {}, h("span", {}, p ? "beside" : "algorithm"),
     h("select", { name: `algorithm-${p}`, onchange: choose(p) },
       p ? h("option", { value: "" }, "no other") : null,
       names.filter((name) => !p || scenes.get(name) === scenes.get(state.a[0]))
@@ -130,7 +130,7 @@ async function begin() {
     h("div", { class: "top" }, h("div", { class: "title" },
       wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
       h("p", { class: "kicker" }, sceneWords(first))), chooser()),
-    h("div", { class: "stage" }, bar, note, question, panels),
+    h("div", { class: "at-work" }, bar, note, question, panels),
     lessonText(first, goTo), legend,
     figures(first, (name) =>
       scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "");

@@ -39,7 +39,7 @@ export function outlineOf(run) {
   // Keeps the marked line in the list’s own view.
   const reveal = () => {
     if (!current || list.scrollHeight <= list.clientHeight) return;
-    list.scrollTop = current.offsetTop - list.offsetTop - list.clientHeight / 2;
+    list.scrollTop = current.offsetTop - list.clientHeight / 2;
   };
 
   const show = (k, e) => mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);

@@ -5,7 +5,7 @@ import { kindLook } from "../data/kinds.js";
 import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { formula } from "../../page/parts/symbols.js";
-import { beside } from "./beside.js";
+import { beside } from "../beside/all.js";
 import { outlineOf } from "./outline.js";
 import { picture } from "./picture.js";
 import { sentence } from "./sentence.js";
@@ -15,8 +15,7 @@ import { timeline } from "./timeline.js";
 // act: { go(k), pixel({ i, j }), pixelNow(), lead() }
 export function panel(run, act) {
   const canvas = h("canvas", { class: "picture", tabindex: 0, role: "application",
-    style: `aspect-ratio: ${run.width} / ${run.height}; ` +
-      `--shape: ${run.width / run.height}`,
+    style: `aspect-ratio: ${run.width} / ${run.height}`,
     "aria-label": `The picture that ${run.name} makes. Arrow keys choose a ` +
       "sample, with Shift eight samples on; its story is told beside it." });
   const view = picture(canvas, run);
@@ -44,7 +43,8 @@ export function panel(run, act) {
     story.show(k);
   };
 
-  const element = h("section", { class: "panel", "aria-label": run.title },
+  const element = h("section", { class: "panel", "aria-label": run.title,
+    style: `--shape: ${run.width / run.height}` },
     h("h2", {}, run.title), h("p", { class: "facts-line" }, factsOf(run)),
     h("div", { class: "left" },
       h("div", { class: "seen" }, canvas, line.element, strip?.element)),
