@@ -95,7 +95,8 @@ lesson_sources = \
   %D%/lesson/telling/figures.js \
   %D%/lesson/telling/glossary.js \
   %D%/lesson/telling/moments.js \
-  %D%/lesson/telling/questions.js
+  %D%/lesson/telling/questions.js \
+  %D%/lesson/telling/wrong.js
 lab_sources = \
   %D%/lab/main.js \
   %D%/lab/core/connect.js \

@@ -139,7 +139,7 @@ async function begin() {
 }
 
 // The scene's own name, without the folders of its file.
-const sceneName = ({ header }) => header.scene.replace(/^.*\//, "")
+const sceneName = ({ header }) => header.scene.replace(/@.*/, "").replace(/^.*\//, "")
   .replace(/\.(scene\.json|\w{2,4})$/, "");
 
 function sceneWords(run) {

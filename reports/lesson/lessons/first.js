@@ -2,6 +2,7 @@
 // The first four lessons: painter, z-buffer, ray casting, BSP tree. all.js says what
 // a lesson is.
 import { countOf, share, times } from "../telling/figures.js";
+import { paintsWrong, wrongSamples } from "../telling/wrong.js";
 
 export const painter = {
   idea: "Paint from back to front",
@@ -17,16 +18,18 @@ export const painter = {
       "Which of the two is painted first, by its farthest corner?"],
     ["The farthest face is painted", { of: "samples" }],
     ["A nearer face is painted over it", { of: "samples", covers: true }],
-    ["And so on, from back to front", { of: "samples", at: 0.5 }],
-    ["The nearest face is painted last", { of: "samples", at: 0.9 }],
+    ["Here the order is wrong: this face is painted over a nearer one",
+      { of: "samples", where: paintsWrong }],
+    ["Half of the painting", { of: "samples", at: 0.5 }],
   ],
-  find: ["How many samples were painted in vain, because another face covers them?",
+  find: ["How many samples were painted in vain, and how many are wrong?",
     (run) => {
       const painted = run.accepts.reduce((sum, k) => sum + run.trace.width[k] *
         run.trace.height[k], 0);
       const kept = run.painting.at(run.n).filter((f) => f >= 0).length;
       return `${times(painted)} samples were painted and ${times(kept)} of them are ` +
-        `seen: ${share(painted - kept, painted)} was in vain.`;
+        `seen: ${share(painted - kept, painted)} was in vain. ${times(
+        wrongSamples(run).size)} samples are wrong.`;
     }],
 };
 

@@ -5,7 +5,7 @@
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
 import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
-import { cellLook, cubeLook, volumeLook } from "./solids.js";
+import { cellLook, cubeLook, planeLook, volumeLook } from "./solids.js";
 import { bucketLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
@@ -19,7 +19,7 @@ export function looksOf(run, e) {
     ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}) }));
   return { a: of(e.a, false), b: of(e.b, true),
     where: [...windowLook(run, e), ...bucketLook(run, e), ...boxLooks(run, e),
-      ...halves(run, e), ...partLook(run, e)] };
+      ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e)] };
 }
 
 // The halves of a piece that is divided, and between them the line of the plane.
@@ -29,6 +29,14 @@ function halves(run, e) {
     ({ points, closed: true, width: 2.5, fill: k ? 0.15 : 0.5 }));
   const cut = run.cut(e.k, e.a.ids[1], e.a.ids[0]);
   return cut ? [...two, { points: cut, dashed: true, width: 2.5, role: "ink" }] : two;
+}
+
+// The plane of the node of a BSP tree at which the walk is.
+function nodeLook(run, e) {
+  if (e.counter.key !== "piece" || !run.tree || !run.trace.structure.nodes) return [];
+  const face = run.tree.nodes[run.tree.at(e.k + 1).now]?.face ?? -1;
+  return face < 0 ? [] : planeLook(run, { face }).map((shape) => ({ ...shape,
+    role: "ink", width: 1.2, dashed: true, fill: 0.08 }));
 }
 
 // What an accepted step adds to a line drawing.

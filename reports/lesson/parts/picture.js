@@ -3,6 +3,7 @@
 // over them what the algorithm does now.
 import { colourOf, kindColour, packed } from "../data/kinds.js";
 import { looksOf } from "../looks/all.js";
+import { wrongSamples } from "../telling/wrong.js";
 
 const DASH = [6, 4];
 
@@ -101,6 +102,19 @@ export function picture(canvas, run) {
     stroke(cross, colourOf("--ink"), 1.5, false);
   };
 
+  // Crosses at the samples that are wrong in the end.
+  const markWrong = () => {
+    const crosses = new Path2D();
+    for (const at of wrongSamples(run).keys()) {
+      const [i, j] = [at % m, Math.floor(at / m)];
+      crosses.moveTo(i, j);
+      crosses.lineTo(i + 1, j + 1);
+      crosses.moveTo(i + 1, j);
+      crosses.lineTo(i, j + 1);
+    }
+    stroke(crosses, kindColour("reject"), 1.5, false);
+  };
+
   // asked: an event that is asked about, drawn before it is decided.
   const draw = (k, { pixel, outlines = true, event = true, asked = null } = {}) => {
     fit();
@@ -120,6 +134,7 @@ export function picture(canvas, run) {
     if (asked !== null) markEvent({ ...run.event(asked), kind: "compare" });
     else if (event && k > 0 && k <= run.trace.kept && k < run.n)
       markEvent(run.event(k - 1));
+    if (k >= run.n) markWrong();
     if (pixel) markPixel(pixel);
   };
 

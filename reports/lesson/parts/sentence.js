@@ -3,6 +3,7 @@
 import { kindLook } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { momentsOf } from "../telling/moments.js";
+import { wrongSamples } from "../telling/wrong.js";
 import { whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 
@@ -32,7 +33,9 @@ export function sentence(run) {
     const look = e ? kindLook(e.kind) : null;
     sign.textContent = look?.sign ?? "";
     sign.style.color = look ? `var(--hue-${look.hue})` : "";
-    said.textContent = e ? eventWords(run, e) : k === 0 ? "Before the first step."
+    const wrong = k >= run.n ? wrongSamples(run).size : 0;
+    said.textContent = wrong ? `${whole(wrong)} samples are wrong, marked by crosses: ` +
+      "a farther face was painted over a nearer one." : e ? eventWords(run, e) : k === 0 ? "Before the first step."
       : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
     raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`
       : k === 0 ? header.outline[0].trim() : "";
