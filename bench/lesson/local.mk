@@ -5,6 +5,7 @@ libbench_a_SOURCES += \
   %D%/describe.c \
   %D%/draw.c \
   %D%/frames.c \
+  %D%/grids.c \
   %D%/lesson.h \
   %D%/lists.c \
   %D%/page.c \

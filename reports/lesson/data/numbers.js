@@ -61,11 +61,15 @@ function depthsOf(run) {
 
 const faceOf = ({ kind, ids }) => kind === "face" || kind === "piece" ? ids[0] : -1;
 
+// Answers whose windows are of samples, not of pixels with many samples.
+const OF_SAMPLES = new Set(["ids", "segments", "transparent", "shadowed"]);
+
 // At one sample, or at both ends of a stretch of a row.
 function depthsInWindow(run, e) {
   const { window: w, outcome } = e;
   const [f, g] = [faceOf(e.a), faceOf(e.b)];
-  if (!w || w.height !== 1 || f < 0 || g < 0 || e.kind === "accept") return null;
+  if (!w || w.height !== 1 || f < 0 || g < 0 || e.kind === "accept" ||
+      !OF_SAMPLES.has(run.kind.name)) return null;
   const at = depthsOf(run), y = w.y + 0.5;
   if (w.width === 1) {
     const [a, b] = [at(f, w.x + 0.5, y), at(g, w.x + 0.5, y)];
@@ -121,8 +125,12 @@ function farthest(run, e) {
 
 // --- Edges ---
 
-const ends = (run, { ids: [p, q] }) => [run.header.vertices[p],
-  run.header.vertices[q]];
+// The images of both ends, not rounded; null for one that is not in the picture.
+const ends = (run, { ids }) => {
+  const see = run.see ??= projection(run.header.view);
+  return ids.slice(0, 2).map((v) => run.header.vertices[v]
+    ? see(run.trace.points[v]) : null);
+};
 
 // Where an edge crosses a row.
 function onRow([from, to], y) {

@@ -20,7 +20,7 @@ export function subjectWords(run, { kind, ids }, window, e) {
       return `the edge where faces ${p} and ${q} penetrate`;
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
-    case "cube": return q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
+    case "cube": return run.trace.structure.isGrid ? `cell ${p}` : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
     case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
     case "window": return window ? windowWords(window) : "the picture";
     default: return "";
