@@ -30,15 +30,22 @@ report_sources = \
   %D%/page/parts/work_scale.js
 lesson_sources = \
   %D%/lesson/main.js \
+  %D%/lesson/beside/all.js \
+  %D%/lesson/beside/board.js \
+  %D%/lesson/beside/list.js \
+  %D%/lesson/beside/pyramid.js \
+  %D%/lesson/beside/row.js \
+  %D%/lesson/beside/tree.js \
+  %D%/lesson/data/branches.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
+  %D%/lesson/data/numbers.js \
   %D%/lesson/data/pieces.js \
   %D%/lesson/data/projection.js \
   %D%/lesson/data/pyramids.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
   %D%/lesson/data/structure.js \
-  %D%/lesson/data/survey.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/trees.js \
   %D%/lesson/data/words.js \
@@ -46,6 +53,7 @@ lesson_sources = \
   %D%/lesson/figures/drawing.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/figures/taxonomy.js \
   %D%/lesson/kinds/all.js \
   %D%/lesson/kinds/area.js \
   %D%/lesson/kinds/composited.js \
@@ -59,17 +67,36 @@ lesson_sources = \
   %D%/lesson/kinds/shared/channels.js \
   %D%/lesson/kinds/shared/parts.js \
   %D%/lesson/kinds/shared/samples.js \
-  %D%/lesson/parts/beside.js \
+  %D%/lesson/lessons/all.js \
+  %D%/lesson/lessons/first.js \
+  %D%/lesson/lessons/image.js \
+  %D%/lesson/lessons/later.js \
+  %D%/lesson/lessons/lists.js \
+  %D%/lesson/lessons/object.js \
+  %D%/lesson/looks/all.js \
+  %D%/lesson/looks/boxes.js \
+  %D%/lesson/looks/faces.js \
+  %D%/lesson/looks/solids.js \
+  %D%/lesson/looks/windows.js \
   %D%/lesson/parts/controls.js \
+  %D%/lesson/parts/course.js \
   %D%/lesson/parts/edge_strip.js \
   %D%/lesson/parts/lesson.js \
+  %D%/lesson/parts/outline.js \
   %D%/lesson/parts/panel.js \
   %D%/lesson/parts/picture.js \
   %D%/lesson/parts/player.js \
   %D%/lesson/parts/quiz.js \
   %D%/lesson/parts/redraw.js \
+  %D%/lesson/parts/save_step.js \
+  %D%/lesson/parts/sentence.js \
   %D%/lesson/parts/story_list.js \
-  %D%/lesson/parts/timeline.js
+  %D%/lesson/parts/timeline.js \
+  %D%/lesson/telling/figures.js \
+  %D%/lesson/telling/glossary.js \
+  %D%/lesson/telling/moments.js \
+  %D%/lesson/telling/questions.js \
+  %D%/lesson/telling/wrong.js
 lab_sources = \
   %D%/lab/main.js \
   %D%/lab/core/connect.js \

@@ -6,6 +6,8 @@
  * recorder.c   the listener: the events of a run, in columns
  * lists.c      the pieces of a priority list, from the events
  * structure.c  trees of planes, and cubes, as the algorithm has them
+ * grids.c      the cells of a grid
+ * volumes.c    the bodies and volumes of Roberts
  * describe.c   what the columns mean: header, answer, predictions
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
@@ -123,8 +125,21 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *   of its corners, or
  *               null for those that have none]
  *
+ *   bodies      of an algorithm that puts edges to volumes: the faces of each
+ *   volumes     likewise: the faces in whose planes each one is
+ *
  * NULL: HSR_E_NOMEM. */
 json_t *lesson_structure_json(const struct trace_run *run);
+
+/* Whether the scene is a grid whose cells the steps name by number, and these as
+ * cubes of instance 0; then there is also a member isGrid, which is true. Meagher's
+ * algorithm names nodes of its own octree. False: HSR_E_NOMEM. */
+bool lesson_has_cells(const struct trace_run *run);
+bool lesson_add_cells(json_t *structure, const struct trace_run *run);
+
+/* Whether the algorithm puts edges to volumes, and these. False: HSR_E_NOMEM. */
+bool lesson_has_volumes(const struct hsr_setup *setup);
+bool lesson_add_volumes(json_t *structure, const struct trace_run *run);
 
 /* --- What it means -------------------------------------------------------- */
 

@@ -5,10 +5,12 @@ libbench_a_SOURCES += \
   %D%/describe.c \
   %D%/draw.c \
   %D%/frames.c \
+  %D%/grids.c \
   %D%/lesson.h \
   %D%/lists.c \
   %D%/page.c \
   %D%/recorder.c \
   %D%/structure.c \
   %D%/survey.c \
-  %D%/survey.def
+  %D%/survey.def \
+  %D%/volumes.c

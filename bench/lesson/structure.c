@@ -295,6 +295,10 @@ json_t *lesson_structure_json(const struct trace_run *run) {
     add_own_octree(&structure, run, shown.octree);
   if (shown.cubes)
     add_cubes(&structure, run, shown.cubes);
+  if (lesson_has_cells(run))
+    good &= lesson_add_cells(structure, run);
+  if (lesson_has_volumes(&run->setup))
+    good &= lesson_add_volumes(structure, run);
   if (!good)
     json_decref(structure);
   return good ? structure : NULL;

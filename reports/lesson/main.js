@@ -6,14 +6,19 @@ import { h } from "../page/parts/dom.js";
 import { figures } from "./figures/all.js";
 import { closeness } from "./data/projection.js";
 import { runOf } from "./data/run.js";
-import { LESSONS } from "./data/survey.js";
+import { contradicts, numbersOf } from "./data/numbers.js";
 import { readTrace } from "./data/trace.js";
 import { eventWords } from "./data/words.js";
+import { lessonOf, LESSONS } from "./lessons/all.js";
+import { unseen } from "./looks/all.js";
 import { keys, LEVELS, TOGETHER } from "./parts/controls.js";
-import { lessonIndex, lessonText } from "./parts/lesson.js";
+import { courseIndex } from "./parts/course.js";
+import { ideaOf, lessonText, wayThrough } from "./parts/lesson.js";
 import { player, playerState } from "./parts/player.js";
-import { isQuestion } from "./parts/quiz.js";
 import { whenLooksChange } from "./parts/redraw.js";
+import { stepDrawing } from "./parts/save_step.js";
+import { momentsOf } from "./telling/moments.js";
+import { questionsOf } from "./telling/questions.js";
 
 const MOST = 3; // algorithms side by side
 const main = document.querySelector("main");
@@ -25,7 +30,7 @@ const survey = JSON.parse(document.querySelector("#survey")?.textContent ??
 const names = [...texts.keys()];
 const runs = new Map();
 
-const state = { a: [], ...playerState() };
+const state = { a: [], ...playerState(), level: "moment" };
 const playing = player(state, writeAddress);
 
 async function runNamed(name) {
@@ -48,7 +53,7 @@ function readAddress() {
     number((params.get("k") ?? "").split(",")[p] ?? 0));
   state.lead = Math.min(state.a.length - 1, Math.max(0,
     Math.floor(number(params.get("lead") ?? 0))));
-  state.level = one("level", LEVELS, "step");
+  state.level = one("level", LEVELS, "moment");
   state.by = one("by", TOGETHER, "share");
   state.speed = Math.min(100, Math.max(0, number(params.get("speed") ?? 30)));
   state.to = params.get("to") ?? "";
@@ -72,7 +77,7 @@ function writeAddress() {
   if (!state.a.length) return;
   waiting = setTimeout(() => setAddress({ a: state.a.join(","),
     k: state.k.join(","), lead: state.lead || null,
-    level: state.level === "step" ? null : state.level,
+    level: state.level === "moment" ? null : state.level,
     by: state.by === "share" ? null : state.by, speed: state.speed,
     to: state.to, face: state.face, quiz: state.quiz ? 1 : null,
     outlines: state.outlines ? null : 0,
@@ -91,7 +96,7 @@ function chooser() {
     state.lead = 0;
     begin().catch(fail);
   };
-  const slot = (p) => h("label", {}, p ? "beside" : "algorithm",
+  const slot = (p) => h("label", {}, h("span", {}, p ? "beside" : "algorithm"),
     h("select", { name: `algorithm-${p}`, onchange: choose(p) },
       p ? h("option", { value: "" }, "no other") : null,
       names.filter((name) => !p || scenes.get(name) === scenes.get(state.a[0]))
@@ -106,30 +111,42 @@ function chooser() {
 
 function showIndex() {
   playing.end();
-  main.replaceChildren(...lessonIndex(survey));
+  main.replaceChildren(...courseIndex(survey));
   document.title = "Hidden surfaces, step by step · hsr";
 }
 
 async function begin() {
   if (!state.a.length) return showIndex();
   const shown = await Promise.all(state.a.map(runNamed));
-  const { scene, view } = shown[0].header;
+  const [first] = shown;
   const { bar, note, question, legend, panels } = playing.begin(shown);
+  const goTo = (k) => {
+    playing.stop();
+    playing.lead(0);
+    playing.go(k);
+    panels.scrollIntoView({ block: "nearest" });
+  };
   main.replaceChildren(
-    h("div", { class: "top" }, h("div", {},
-      h("h1", { tabindex: -1 }, `${scene}, step by step`),
-      h("p", { class: "kicker" }, `View ${view.number}, ${view.width} × ${
-        view.height} samples, ${shown[0].header.faces.length} faces. `,
-      shown[0].kind.hint)),
-    chooser()), survey && lessonText(survey, shown[0], (k) => {
-      playing.stop();
-      playing.lead(0);
-      playing.go(k);
-    }) || "", bar, note, question, legend, panels,
-    survey && figures(shown[0], (name) =>
+    h("div", { class: "top" }, h("div", { class: "title" },
+      wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
+      h("p", { class: "kicker" }, sceneWords(first))), chooser()),
+    h("div", { class: "at-work" }, bar, note, question, panels),
+    lessonText(first, goTo), legend,
+    figures(first, (name) =>
       scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "");
-  document.title = `${scene}: ${state.a.join(", ")} · hsr`;
+  document.title = `${sceneName(first)}: ${state.a.join(", ")} · hsr`;
   playing.open();
+}
+
+// The scene's own name, without the folders of its file.
+const sceneName = ({ header }) => header.scene.replace(/@.*/, "").replace(/^.*\//, "")
+  .replace(/\.(scene\.json|\w{2,4})$/, "");
+
+function sceneWords(run) {
+  const { view, faces } = run.header;
+  return `${sceneName(run)}, view ${view.number}, ${view.width} × ${view.height} ` +
+    `samples, ${faces.length} ${faces.length === 1 ? "face" : "faces"}. ${
+      run.kind.hint}`;
 }
 
 function fail(error) {
@@ -146,8 +163,9 @@ addEventListener("hashchange", () => {
 
 // For tests, and for teachers who want a page to do more.
 globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESSONS,
-  story: (name, at) => runs.get(name).story(at), asks: isQuestion,
-  closeness, words: eventWords };
+  story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
+  moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
+  contradicts, drawing: stepDrawing };
 
 readAddress();
 keys(playing.act);

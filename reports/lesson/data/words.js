@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An event in words.
 import { kindLook } from "./kinds.js";
+import { planeOfCell } from "../looks/solids.js";
+import { numberWords } from "./numbers.js";
 
-export function subjectWords(run, { kind, ids }, window) {
+// e: the event, where its words depend on it.
+export function subjectWords(run, { kind, ids }, window, e) {
   const [p, q, r] = ids;
+  if (kind === "cell" && e && planeOfCell(run, e.number, p))
+    return `plane ${p} of the tree`;
   switch (kind) {
     case "face": return run.faceName(p);
     case "piece": return `piece ${q} of ${run.faceName(p)}`;
@@ -15,7 +20,7 @@ export function subjectWords(run, { kind, ids }, window) {
       return `the edge where faces ${p} and ${q} penetrate`;
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
-    case "cube": return q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
+    case "cube": return run.trace.structure.isGrid ? `cell ${p}` : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
     case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
     case "window": return window ? windowWords(window) : "the picture";
     default: return "";
@@ -84,8 +89,8 @@ function timesWords(run, e) {
 // The subjects and what becomes of them: "face 12 (chimney) against face 3
 // (ground): farther".
 export function eventWords(run, e) {
-  const a = subjectWords(run, e.a, e.window);
-  const b = subjectWords(run, e.b, e.window);
+  const a = subjectWords(run, e.a, e.window, e);
+  const b = subjectWords(run, e.b, e.window, e);
   const where = whereWords(run, e.window);
   const { verb } = kindLook(e.kind);
   const first = a || b || where || (e.window ? "the picture" : "");
@@ -105,7 +110,9 @@ export function eventWords(run, e) {
       second && e.b.kind !== "window"
         ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
+  const numbers = numberWords(run, e);
   if (e.outcome) text += `: ${e.outcome}`;
+  if (numbers) text += `${e.outcome ? ", " : ": "}${numbers}`;
   text += timesWords(run, e);
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
   const shown = e.a.kind === "window" || e.b.kind === "window";

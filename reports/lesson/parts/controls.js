@@ -2,8 +2,8 @@
 // The buttons and choices above the panels, and what keys do.
 import { h } from "../../page/parts/dom.js";
 
-export const LEVELS = { step: "a single step", unit: "a row or window",
-  whole: "the whole" };
+export const LEVELS = { moment: "a key moment", unit: "a row or window",
+  step: "a single step", whole: "the whole" };
 export const TOGETHER = { share: "by share of the steps",
   decided: "by what is drawn", apart: "each by itself" };
 
@@ -47,20 +47,23 @@ export function controls(act, state, several) {
     play,
     button("▶", "Forward (right arrow)", act.forward, { name: "forward" }),
     button("▶|", "To the end (End)", act.end, { name: "end" })),
-  labelled("Step", number),
   labelled("Move by", select("level", LEVELS)),
   labelled("Speed", h("span", { class: "speed" }, speed, pace)),
-  grouped("Previous and next",
-    button("‹", "Previous one of this kind (p)", () => act.jump(-1)), jumpTo,
-    button("›", "Next one of this kind (n)", () => act.jump(1))),
-  grouped("Of face",
-    button("‹", "Previous step of this face (Shift+f)", () => act.jumpFace(-1)), face,
-    button("›", "Next step of this face (f)", () => act.jumpFace(1))),
   several ? labelled("Together", select("by", TOGETHER)) : null,
-  h("div", { class: "checks" },
-    h("label", {}, outlines, "outlines of all faces"),
-    h("label", {}, quiz, "ask me before a decision")),
-  keyHelp());
+  h("label", { class: "check" }, quiz, "ask me questions"),
+  h("details", { class: "more" }, h("summary", {}, "More"),
+    h("div", { class: "more-fields" },
+      labelled("Step", number),
+      grouped("Previous and next",
+        button("‹", "Previous one of this kind (p)", () => act.jump(-1)), jumpTo,
+        button("›", "Next one of this kind (n)", () => act.jump(1))),
+      grouped("Of face",
+        button("‹", "Previous step of this face (Shift+f)", () => act.jumpFace(-1)),
+        face, button("›", "Next step of this face (f)", () => act.jumpFace(1))),
+      h("label", { class: "check" }, outlines, "outlines of all faces"),
+      h("button", { type: "button", class: "save", onclick: act.save },
+        "Save this step as SVG"),
+      keyHelp())));
 
   return {
     element,
@@ -124,14 +127,13 @@ export function keys(act, isOn = () => true) {
 
 const KEYS = [["space", "play and pause"], ["← →", "back and forward"],
   ["Shift ← →", "a row or window"], [", .", "a single step, always"],
-  ["Home End", "start and end"], ["l", "what a move is"], ["+ −", "speed"],
+  ["Home End", "start and end"], ["l", "deeper: moments, rows, steps"], ["+ −", "speed"],
   ["n p", "next and previous step of the kind chosen"],
   ["f Shift+f", "next and previous step of the face chosen"],
   ["1 2 3", "which algorithm leads"], ["q", "questions on and off"],
   ["arrows on a picture", "choose a sample"], ["Esc", "no sample"]];
 
 function keyHelp() {
-  return h("details", { class: "key-help" }, h("summary", {}, "Keys"),
-    h("dl", {}, KEYS.map(([key, what]) => h("div", {}, h("dt", {},
-      h("kbd", {}, key)), h("dd", {}, what)))));
+  return h("dl", { class: "key-help" }, KEYS.map(([key, what]) => h("div", {},
+    h("dt", {}, h("kbd", {}, key)), h("dd", {}, what))));
 }

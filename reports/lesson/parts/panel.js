@@ -2,45 +2,75 @@
 // One algorithm at work: its picture, the step in words, its outline, and its
 // counters beside the survey's prediction.
 import { kindLook } from "../data/kinds.js";
-import { eventWords } from "../data/words.js";
 import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { formula } from "../../page/parts/symbols.js";
-import { beside } from "./beside.js";
+import { beside } from "../beside/all.js";
+import { outlineOf } from "./outline.js";
 import { picture } from "./picture.js";
+import { sentence } from "./sentence.js";
 import { storyList } from "./story_list.js";
 import { timeline } from "./timeline.js";
 
-// act: { go(k), pixel({ i, j }), lead() }
+// act: { go(k), pixel({ i, j }), pixelNow(), lead() }
 export function panel(run, act) {
-  const { header, trace } = run;
   const canvas = h("canvas", { class: "picture", tabindex: 0, role: "application",
-    style: `aspect-ratio: ${run.width} / ${run.height}; ` +
-      `--shape: ${run.width / run.height}`,
+    style: `aspect-ratio: ${run.width} / ${run.height}`,
     "aria-label": `The picture that ${run.name} makes. Arrow keys choose a ` +
-      "sample, with Shift eight samples on; its story is told below." });
+      "sample, with Shift eight samples on; its story is told beside it." });
   const view = picture(canvas, run);
   const line = timeline(run, act.go);
-  const where = h("p", { class: "where" });
-  const sign = h("span", { class: "sign", "aria-hidden": "true" });
-  const said = h("span");
-  const raised = h("small");
-  const words = h("div", { class: "words", "aria-live": "polite" },
-    where, h("p", {}, sign, said), h("p", {}, raised));
-  const unused = unusedLines(run);
-  const outline = h("ol", { class: "outline", tabindex: 0,
-    "aria-label": `What ${run.name} does` }, header.outline.map((text, k) =>
-    h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}`,
-      class: unused[k] ? "unused" : null, title: unused[k] ? "not in this run"
-        : null }, text.trim())));
-  const lines = [...outline.children];
+  const said = sentence(run);
+  const outline = outlineOf(run);
   const counters = counterTable(run);
   const costs = costTable(run);
   const strip = run.kind.strip?.(run);
   const around = beside(run);
   const story = storyList(run, act.go);
-  let current = null;
+  chooseSamples(canvas, view, run, act);
 
+  // asked: a question is open about the next event, which is shown undecided.
+  const show = (k, options) => {
+    view.draw(k, options);
+    line.draw(k);
+    const e = k > 0 && k <= run.trace.kept ? run.event(k - 1) : null;
+    said.show(k, e);
+    outline.show(k, e);
+    strip?.show(k, e);
+    around.show(k, e);
+    counters.show(k, e?.number);
+    costs.show(k);
+    story.show(k);
+  };
+
+  const element = h("section", { class: "panel", "aria-label": run.title,
+    style: `--shape: ${run.width / run.height}` },
+    h("h2", {}, run.title), h("p", { class: "facts-line" }, factsOf(run)),
+    h("div", { class: "left" },
+      h("div", { class: "seen" }, canvas, line.element, strip?.element)),
+    h("div", { class: "right" }, said.element,
+      h("div", { class: "told" }, h("div", { class: "does" },
+        h("h3", {}, "What it does"), outline.element),
+      h("div", { class: "around" }, story.element, around.element))),
+    h("details", { class: "counted" }, h("summary", {}, "What it has counted"),
+      h("div", { class: "counted-body" }, counters.element, costs.element)));
+  element.addEventListener("focusin", () => act.lead());
+  return { element, show, run, view,
+    ask: (question) => said.element.after(question),
+    story: (place) => story.tell(place),
+    live: (is) => said.element.setAttribute("aria-live", is ? "polite" : "off") };
+}
+
+function factsOf({ header, trace }) {
+  const { authors, year, adapted } = header.algorithm;
+  return [[authors, year].filter(Boolean).join(", "),
+    trace.order && `sorts ${trace.order}`, trace.coherence,
+    adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
+    .filter(Boolean).join(" · ");
+}
+
+// A sample is chosen by a click, or by arrow keys.
+function chooseSamples(canvas, view, run, act) {
   canvas.addEventListener("pointerdown", (e) => {
     act.lead();
     act.pixel(view.at(e));
@@ -56,84 +86,6 @@ export function panel(run, act) {
     act.pixel({ i: Math.min(run.width - 1, Math.max(0, i + move[0])),
       j: Math.min(run.height - 1, Math.max(0, j + move[1])) });
   });
-
-  const show = (k, options) => {
-    view.draw(k, options);
-    line.draw(k);
-    const e = k > 0 && k <= trace.kept ? run.event(k - 1) : null;
-    where.textContent = `Step ${whole(k)} of ${whole(trace.events)} · ${
-      Math.floor(100 * run.painting.decided(k))} % ${run.kind.progress}`;
-    if (k > trace.kept)
-      where.textContent = `The end, after all ${whole(trace.events)} steps`;
-    tell(k, e);
-    mark(e?.counter.line ?? null);
-    strip?.show(k, e);
-    around.show(k, e);
-    counters.show(k, e?.number);
-    costs.show(k);
-    story.show(k);
-  };
-
-  const tell = (k, e) => {
-    if (e) {
-      const look = kindLook(e.kind);
-      sign.textContent = look.sign;
-      sign.style.color = `var(--hue-${look.hue})`;
-      said.textContent = eventWords(run, e);
-      raised.textContent = `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`;
-      return;
-    }
-    sign.textContent = "";
-    said.textContent = k === 0 ? "Before the first step."
-      : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
-    raised.textContent = k === 0 ? header.outline[0].trim() : "";
-  };
-
-  const mark = (number) => {
-    const next = number ? lines[number - 1] : null;
-    if (next === current) return;
-    current?.removeAttribute("aria-current");
-    next?.setAttribute("aria-current", "step");
-    current = next;
-    if (next && outline.scrollHeight > outline.clientHeight)
-      outline.scrollTop = next.offsetTop - outline.offsetTop -
-        outline.clientHeight / 2;
-  };
-
-  const { authors, year, adapted } = header.algorithm;
-  const element = h("section", { class: "panel", "aria-label": run.title },
-    h("h2", {}, run.title),
-    h("p", { class: "facts-line" }, [[authors, year].filter(Boolean).join(", "),
-      trace.order && `sorts ${trace.order}`, trace.coherence,
-      adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
-      .filter(Boolean).join(" · ")),
-    h("div", { class: "left" },
-      h("div", { class: "seen" }, canvas, line.element, strip?.element),
-      around.element, story.element),
-    h("div", { class: "right" }, words,
-      h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
-        h("h3", {}, "What it has counted"), counters.element, costs.element)));
-  element.addEventListener("focusin", () => act.lead());
-  return { element, show, run,
-    story: (place) => story.tell(place),
-    live: (is) => words.setAttribute("aria-live", is ? "polite" : "off") };
-}
-
-// The lines of the outline that this run has not come to: all their counters, or
-// all lines within them, stay 0.
-function unusedLines({ header, trace }) {
-  const depth = (text) => text.length - text.trimStart().length;
-  const own = header.outline.map((_, k) => trace.counts.filter((_, c) =>
-    header.counters[c].line === k + 1));
-  const unused = own.map(() => false);
-  for (let k = own.length - 1; k >= 0; k--) {
-    const within = [];
-    for (let l = k + 1; l < own.length &&
-      depth(header.outline[l]) > depth(header.outline[k]); l++) within.push(l);
-    unused[k] = own[k].length ? own[k].every((n) => !n)
-      : within.length > 0 && within.every((l) => unused[l]);
-  }
-  return unused;
 }
 
 // The counters so far, and in the end. Those that stay 0 are folded.
@@ -198,8 +150,8 @@ function costTable(run) {
   const used = letters.filter(([symbol]) =>
     costs.some((c) => lettersIn(c.formula ?? "").includes(symbol)));
   return {
-    element: h("details", { open: true },
-      h("summary", {}, "Weighed steps, and the survey’s prediction"),
+    element: h("div", {},
+      h("h3", {}, "Weighed steps, and the survey’s prediction"),
       h("p", { class: "note" }, "The survey weighs steps by their work: here each " +
         "counter is multiplied by its weight."),
       h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label":

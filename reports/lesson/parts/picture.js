@@ -2,7 +2,8 @@
 // The picture of a run: what is painted so far, the images of all faces, and
 // over them what the algorithm does now.
 import { colourOf, kindColour, packed } from "../data/kinds.js";
-import { facesOf } from "../data/run.js";
+import { looksOf } from "../looks/all.js";
+import { wrongSamples } from "../telling/wrong.js";
 
 const DASH = [6, 4];
 
@@ -23,8 +24,8 @@ export function picture(canvas, run) {
   let scale = 1;
 
   const fit = () => {
-    const wide = Math.max(1, canvas.clientWidth);
-    const dots = Math.round(wide * Math.min(3, globalThis.devicePixelRatio || 1));
+    const dots = canvas.clientWidth ? Math.round(canvas.clientWidth *
+      Math.min(3, globalThis.devicePixelRatio || 1)) : canvas.width;
     if (canvas.width !== dots) {
       canvas.width = dots;
       canvas.height = Math.round(dots * n / m);
@@ -59,94 +60,35 @@ export function picture(canvas, run) {
 
   // --- what is done now ---
 
-  const vertex = (v) => header.vertices[v] ?? null;
-
-  const tint = (path, colour, strength) => {
-    context.fillStyle = colour;
-    context.globalAlpha = strength;
-    context.fill(path);
-    context.globalAlpha = 1;
-  };
-
-  // Of a piece, what is left of its face.
-  const mark = (subject, colour, dashed, fill, k) => {
-    const left = subject.kind === "piece"
-      ? run.outline(k, subject.ids[1], subject.ids[0]) : null;
-    for (const f of facesOf(subject)) {
-      if (!paths[f]) continue;
-      const path = left ? pathOf(left) : paths[f];
-      if (fill && subject.kind !== "edge")
-        tint(path, colour, dashed ? 0.16 : 0.28);
-      stroke(path, colour, subject.kind === "edge" ? 1 : 2, dashed);
-    }
-    const [p, q] = subject.ids;
-    if (subject.kind === "cube") markCube(run.cubes.get(`${p},${q}`), colour);
-    if (subject.kind === "edge" && vertex(p) && vertex(q))
-      stroke(pathOf([vertex(p), vertex(q)]), colour, 3.5, dashed);
-    if (subject.kind === "vertex" && vertex(p)) {
+  // A ring and a box of one sample have a size on the screen.
+  const pathOfShape = ({ points, closed, ring, isSmall }) => {
+    if (ring) {
       const dot = new Path2D();
-      dot.arc(...vertex(p), line(5), 0, 2 * Math.PI);
-      stroke(dot, colour, 2.5, false);
+      dot.arc(...ring, line(5), 0, 2 * Math.PI);
+      return dot;
     }
+    const grow = isSmall ? line(2) : 0;
+    const [[x, y], , [right, bottom] = []] = points;
+    return isSmall ? boxPath(x - grow, y - grow, right + grow, bottom + grow)
+      : pathOf(points, closed);
   };
 
-  const markCube = (corners, colour) => {
-    const box = new Path2D();
-    for (let c = 0; corners && c < 8; c++)
-      for (const d of [c | 1, c | 2, c | 4])
-        if (d !== c && corners[c] && corners[d]) {
-          box.moveTo(...corners[c]);
-          box.lineTo(...corners[d]);
-        }
-    stroke(box, colour, 2, false);
-  };
-
-  // The halves of a piece that is divided, and between them the plane.
-  const markHalves = (e, colour) => {
-    const halves = run.children(e.k, e.a.ids[1]).filter(Boolean).map(pathOf);
-    halves.forEach((half, k) => {
-      tint(half, colour, k ? 0.15 : 0.5);
-      stroke(half, colour, 2.5, false);
-    });
-    const cut = run.cut(e.k, e.a.ids[1], e.a.ids[0]);
-    if (cut) stroke(pathOf(cut), colourOf("--ink"), 2.5, true);
-  };
-
-  const markWindow = (w, colour, kind) => {
-    const grow = w.width * w.height === 1 ? line(2) : 0;
-    const box = new Path2D();
-    box.rect(w.x - grow, w.y - grow, w.width + 2 * grow, w.height + 2 * grow);
-    if (w.height === 1 && w.width < m) { // the row that it is on
-      context.fillStyle = colour;
-      context.globalAlpha = 0.13;
-      context.fillRect(0, w.y, m, 1);
+  const drawShape = (shape, colour) => {
+    const path = pathOfShape(shape);
+    const own = shape.role === "ink" ? colourOf("--ink") : colour;
+    if (shape.fill) {
+      context.fillStyle = own;
+      context.globalAlpha = shape.fill * (shape.dashed ? 0.6 : 1);
+      context.fill(path);
       context.globalAlpha = 1;
     }
-    if (kind === "subdivide" && w.height > 1) {
-      box.moveTo(w.x + w.width / 2, w.y);
-      box.lineTo(w.x + w.width / 2, w.y + w.height);
-      box.moveTo(w.x, w.y + w.height / 2);
-      box.lineTo(w.x + w.width, w.y + w.height / 2);
-    }
-    if (kind === "reject") {
-      box.moveTo(w.x, w.y);
-      box.lineTo(w.x + w.width, w.y + w.height);
-    }
-    stroke(box, colour, kind === "accept" ? 3 : 2, kind === "retire");
+    if (shape.width) stroke(path, own, shape.width, shape.dashed);
   };
 
   const markEvent = (e) => {
     const colour = kindColour(e.kind);
-    const window = e.window && (e.window.width < m || e.window.height < n ||
-      e.a.kind === "window" || e.b.kind === "window") ? e.window : null;
-    const fill = e.kind !== "accept";
-    mark(e.b, colour, true, fill, e.k);
-    if (e.kind !== "accept" || run.kind.partLine)
-      mark(e.a, colour, false, fill, e.k);
-    if (e.kind === "split" && e.a.kind === "piece") markHalves(e, colour);
-    if (window) markWindow(window, colour, e.kind);
-    const part = e.part && run.kind.partLine?.(e.part);
-    if (part) stroke(pathOf(part.points), colour, 3.5, part.dashed);
+    const { a, b, where } = looksOf(run, e);
+    for (const shape of [...b, ...a, ...where]) drawShape(shape, colour);
   };
 
   const markPixel = ({ i, j }) => {
@@ -160,7 +102,21 @@ export function picture(canvas, run) {
     stroke(cross, colourOf("--ink"), 1.5, false);
   };
 
-  const draw = (k, { pixel, outlines = true, event = true } = {}) => {
+  // Crosses at the samples that are wrong in the end.
+  const markWrong = () => {
+    const crosses = new Path2D();
+    for (const at of wrongSamples(run).keys()) {
+      const [i, j] = [at % m, Math.floor(at / m)];
+      crosses.moveTo(i, j);
+      crosses.lineTo(i + 1, j + 1);
+      crosses.moveTo(i + 1, j);
+      crosses.lineTo(i, j + 1);
+    }
+    stroke(crosses, kindColour("reject"), 1.5, false);
+  };
+
+  // asked: an event that is asked about, drawn before it is decided.
+  const draw = (k, { pixel, outlines = true, event = true, asked = null } = {}) => {
     fit();
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = colourOf("--paper");
@@ -175,7 +131,10 @@ export function picture(canvas, run) {
       context.globalAlpha = 1;
     }
     // At the end, nothing lies over the picture.
-    if (event && k > 0 && k <= run.trace.kept && k < run.n) markEvent(run.event(k - 1));
+    if (asked !== null) markEvent({ ...run.event(asked), kind: "compare" });
+    else if (event && k > 0 && k <= run.trace.kept && k < run.n)
+      markEvent(run.event(k - 1));
+    if (k >= run.n) markWrong();
     if (pixel) markPixel(pixel);
   };
 
@@ -190,9 +149,15 @@ export function picture(canvas, run) {
   return { draw, at };
 }
 
-function pathOf(points) {
+function pathOf(points, closed = points.length > 2) {
   const path = new Path2D();
   points.forEach(([x, y], k) => k ? path.lineTo(x, y) : path.moveTo(x, y));
-  if (points.length > 2) path.closePath();
+  if (closed) path.closePath();
+  return path;
+}
+
+function boxPath(left, top, right, bottom) {
+  const path = new Path2D();
+  path.rect(left, top, right - left, bottom - top);
   return path;
 }

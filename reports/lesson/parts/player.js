@@ -4,15 +4,20 @@
 import { h } from "../../page/parts/dom.js";
 import { kindLook, KINDS } from "../data/kinds.js";
 import { controls, LEVELS } from "./controls.js";
+import { momentsOf } from "../telling/moments.js";
+import { questionsOf } from "../telling/questions.js";
 import { panel } from "./panel.js";
-import { isQuestion, quiz } from "./quiz.js";
+import { quiz } from "./quiz.js";
+import { saveStep } from "./save_step.js";
 
-const SLOWEST = 0.5, FASTEST = 50000; // moves a second
+const STANDARD = 30; // the speed, from 0 to 100, at which nothing plays for longer
+const LONGEST = 110; // than so many seconds
+const USUAL = { moment: 0.25, unit: 4, step: 16, whole: 0.25 }; // moves a second
 const isCalm = matchMedia("(prefers-reduced-motion: reduce)");
 
 // What a player begins with; the address keeps some of it.
 export const playerState = () => ({ k: [], lead: 0, level: "step", by: "share",
-  speed: 30, to: "", face: "", pixel: null, quiz: false, outlines: true,
+  speed: STANDARD, to: "", face: "", pixel: null, quiz: false, outlines: true,
   playing: false });
 
 // state: as of playerState, which the player changes; changed(): called when it
@@ -48,16 +53,20 @@ export function player(state, changed) {
       : state.by === "apart" ? state.k[p] : following(run, at));
   }
 
-  function show() {
+  function show({ asked = null } = {}) {
     bar.step(now());
-    panels.forEach((p, k) => p.show(state.k[k],
-      { pixel: state.pixel, outlines: state.outlines }));
+    panels.forEach((p, k) => p.show(state.k[k], { pixel: state.pixel,
+      outlines: state.outlines, asked: k === state.lead ? asked : null }));
   }
 
   function go(k) {
     question.hide();
     place(k);
     show();
+    if (state.quiz && now() >= leader().n && question.score().asked) {
+      panels[state.lead].ask(question.element);
+      question.result(questionsOf(leader()).length);
+    }
     changed();
   }
 
@@ -67,24 +76,54 @@ export function player(state, changed) {
   function moved(k, direction, level) {
     const run = leader();
     if (level === "whole") return direction > 0 ? run.n : 0;
+    if (level === "moment") return nextMoment(run, k, direction);
     if (level === "unit")
       return direction > 0 ? run.nextUnit(k) : run.lastUnit(k);
     return bounded(k + direction, run);
   }
 
+  function nextMoment(run, k, direction) {
+    const all = momentsOf(run).map((m) => m.k);
+    return direction > 0 ? all.find((m) => m > k) ?? run.n
+      : all.filter((m) => m < k).at(-1) ?? 0;
+  }
+
   function move(direction, level = state.level) {
     stop();
     if (question.open()) return;
-    if (direction > 0 && state.quiz && level === "step" &&
-        isQuestion(leader(), now())) question.ask(leader(), now());
-    else go(moved(now(), direction, level));
+    const to = moved(now(), direction, level);
+    if (!asks(now(), to)) go(to);
+  }
+
+  // --- Questions ---
+
+  // Asks the first question on the way, if one is: the place is then the step before.
+  function asks(from, to) {
+    if (!state.quiz || state.level === "whole") return false;
+    const next = questionsOf(leader()).find((q) => q.k > from && q.k <= to &&
+      !question.isAnswered(q));
+    if (!next) return false;
+    place(next.k - 1);
+    panels[state.lead].ask(question.element);
+    show({ asked: next.k - 1 });
+    question.ask(leader(), next);
+    changed();
+    return true;
   }
 
   // --- Playing ---
 
-  const rate = () => SLOWEST * (FASTEST / SLOWEST) ** (state.speed / 100);
-  const paceWords = () => rate() < 10 ? `${rate().toFixed(1)} moves a second`
-    : `${Math.round(rate()).toLocaleString("en")} moves a second`;
+  // Moves of a level in all; a run is played in LONGEST seconds at the most.
+  function movesOf(run) {
+    return { moment: momentsOf(run).length, unit: run.units.length + 1, step: run.n,
+      whole: 1 }[state.level];
+  }
+
+  const rate = () => Math.max(USUAL[state.level], movesOf(leader()) / LONGEST) *
+    2 ** ((state.speed - STANDARD) / 8);
+  const paceWords = () => rate() < 1 ? `${(1 / rate()).toFixed(1)} s a move`
+    : rate() < 10 ? `${rate().toFixed(1)} moves a second`
+      : `${Math.round(rate()).toLocaleString("en")} moves a second`;
 
   function stop() {
     if (!state.playing) return;
@@ -113,13 +152,9 @@ export function player(state, changed) {
     owed += Math.min(passed, 1000) / 1000 * rate();
     let k = now();
     for (; owed >= 1 && k < leader().n; owed -= 1) {
-      if (state.quiz && state.level === "step" && isQuestion(leader(), k)) {
-        place(k);
-        show();
-        stop();
-        return question.ask(leader(), k);
-      }
-      k = moved(k, 1, state.level);
+      const to = moved(k, 1, state.level);
+      if (asks(k, to)) return stop();
+      k = to;
     }
     if (k !== now()) go(k);
     if (k >= leader().n) stop();
@@ -162,7 +197,7 @@ export function player(state, changed) {
     back: () => move(-1), forward: () => move(1), move, play, jump, jumpFace,
     set: (changes) => {
       Object.assign(state, changes);
-      if ("quiz" in changes && !state.quiz) question.hide();
+      if ("quiz" in changes) question.hide();
       bar.pace(paceWords(), state.speed);
       if ("by" in changes) place(now());
       show();
@@ -170,11 +205,11 @@ export function player(state, changed) {
     },
     nextLevel: () => {
       const all = Object.keys(LEVELS);
-      state.level = all[(all.indexOf(state.level) + 1) % all.length];
+      act.set({ level: all[(all.indexOf(state.level) + 1) % all.length] });
       bar.level(state.level);
-      tell(`A move is ${LEVELS[state.level]}.`);
-      changed();
+      tell(`Now a move is ${LEVELS[state.level]}.`);
     },
+    save: () => saveStep(leader(), now(), state),
     toggleQuiz: () => {
       act.set({ quiz: !state.quiz });
       bar.quiz(state.quiz);
@@ -205,7 +240,7 @@ export function player(state, changed) {
   function begin(shown) {
     stop();
     state.lead = Math.min(state.lead, shown.length - 1);
-    question = quiz(() => go(now() + 1));
+    question = quiz((q) => go(q.k));
     panels = shown.map((run, p) => panel(run, { go: (k) => {
       stop();
       lead(p);

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kept cells of a grid, for the page: as cubes of no instance. */
+#include "bench/lesson/lesson.h"
+#include "common/answers/coded.h"
+#include "common/files/json/json.h"
+
+#include <string.h>
+
+/* What is larger is left out of the page. */
+enum { MOST_CELLS = 4096 };
+
+static json_t *cell_json(const struct trace_run *run, const uint32_t at[3]) {
+  const struct hsr_grid *grid = run->scene->grid;
+  json_t *corners = json_array();
+  for (int c = 0; c < 8; c++) {
+    double point[3];
+    for (int k = 0; k < 3; k++)
+      point[k] = grid->bound[k][at[k] + (c >> k & 1)];
+    hsr_json_append(&corners, hsr_point_json(&run->view, point));
+  }
+  return corners;
+}
+
+/* Adds the cells of row j of slice k. */
+static void add_row(json_t **cubes, const struct trace_run *run, uint32_t j,
+                    uint32_t k) {
+  const struct hsr_grid *grid = run->scene->grid;
+  uint32_t row = j + grid->n[1] * k;
+  for (uint32_t c = grid->row[row]; c < grid->row[row + 1]; c++)
+    hsr_json_append(cubes,
+                    json_pack("[I i o]", (json_int_t)c, 0,
+                              cell_json(run, (uint32_t[3]){grid->x[c], j, k})));
+}
+
+bool lesson_has_cells(const struct trace_run *run) {
+  const struct hsr_grid *grid = run->scene->grid;
+  return grid && grid->n_cells <= MOST_CELLS &&
+         strcmp(run->setup.algorithm->name, "meagher") != 0;
+}
+
+bool lesson_add_cells(json_t *to, const struct trace_run *run) {
+  const struct hsr_grid *grid = run->scene->grid;
+  json_t *cubes = json_array();
+  for (uint32_t k = 0; k < grid->n[2]; k++)
+    for (uint32_t j = 0; j < grid->n[1]; j++)
+      add_row(&cubes, run, j, k);
+  return !json_object_set_new(to, "isGrid", json_true()) &&
+         !json_object_set_new(to, "cubes", cubes);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scan line at hand, from above: the segments of its faces, the eye below; what the
+// step compares, and its span.
+import { colourOf, kindColour } from "../data/kinds.js";
+import { closeness, segmentsOn } from "../data/projection.js";
+import { board } from "./board.js";
+
+const HIGH = 190; // of the canvas
+
+// Algorithms that go along rows, and compare depths or edges there.
+export const isByRows = (run) => /^(YXZ|ZYX|YZX)$/.test(run.trace.order ?? "") &&
+  run.kind.name === "ids" && run.header.faces.every((f) => f[3].length);
+
+export function rowFromAbove(run) {
+  const { element, draw, say } = board("The row from above",
+    "The row from above, the eye below");
+  const near = closeness(run);
+  const rows = new Map();
+  const of = (j) => {
+    if (!rows.has(j)) rows.set(j, segmentsOn(run, j, near));
+    return rows.get(j);
+  };
+
+  const show = (k, e) => {
+    const w = e?.window;
+    const isRow = w && w.height === 1;
+    element.hidden = !isRow;
+    if (!isRow) return;
+    const own = of(w.y);
+    say(own.length ? `Row ${w.y}: ${own.length} ${own.length === 1 ? "segment"
+      : "segments"}` : `Row ${w.y} meets no face.`);
+    draw(HIGH, (context, width) => drawRow(context, run, own, { width, e }));
+  };
+  return { element, show };
+}
+
+function drawRow(context, run, segments, { width, e }) {
+  const px = (x) => x / run.width * width;
+  const z = segments.flatMap(({ z0, z1 }) => [z0, z1]);
+  const [low, high] = [Math.min(...z), Math.max(...z)];
+  const py = (value) => 14 + (HIGH - 40) *
+    (high > low ? (value - low) / (high - low) : 0.5);
+  const w = e.window;
+  context.fillStyle = kindColour(e.kind);
+  context.globalAlpha = 0.13;
+  context.fillRect(px(w.x), 0, Math.max(2, px(w.x + w.width) - px(w.x)), HIGH - 12);
+  context.globalAlpha = 1;
+  for (const g of segments) drawSegment(context, run, g, { px, py, e });
+  drawPlaces(context, run, e, px);
+  context.fillStyle = colourOf("--faint");
+  context.font = "11px system-ui, sans-serif";
+  context.textAlign = "left";
+  context.fillText("near", 0, HIGH - 16);
+  context.fillText("far", 0, 10);
+}
+
+function drawSegment(context, run, g, { px, py, e }) {
+  const names = (s) => /face|piece/.test(s.kind) && s.ids[0] === g.face;
+  const [isA, isB] = [names(e.a), names(e.b)];
+  const stroke = (colour, size, dash = []) => {
+    context.strokeStyle = colour;
+    context.lineWidth = size;
+    context.setLineDash(dash);
+    context.beginPath();
+    context.moveTo(px(g.x0), py(g.z0));
+    context.lineTo(px(g.x1), py(g.z1));
+    context.stroke();
+    context.setLineDash([]);
+  };
+  if (isA || isB) stroke(kindColour(e.kind), 8, isA ? [] : [6, 4]);
+  stroke(colourOf("--paper"), 5);
+  stroke(run.header.faces[g.face][2], 3.5);
+}
+
+// Where the edges of the step cross the row.
+function drawPlaces(context, run, e, px) {
+  [e.a, e.b].forEach(({ kind, ids: [p, q] }, k) => {
+    const [from, to] = [run.header.vertices[p], run.header.vertices[q]];
+    if (kind !== "edge" || !from || !to || from[1] === to[1]) return;
+    const t = (e.window.y + 0.5 - from[1]) / (to[1] - from[1]);
+    const x = px(from[0] + t * (to[0] - from[0]));
+    context.strokeStyle = kindColour(e.kind);
+    context.lineWidth = 2.5;
+    context.setLineDash(k ? [5, 4] : []);
+    context.beginPath();
+    context.moveTo(x, 0);
+    context.lineTo(x, HIGH - 12);
+    context.stroke();
+    context.setLineDash([]);
+  });
+}

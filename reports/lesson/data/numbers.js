@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers that a step compares: depths, places on a row, boxes, distances of
+// the eye to a plane. They are found again from the scene, in doubles.
+import { boxOf } from "../looks/boxes.js";
+import { equationOf, planeOfCell } from "../looks/solids.js";
+import { closeness, projection } from "./projection.js";
+
+const NEARER = new Set(["nearer", "in front"]);
+const FARTHER = new Set(["farther", "behind"]);
+
+// { words, a, b, less }: "4.31 deep against 5.02"; a and b are the numbers, where
+// there are two, and `less` what the outcome says of them: true, a < b; false,
+// a > b; null, nothing. null: the step compares no numbers that are known here.
+export function numbersOf(run, e) {
+  const found = FINDERS.map((find) => find(run, e)).find(Boolean);
+  return found ?? null;
+}
+
+export function numberWords(run, e) {
+  const found = numbersOf(run, e);
+  return !found || contradicts(found) ? "" : found.words;
+}
+
+// Whether the numbers are not as the outcome says.
+export const contradicts = ({ a, b, less }) => less !== null && less !== undefined &&
+  (less ? a > b + tolerance(a, b) : a < b - tolerance(a, b));
+const tolerance = (a, b) => 1e-6 * Math.max(1, Math.abs(a), Math.abs(b));
+
+// --- Words ---
+
+// As many digits as tell two numbers apart.
+export function told(...numbers) {
+  const different = new Set(numbers.map((x) => x.toPrecision(9))).size;
+  for (let digits = 2; digits < 7; digits++) {
+    const words = numbers.map((x) => x.toFixed(digits));
+    if (new Set(words).size === different || digits === 6) return words;
+  }
+}
+
+function twoDepths(a, b, less = null) {
+  const [p, q] = told(a, b);
+  return { words: `${p} deep against ${q}`, a, b, less };
+}
+
+const lessOf = (outcome) => NEARER.has(outcome) ? true
+  : FARTHER.has(outcome) ? false : null;
+
+// --- Depths of faces ---
+
+// (face, x, y) -> how deep the face's plane is there.
+function depthsOf(run) {
+  if (!run.depthAt) {
+    const near = closeness(run), { parallel } = run.header.view;
+    run.depthAt = (f, x, y) => {
+      const c = f >= 0 && run.header.faces[f][3].length ? near(f)?.(x, y) : null;
+      return c === null || c === undefined ? null : parallel ? -c : 1 / c;
+    };
+  }
+  return run.depthAt;
+}
+
+const faceOf = ({ kind, ids }) => kind === "face" || kind === "piece" ? ids[0] : -1;
+
+// Answers whose windows are of samples, not of pixels with many samples.
+const OF_SAMPLES = new Set(["ids", "segments", "transparent", "shadowed"]);
+
+// At one sample, or at both ends of a stretch of a row.
+function depthsInWindow(run, e) {
+  const { window: w, outcome } = e;
+  const [f, g] = [faceOf(e.a), faceOf(e.b)];
+  if (!w || w.height !== 1 || f < 0 || g < 0 || e.kind === "accept" ||
+      !OF_SAMPLES.has(run.kind.name)) return null;
+  const at = depthsOf(run), y = w.y + 0.5;
+  if (w.width === 1) {
+    const [a, b] = [at(f, w.x + 0.5, y), at(g, w.x + 0.5, y)];
+    return a === null || b === null ? null : twoDepths(a, b, lessOf(outcome));
+  }
+  const ends = [w.x + 0.5, w.x + w.width - 0.5];
+  const [a, b] = [f, g].map((face) => ends.map((x) => at(face, x, y)));
+  if ([...a, ...b].includes(null)) return null;
+  const [p, q, r, s] = told(...a, ...b);
+  return { words: `${p} to ${q} deep against ${r} to ${s}`, less: null };
+}
+
+// Over a window of more rows: in its middle.
+function depthsInSquare(run, e) {
+  const w = e.window, [f, g] = [faceOf(e.a), faceOf(e.b)];
+  if (!w || w.height < 2 || f < 0 || g < 0 || e.kind !== "compare" ||
+      e.a.kind === "piece") return null;
+  const at = depthsOf(run), x = w.x + w.width / 2, y = w.y + w.height / 2;
+  const [a, b] = [at(f, x, y), at(g, x, y)];
+  if (a === null || b === null || a < 0 || b < 0) return null;
+  const [p, q] = told(a, b);
+  return { words: `in its middle ${p} deep against ${q}`, less: null };
+}
+
+// The nearest and the farthest corner of a face or piece.
+function reachOf(run, e, { kind, ids: [f, p] }) {
+  const see = run.see ??= projection(run.header.view);
+  if (f < 0) return null;
+  const outline = kind === "piece" ? run.outline(e.k, p, f) : null;
+  const at = depthsOf(run);
+  const depths = outline ? outline.map(([x, y]) => at(f, x, y))
+    : run.header.faces[f][3].map((v) => see(run.trace.points[v])?.[2] ?? null);
+  return !depths.length || depths.includes(null) ? null
+    : [Math.min(...depths), Math.max(...depths)];
+}
+
+// The painter's sorts go by farthest points; test 1 is of depths, too.
+function farthest(run, e) {
+  const { key } = e.counter;
+  const isSort = key === "face-sort";
+  if (!isSort && e.outcome !== "test 1: apart in Z") return null;
+  const [p, q] = [reachOf(run, e, e.a), reachOf(run, e, e.b)];
+  if (!p || !q) return null;
+  if (isSort) {
+    const [a, b] = told(p[1], q[1]);
+    const less = { "goes first": false, "goes later": true }[e.outcome] ?? null;
+    return { words: `its farthest point ${a} deep against ${b}`, a: p[1], b: q[1],
+      less };
+  }
+  const [a, b] = told(p[0], q[1]);
+  return { words: `P begins ${a} deep, Q ends ${b} deep`, less: null };
+}
+
+// --- Edges ---
+
+// The images of both ends, not rounded; null for one that is not in the picture.
+const ends = (run, { ids }) => {
+  const see = run.see ??= projection(run.header.view);
+  return ids.slice(0, 2).map((v) => run.header.vertices[v]
+    ? see(run.trace.points[v]) : null);
+};
+
+// Where an edge crosses a row.
+function onRow([from, to], y) {
+  if (!from || !to || from[1] === to[1]) return null;
+  return from[0] + (to[0] - from[0]) * (y - from[1]) / (to[1] - from[1]);
+}
+
+function placesOnRow(run, e) {
+  const w = e.window;
+  if (e.a.kind !== "edge" || e.b.kind !== "edge" || w?.height !== 1) return null;
+  const [a, b] = [e.a, e.b].map((s) => onRow(ends(run, s), w.y + 0.5));
+  if (a === null || b === null) return null;
+  const [p, q] = told(a, b);
+  return { words: `column ${p} against ${q}`, less: null };
+}
+
+// Where the images of two edges cross, how deep each is.
+function crossing(run, e) {
+  if (e.a.kind !== "edge" || e.b.kind !== "edge" || e.window ||
+      lessOf(e.outcome) === null) return null;
+  const [[a, b], [c, d]] = [ends(run, e.a), ends(run, e.b)];
+  if (!a || !b || !c || !d) return null;
+  const r = [b[0] - a[0], b[1] - a[1]], s = [d[0] - c[0], d[1] - c[1]];
+  const det = r[0] * s[1] - r[1] * s[0];
+  if (Math.abs(det) < 1e-9) return null;
+  const [x, y] = [c[0] - a[0], c[1] - a[1]];
+  const [t, u] = [(x * s[1] - y * s[0]) / det, (x * r[1] - y * r[0]) / det];
+  const [p, q] = [depthOn(run, e.a, t), depthOn(run, e.b, u)];
+  // The outcome is about the other edge.
+  return p && q ? { ...twoDepths(q, p, lessOf(e.outcome)) } : null;
+}
+
+// How deep an edge is, at a share t of its image.
+function depthOn(run, { ids: [p, q] }, t) {
+  const see = run.see ??= projection(run.header.view);
+  const [a, b] = [p, q].map((v) => see(run.trace.points[v])?.[2]);
+  if (!a || !b) return null;
+  return run.header.view.parallel ? a + t * (b - a)
+    : 1 / (1 / a + t * (1 / b - 1 / a));
+}
+
+// A vertex and the plane of a face before or behind it.
+function vertexAndFace(run, e) {
+  if (e.a.kind !== "vertex" || e.b.kind !== "face") return null;
+  const see = run.see ??= projection(run.header.view);
+  const at = see(run.trace.points[e.a.ids[0]] ?? run.header.view.eye);
+  const plane = at && depthsOf(run)(e.b.ids[0], at[0], at[1]);
+  if (!plane || plane < 0) return null;
+  const [p, q] = told(at[2], plane);
+  return { words: `the vertex ${p} deep, the plane ${q}`, a: plane, b: at[2],
+    less: e.outcome === "hides" ? true : null };
+}
+
+// --- The eye and a plane ---
+
+function eyeAndPlane(run, e) {
+  const { key } = e.counter;
+  const plane = key === "back-face-cull" ? { face: e.a.ids[0] }
+    : key === "inter-cluster" ? planeOfCell(run, e.number, e.b.ids[0]) : null;
+  if (!plane || (plane.face !== undefined && !run.header.faces[plane.face][3].length))
+    return null;
+  const { normal, offset } = equationOf(run, plane);
+  const side = normal.reduce((sum, x, k) => sum + x * run.header.view.eye[k], -offset);
+  if (run.header.view.parallel) return null;
+  const word = side < 0 ? "behind its plane" : "before its plane";
+  return { words: `the eye is ${told(Math.abs(side))[0]} ${word}`, a: 0, b: side,
+    less: { front: true, "in front": true, back: false, behind: false }[e.outcome] ??
+      null };
+}
+
+// --- Boxes ---
+
+const reach = (low, high) => `${low.toFixed(1)} to ${high.toFixed(1)}`;
+
+function boxes(run, e) {
+  if (!/minimax|body|apart in|overlap in|volume (in|out)|boxes apart/.test(
+    `${e.counter.key} ${e.counter.name} ${e.outcome}`) || e.kind === "sort")
+    return null;
+  const [p, q] = [boxOf(run, e, e.a), boxOf(run, e, e.b)];
+  if (!p || !q) return null;
+  const inX = /in X/.test(e.outcome) || p.x1 < q.x0 || q.x1 < p.x0;
+  if (inX && !/in Y/.test(e.outcome))
+    return { words: `columns ${reach(p.x0, p.x1)} against ${reach(q.x0, q.x1)}`,
+      less: null };
+  const inY = /in Y/.test(e.outcome) || p.y1 < q.y0 || q.y1 < p.y0;
+  return inY ? { words: `rows ${reach(p.y0, p.y1)} against ${reach(q.y0, q.y1)}`,
+    less: null } : null;
+}
+
+// --- The pyramid ---
+
+// What a cell of the pyramid holds: the farthest depth painted in it so far.
+function cellDepth(run, e) {
+  if (!/-read$/.test(e.counter.key ?? "") || !e.window || run.kind.name !== "ids")
+    return null;
+  const ids = run.painting.at(e.k), at = depthsOf(run), w = e.window;
+  let most = 0;
+  for (let j = Math.max(0, w.y); j < Math.min(run.height, w.y + w.height); j++)
+    for (let i = Math.max(0, w.x); i < Math.min(run.width, w.x + w.width); i++) {
+      const f = ids[j * run.width + i];
+      const depth = f >= 0 ? at(f, i + 0.5, j + 0.5) : null;
+      if (depth === null) return { words: "the entry is still infinitely deep",
+        less: null };
+      most = Math.max(most, depth);
+    }
+  return { words: `the entry is ${told(most)[0]} deep`, less: null };
+}
+
+const FINDERS = [farthest, cellDepth, depthsInWindow, depthsInSquare, placesOnRow,
+  crossing, vertexAndFace, eyeAndPlane, boxes];

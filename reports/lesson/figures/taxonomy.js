@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tree of the survey's figure 13 with the ten algorithms as its leaves, as a
+// drawing that can be saved. Each leaf leads to its lesson.
+import { href } from "../../page/data/address.js";
+import { h } from "../../page/parts/dom.js";
+import { saveSvg } from "../../page/parts/save.js";
+import { LESSONS } from "../lessons/all.js";
+import { board, line, s, text } from "./drawing.js";
+
+const TREE = ["opaque objects", [
+  ["object space", [
+    ["edges against volumes", ["roberts"]],
+    ["edges against edges", ["appel", "loutrel", "galimberti"]]]],
+  ["list priority", [
+    ["found before the frame", ["schumacker"]],
+    ["found in each frame", ["newell"]]]],
+  ["image space", [
+    ["area sampling", ["warnock"]],
+    ["point sampling", ["romney", "bouknight", "watkins"]]]]]];
+
+const ROW = 30, X = [8, 150, 280, 470], WIDTH = 860;
+
+// known: the algorithms of the page.
+export function taxonomyTree(known) {
+  const shapes = [];
+  let row = 0;
+
+  const leaf = (name) => {
+    const y = 20 + ROW * row++;
+    const a = known.find((k) => k.name === name);
+    const label = text(X[3], y + 4, a ? `${a.authors} ${a.year ?? ""}` : name,
+      { "text-anchor": "start", "font-size": 13, fill: a ? "var(--link)" : null });
+    const idea = text(X[3], y + 16, LESSONS[name].idea, { "text-anchor": "start",
+      "font-size": 10, fill: "var(--faint)" });
+    shapes.push(a ? s("a", { href: href("", "", { a: name }) }, label) : label, idea);
+    return y;
+  };
+
+  const node = (label, children, depth) => {
+    const ys = children.map((child) => typeof child === "string" ? leaf(child)
+      : node(child[0], child[1], depth + 1));
+    const y = (ys[0] + ys.at(-1)) / 2;
+    const width = 7 * label.length;
+    ys.forEach((to) => shapes.push(line(X[depth] + width + 4, y, X[depth + 1] - 14, to,
+      { "stroke-width": 1 }), line(X[depth + 1] - 14, to, X[depth + 1] - 4, to,
+      { "stroke-width": 1 })));
+    shapes.push(text(X[depth], y + 4, label, { "text-anchor": "start",
+      "font-size": 13 }));
+    return y;
+  };
+
+  node(TREE[0], TREE[1], 0);
+  const drawing = board(WIDTH, 20 + ROW * row, "The ten algorithms in the tree of " +
+    "figure 13", ...shapes);
+  drawing.setAttribute("width", WIDTH);
+  drawing.setAttribute("height", 20 + ROW * row);
+  const caption = "Figure 13 of the survey: the ten algorithms";
+  return h("figure", { class: "taxonomy" }, h("div", { class: "scroll", tabindex: 0,
+    role: "region", "aria-label": "The tree" }, drawing),
+  h("figcaption", {}, `${caption}. Choose one to watch it. `,
+    saveSvg(caption, () => drawing, [])));
+}

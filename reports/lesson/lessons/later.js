@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two later algorithms. all.js says what a lesson is.
+import { countOf, mostOutcomes, share, times, withOutcome } from
+  "../telling/figures.js";
+
+export const hzbuffer = {
+  idea: "Ask a whole cube whether it can be seen",
+  text: ["The faces are in an octree of cubes. Above the z-buffer stands a pyramid: each " +
+    "entry is the farthest depth of the four below it. From front to back, a cube is " +
+    "compared with an entry that holds its image. If the cube is farther, all that " +
+    "is in it is hidden, and no face of it is looked at."],
+  source: "Greene, Kass and Miller 1993",
+  needs: [{ of: "cube-culled", instead: "color-cube:6",
+    why: "No cube of this scene is hidden as a whole." }],
+  moments: [
+    ["The first cube holds all", { of: "cube-visited" }],
+    ["Is it outside of the picture’s pyramid of sight?", { of: "inequality",
+      outcome: "leaves it open" }],
+    ["A cube is asked about", { of: "cube-tested" }],
+    ["An entry of the pyramid leaves it open", { of: "cube-read",
+      outcome: "leaves it open", pick: "largest" }],
+    ["The cube can be seen: on to its faces", { of: "cube-tested", outcome: "visible",
+      pick: "largest" }],
+    ["A face of the cube is drawn as in a z-buffer", { of: "face-tiled",
+      pick: "largest" }],
+    ["A sample is nearer: it is written", { of: "depth-test", outcome: "nearer",
+      real: true }],
+    ["One entry decides: the cube is behind it", { of: "cube-read",
+      outcome: "decides", pick: "largest" }],
+    ["The cube is hidden, with all its faces", { of: "cube-tested",
+      outcome: "hidden", pick: "largest" },
+    "Is the cube hidden by what is painted?"],
+    ["It is left out at once", { of: "cube-culled", pick: "largest" }],
+    ["A face is compared with an entry, too", { of: "face-read", outcome: "decides",
+      pick: "largest" }],
+    ["And left out", { of: "faces culled", pick: "largest" }],
+    ["Half of the cubes are done", { of: "cube-visited", at: 0.5 }],
+  ],
+  find: ["How many of the cubes that were asked about were hidden?", (run) => {
+    const hidden = withOutcome(run, "cube-tested", "hidden");
+    const all = countOf(run, "cube-tested");
+    return `${times(hidden)} of ${times(all)}: ${share(hidden, all)}.`;
+  }],
+};
+
+export const tiling = {
+  idea: "Cover the picture once, from front to back",
+  text: ["The polygons come from front to back, so that the first one at a sample is " +
+    "seen there, and each sample is written once. It is Warnock’s division again, " +
+    "with masks in place of windows: words of 64 bits tell which of 8 × 8 cells a " +
+    "polygon covers, touches or misses."],
+  source: "Greene 1996",
+  moments: [
+    ["A cube is asked about: is anything vacant in its outline?",
+      { of: "cube-tested" }],
+    ["A polygon of the cube, the nearest first", { of: "piece" }],
+    ["A cell of the coarsest level: the polygon touches it",
+      { of: "polygon-cell", outcome: "active", pick: "largest", real: true }],
+    ["A cell that is settled at once", { of: "polygon-cell", outcome: "done",
+      pick: "largest" }],
+    ["A cell of the finest level: its bits are samples", { of: "finest-cell" }],
+    ["A cell is active: an edge of the polygon passes through it",
+      { of: "finest-cell", outcome: "active" }],
+    ["A large polygon, in the order of the tree", { of: "piece", pick: "largest" }],
+    ["Samples are shown by a mask", { of: "sample", pick: "largest", real: true }],
+    ["A cube whose outline is full: it is hidden", { of: "cube-tested",
+      outcome: "hidden", pick: "largest" }, "Is anything of this cube still to be seen?",
+    { hidden: "no, it is hidden", visible: "yes" }],
+    ["It is left out with all its polygons", { of: "cube-culled", pick: "largest" }],
+    ["A polygon is hidden in the cell that holds it", { of: "pieces hidden",
+      pick: "largest" }],
+    ["Half of the polygons are done", { of: "piece", at: 0.5 }],
+    ["The background is shown where nothing was", { of: "sample", nth: -1 }],
+  ],
+  find: ["How many depths are compared?", (run) => {
+    const depths = countOf(run, "thickness checks");
+    return `${depths ? times(depths) : "None"}: the order decides. ${mostOutcomes(run,
+      "polygon-cell")}`;
+  }],
+};

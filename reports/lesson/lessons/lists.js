@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two algorithms of list priority. all.js says what a lesson is.
+import { countOf, mostOutcomes, times } from "../telling/figures.js";
+
+const SIDES = { "in front": "in front", behind: "behind" };
+const FACING = { front: "yes, its front", back: "no, its back" };
+
+export const schumacker = {
+  idea: "Know the order before the picture",
+  text: ["Within a convex cluster the faces have an order that holds from every eye; " +
+    "it is found once. Between clusters, planes that separate them make a tree. On " +
+    "which side of a plane the eye is tells which cluster comes first. So no depth " +
+    "is compared in a frame.",
+  "The machine had a pair of counters for each face. They count along the scan line " +
+    "to where the face begins and ends. At each sample, the first pair in the order " +
+    "that is inside shows its face."],
+  source: "The survey, chapter III, list priority, figures 18 to 20; Schumacker, " +
+    "Brand, Gilliland and Sharp 1969",
+  needs: [{ of: "inter-cluster", instead: "color-cube:2",
+    why: "This scene is one cluster: no plane separates anything." }],
+  moments: [
+    ["On which side of a separating plane is the eye?", { of: "inter-cluster" },
+      "Is the eye in front of the dashed plane, or behind it?", SIDES],
+    ["The next plane of the tree divides what is on the eye’s side",
+      { of: "inter-cluster", nth: 2 },
+      "Is the eye in front of the dashed plane, or behind it?", SIDES],
+    ["The nearest cluster is found: its faces come first",
+      { of: "back-face-cull" }],
+    ["A face that looks away is left out",
+      { of: "back-face-cull", outcome: "back", pick: "largest" },
+      "Does this face look at the eye?", FACING],
+    ["A face that looks at the eye gets the next place in the list",
+      { of: "back-face-cull", outcome: "front", pick: "largest" },
+      "Does this face look at the eye?", FACING],
+    ["One more plane, and one more cluster", { of: "inter-cluster", nth: -1 },
+      "Is the eye in front of the dashed plane, or behind it?", SIDES],
+    ["The first face of the list that is inside wins",
+      { of: "priority-search", outcome: "there, with the highest priority", at: 0.5,
+        id: "wins" }],
+    ["At this sample the counters of a face say: not inside",
+      { of: "priority-search", outcome: "not there", with: ["wins", "place"] }],
+    ["Another face is inside, too, but lower in the list",
+      { of: "priority-search", outcome: "there", with: ["wins", "place"] }],
+    ["The winner is shown: no depth was compared",
+      { of: "samples shown", with: ["wins", "place"] }],
+    ["A scan line passes an edge by",
+      { of: "Y cull", outcome: "does not meet it", pick: "largest" }],
+    ["A scan line meets an edge", { of: "Y cull", outcome: "meets it",
+      pick: "largest" }],
+    ["A pair of counters is loaded for the face", { of: "counter-pair",
+      pick: "largest" }],
+  ],
+  find: ["Which work grows with the samples, and which does not?", (run) =>
+    `For each sample and listed face: ${times(countOf(run, "priority-search"))} looks ` +
+    `at counters, in ${times(run.width * run.height)} samples. For each frame only: ` +
+    `${times(countOf(run, "inter-cluster"))} planes and ${times(countOf(run,
+      "back-face-cull"))} faces.`],
+};
+
+const TEST = "P is solid, Q is dashed. Which test shows that P does not obscure Q?";
+
+export const newell = {
+  idea: "The painter’s list, made safe",
+  text: ["Sort the pieces by their farthest points, and paint from the back. Before P " +
+    "is painted, six tests ask of each Q that comes after it: may P obscure Q? The " +
+    "cheap tests come first. If no test says no, Q is moved before P and gets a " +
+    "marker.",
+  "Three bars, each over the next, have no order. The list notices it when a piece " +
+    "that has a marker is to be moved again. Then the piece is divided by the plane " +
+    "of the other, and the halves find their places."],
+  source: "The survey, chapter III, list priority, figures 21 to 23; Newell, Newell " +
+    "and Sancha 1972",
+  needs: [{ of: "list-move", instead: "cyclic-overlap",
+    why: "No order has to be changed in this scene: the Z sort is right already." },
+  { of: "list-division", instead: "cyclic-overlap",
+    why: "No faces of this scene overlap in a circle, so that nothing is divided." }],
+  moments: [
+    ["A piece can not be moved again: it is divided by the plane of the other",
+      { of: "list-division", pick: "largest", id: "cut" }],
+    ["Q has a marker already: a circle. Does its plane pass through P?",
+      { of: "circle search", before: "cut" }],
+    ["Again no test helps, and the other piece was moved before",
+      { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
+    ["Q is moved before P, with a marker, and is the new P",
+      { of: "list-move", before: "again", id: "moved" }],
+    ["No test helps: P may obscure Q",
+      { of: "list-test", like: /may obscure/, before: "moved" }, TEST],
+    ["A half finds its place in the list", { of: "list-insertion", after: "cut" }],
+    ["The Z sort puts pieces in order by their farthest points", { of: "list-sort" }],
+    ["Test 1: P begins where Q ends, in depth", { of: "list-test",
+      outcome: "test 1: apart in Z", pick: "largest" }, TEST],
+    ["Test 2: P and Q are apart in X",
+      { of: "list-test", outcome: "test 2: apart in X", pick: "apart" }, TEST],
+    ["Test 3: P and Q are apart in Y",
+      { of: "list-test", outcome: "test 3: apart in Y", pick: "apart" }, TEST],
+    ["Test 4: P is wholly beyond the plane of Q",
+      { of: "list-test", like: /^test 4/, pick: "largest" }, TEST],
+    ["Test 5: Q is wholly before the plane of P",
+      { of: "list-test", like: /^test 5/, pick: "largest" }, TEST],
+    ["Test 6: their images do not overlap",
+      { of: "list-test", like: /^test 6/, pick: "largest" }, TEST],
+    ["Another circle, another division", { of: "list-division", after: "cut" }],
+    ["P is in order: its rows are generated", { of: "list-segment",
+      pick: "largest" }],
+    ["On its row it overwrites what it covers", { of: "X merge", outcome: "covered",
+      pick: "largest" }],
+    ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],
+  ],
+  find: ["Which of the six tests decides most often?", (run) =>
+    mostOutcomes(run, "list-test")],
+};

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The looks of windows, rows and samples, and of buckets.
+
+const rectangle = (x, y, width, height) =>
+  [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
+
+// The window of a step, unless that is the whole picture and nothing is asked of it.
+export function windowLook(run, e) {
+  const w = e.window;
+  if (!w || /Y sort/.test(e.counter.name)) return [];
+  const isWhole = w.width >= run.width && w.height >= run.height;
+  if (isWhole && e.a.kind !== "window" && e.b.kind !== "window") return [];
+  const shapes = [];
+  if (w.height === 1 && w.width < run.width) // the row that it is on
+    shapes.push({ points: rectangle(0, w.y, run.width, 1), closed: true, width: 0,
+      fill: 0.13 });
+  const box = { points: rectangle(w.x, w.y, w.width, w.height), closed: true,
+    width: e.kind === "accept" ? 3 : 2, dashed: e.kind === "retire",
+    isSmall: w.width * w.height === 1 };
+  return [...shapes, box, ...signs(e, w)];
+}
+
+// A cross for four quarters, a stroke for what is rejected.
+function signs({ kind }, { x, y, width, height }) {
+  const stroke = (...points) => ({ points, width: 2 });
+  if (kind === "subdivide" && height > 1)
+    return [stroke([x + width / 2, y], [x + width / 2, y + height]),
+      stroke([x, y + height / 2], [x + width, y + height / 2])];
+  return kind === "reject" ? [stroke([x, y], [x + width, y + height])] : [];
+}
+
+// The bucket that a thing is put into: the scan line where it begins.
+export function bucketLook(run, e) {
+  if (e.kind !== "sort" || !/Y sort/.test(e.counter.name)) return [];
+  const { ids: [p, q] } = e.a;
+  const points = e.a.kind === "edge"
+    ? [run.header.vertices[p], run.header.vertices[q]].filter(Boolean)
+    : run.header.faces[p]?.[4] ?? [];
+  if (!points.length) return [];
+  const top = e.window?.y ?? Math.ceil(Math.min(...points.map(([, y]) => y)) - 0.5);
+  const row = Math.max(0, Math.min(run.height - 1, top));
+  return [{ points: rectangle(0, row, run.width, 1), closed: true, width: 1,
+    fill: 0.4 }];
+}

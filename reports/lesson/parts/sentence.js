@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The step in words: where it is, what it tells of the idea, what it does.
+import { kindLook } from "../data/kinds.js";
+import { eventWords } from "../data/words.js";
+import { momentsOf } from "../telling/moments.js";
+import { wrongSamples } from "../telling/wrong.js";
+import { whole } from "../../page/data/format.js";
+import { h } from "../../page/parts/dom.js";
+
+export function sentence(run) {
+  const { trace, header } = run;
+  const where = h("p", { class: "where" });
+  const caption = h("p", { class: "caption" });
+  const sign = h("span", { class: "sign", "aria-hidden": "true" });
+  const said = h("span");
+  const raised = h("small");
+  const element = h("div", { class: "words", "aria-live": "polite" }, where, caption,
+    h("p", {}, sign, said), h("p", {}, raised));
+
+  const placeWords = (k) => {
+    const moments = momentsOf(run);
+    const at = moments.findIndex((m) => m.k === k);
+    return [at >= 0 ? `Key moment ${at + 1} of ${moments.length}` : null,
+      k > trace.kept ? `The end, after all ${whole(trace.events)} steps`
+        : `Step ${whole(k)} of ${whole(trace.events)}`,
+      `${Math.floor(100 * run.painting.decided(k))} % ${run.kind.progress}`]
+      .filter(Boolean).join(" · ");
+  };
+
+  const show = (k, e) => {
+    where.textContent = placeWords(k);
+    caption.textContent = momentsOf(run).find((m) => m.k === k)?.say ?? "";
+    const look = e ? kindLook(e.kind) : null;
+    sign.textContent = look?.sign ?? "";
+    sign.style.color = look ? `var(--hue-${look.hue})` : "";
+    const wrong = k >= run.n ? wrongSamples(run).size : 0;
+    said.textContent = wrong ? `${whole(wrong)} samples are wrong, marked by crosses: ` +
+      "a farther face was painted over a nearer one." : e ? eventWords(run, e) : k === 0 ? "Before the first step."
+      : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
+    raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`
+      : k === 0 ? header.outline[0].trim() : "";
+  };
+  return { element, show };
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the field that outlines and sentences use: [word, what it means, how it
+// is found in a text].
+import { h } from "../../page/parts/dom.js";
+
+export const GLOSSARY = [
+  ["back face", "a face whose back is turned to the eye; a solid hides it",
+    /back[ -](face|edge)/i],
+  ["bead", "a stretch of a scan line that shows one face", /\bbeads?\b/],
+  ["body", "all faces that hang together", /\bbod(y|ies)\b/],
+  ["BSP tree", "a tree of planes; each divides what is before it from what is behind",
+    /\bBSP\b|\bthe tree\b/],
+  ["bubble sort", "neighbors that are out of order change places until none are",
+    /bubble sort/],
+  ["bucket", "a list of all things with the same place, such as the first scan line",
+    /\bbuckets?\b/],
+  ["cluster", "faces whose order is known from every eye", /\bclusters?\b/],
+  ["contour edge", "an edge between a front face and a back face",
+    /contour|boundary edge/],
+  ["critical surround", "the face that surrounds the window and is nearest there",
+    /critical surround/],
+  ["cull", "to leave out what can not be seen, before more is asked", /\bcull/],
+  ["depth", "how far a point is from the eye, along the line of sight", /\bdepth/],
+  ["fragment", "a part of an edge that is still to be compared", /\bfragments?\b/],
+  ["image", "what a thing looks like on the screen", /\bimages?\b/],
+  ["inherit", "to keep for a smaller window what is known of the larger one",
+    /inherit/],
+  ["intercept", "where an edge crosses the scan line", /\bintercepts?\b/],
+  ["intersecter", "a face that covers a part of the window", /intersecter/],
+  ["linear programme", "the search for a place that meets several conditions at once, " +
+    "each on one side of a plane", /linear programme/],
+  ["marker", "a sign that a piece was moved; to move it again would be a circle",
+    /\bmarker\b/],
+  ["mask", "64 bits, one for each cell of 8 × 8", /\bmasks?\b/],
+  ["W, A, Cv, Pc, Pv, Cc", "masks of cells. Cv: vacant so far. Cc: covered so far. Pc: " +
+    "covered by the polygon. Pv: outside of the polygon. W = Cv & Pc: to be written " +
+    "now. A = ~(W | Pv | Cc): all others, to be divided", /\bCv\b|bit in [AW]\b|W is/],
+  ["minimax test", "are the boxes around two images apart?", /minimax/],
+  ["L, R", "where the left and right edges of a face cross the scan line",
+    /\bL < 0|max L/],
+  ["nature", "the set of faces that hide the edge", /\bnature\b/],
+  ["octree", "a cube divided into eight cubes, and these again", /octree|octant/i],
+  ["penetrate", "two faces penetrate where they pass through each other", /penetrate/],
+  ["piece", "a face, or a part of a face that was divided", /\bpieces?\b/],
+  ["{Q}", "all pieces after P in the list, up to the first that is wholly before P",
+    /\{Q\}|each Q/],
+  ["priority", "what hides what: of two faces, the one with the higher priority is " +
+    "shown", /priority/],
+  ["pyramid", "a picture, and above it pictures of half the size, each entry for four " +
+    "below", /pyramid/],
+  ["raster element", "a sample of the picture", /raster element/],
+  ["relevant", "what is left after the culls", /\brelevant\b/],
+  ["scan line", "a row of samples", /scan line/],
+  ["segment", "the part of a scan line that a face covers", /\bsegments?\b/],
+  ["span", "a stretch of a scan line that is looked at as a whole", /\bspans?\b/],
+  ["surrounder", "a face that covers all of the window", /surround(er)?\b/],
+  ["visible bit", "a bit of each face: is the place between its two edges?",
+    /visible bit/],
+  ["vertex", "a corner of a face", /\bvert(ex|ices)\b/],
+  ["volume", "a convex solid: all that is inside of its planes", /\bvolumes?\b/],
+  ["window", "a rectangle of the picture", /\bwindows?\b/],
+  ["Z sort", "a sort by depth", /\bZ sort\b/],
+];
+
+const SHOWN = 3; // terms at most below an outline
+
+// The words of a text that want to be explained, as elements.
+export const glossed = (text) => GLOSSARY.filter(([, , pattern]) => pattern.test(text))
+  .slice(0, SHOWN).map(([word, meaning]) => h("span", {}, h("b", {}, word),
+    `: ${meaning}. `));
