@@ -150,7 +150,7 @@ hsr_line_class Finder::class_of(const Edges &edges) {
 constexpr double NEAR = 0x1p-20; // pixels
 
 bool Finder::is_near(const double p[3], const double q[3]) const {
-  const auto a = nodes_.image(p), b = nodes_.image(q);
+  const auto a = nodes_.image_of(p), b = nodes_.image_of(q);
   return std::hypot(a[0] - b[0], a[1] - b[1]) <= NEAR;
 }
 

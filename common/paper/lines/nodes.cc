@@ -53,7 +53,6 @@ Drawn_edges::Drawn_edges(const hsr_world *world, const hsr_drawing *drawing)
       e.a = of_vertex(world, e.name.a);
       e.b = of_vertex(world, e.name.b);
     }
-  n_vertices = place.size();
   find_implied(world);
 }
 
@@ -117,7 +116,8 @@ Planes::Planes(const Drawn_edges &edges_of, const Place &centre)
 // --- Nodes -------------------------------------------------------------------
 
 Nodes::Nodes(const Drawn_edges &edges, const Place &eye, const hsr_view *view)
-    : edges_(edges), eye_(eye), view_(view), of_(edges.place.size(), NONE) {
+    : edges_(edges), eye_(eye), view_(view), screen_(view),
+      of_(edges.place.size(), NONE) {
   for (size_t k = 0; k < edges.place.size(); k++)
     of_named(uint32_t(k));
 }
@@ -137,7 +137,7 @@ uint32_t Nodes::of_named(uint32_t p) {
     return of_[p];
   const Place &place = edges_.place[p];
   Safe_interval image[2];
-  if (!find_image(place.rough, view_, image))
+  if (!screen_.find(place.rough, image))
     return of_[p] = add({0, 0}); // behind the eye: no line ends there
   std::vector<Cells::Cell> reached;
   cells_.reach(0, image[0], image[1],
@@ -152,7 +152,7 @@ uint32_t Nodes::of_named(uint32_t p) {
   return of_[p] = add({middle(image[0]), middle(image[1])});
 }
 
-std::array<double, 2> Nodes::image(const double point[3]) const {
+std::array<double, 2> Nodes::image_of(const double point[3]) const {
   double p[3];
   hsr_view_project(view_, point, p);
   const double w = hsr_view_w(view_, p);
@@ -170,17 +170,11 @@ static bool is_between(const Place &lo, const Place &x, const Place &hi,
   return false;
 }
 
-// The named places whose images lie on the line of an edge, and near the images
-// of lo and hi.
-std::vector<uint32_t> Nodes::find_named(uint32_t e, const Rough_row &lo,
-                                        const Rough_row &hi) const {
+// The named places whose images lie on the line of an edge, and near a part of the
+// picture.
+std::vector<uint32_t> Nodes::find_named(uint32_t e,
+                                        const Safe_interval box[2]) const {
   std::vector<uint32_t> found;
-  Safe_interval from[2], to[2], box[2];
-  if (!find_image(lo, view_, from) || !find_image(hi, view_, to))
-    return found;
-  for (int c = 0; c < 2; c++)
-    box[c] = CGAL::Interval_nt<true>(std::min(from[c].inf(), to[c].inf()),
-                                     std::max(from[c].sup(), to[c].sup()));
   cells_.reach(0, box[0], box[1], [&](const Cells::Cell &cell) {
     if (const std::vector<uint32_t> *others = cells_.at(cell))
       for (uint32_t q : *others)
@@ -193,19 +187,26 @@ std::vector<uint32_t> Nodes::find_named(uint32_t e, const Rough_row &lo,
 uint32_t Nodes::of_change(uint32_t e, double t, const double point[3]) {
   const Place &a = edges_.a(e), &b = edges_.b(e);
   const double before = t - CHANGE_ERROR * t, after = t + CHANGE_ERROR * t;
-  const Rough_row way = Place::rough_between(a, b, before, after);
-  if (find_named(e, way, way).empty())
-    return add(image(point));
+  Safe_interval image[2];
+  if (!screen_.find(Place::rough_between(a, b, before, after), image) ||
+      find_named(e, image).empty())
+    return add(image_of(point));
   return of_change(e, Place::between(a, b, before), Place::between(a, b, after),
                    point);
 }
 
 uint32_t Nodes::of_change(uint32_t e, const Place &lo, const Place &hi,
                           const double point[3]) {
-  for (uint32_t q : find_named(e, lo.rough, hi.rough))
+  Safe_interval from[2], to[2], box[2];
+  if (!screen_.find(lo.rough, from) || !screen_.find(hi.rough, to))
+    return add(image_of(point));
+  for (int c = 0; c < 2; c++)
+    box[c] = CGAL::Interval_nt<true>(std::min(from[c].inf(), to[c].inf()),
+                                     std::max(from[c].sup(), to[c].sup()));
+  for (uint32_t q : find_named(e, box))
     if (is_between(lo, edges_.place[q], hi, eye_))
       return of_[q];
-  return add(image(point));
+  return add(image_of(point));
 }
 
 } // namespace hsr

@@ -26,7 +26,6 @@ struct Drawn_edges {
   Drawn_edges(const hsr_world *world, const hsr_drawing *drawing);
   std::vector<Edge> edge;
   std::vector<Place> place; // of vertices, then of ends of implied edges
-  size_t n_vertices;        // how many are of vertices
 
   const Place &a(uint32_t e) const { return place[edge[e].a]; }
   const Place &b(uint32_t e) const { return place[edge[e].b]; }
@@ -65,7 +64,7 @@ public:
   // The node of a named place.
   uint32_t of_named(uint32_t place);
   // The image of a point of the world, in pixels.
-  std::array<double, 2> image(const double point[3]) const;
+  std::array<double, 2> image_of(const double point[3]) const;
   // The node of a change of visibility on an edge, at t or a little before or
   // after it: that of a named place which has one image with the edge there, else
   // a new one.
@@ -76,11 +75,12 @@ public:
 
 private:
   uint32_t add(const std::array<double, 2> &image);
-  std::vector<uint32_t> find_named(uint32_t e, const Rough_row &lo,
-                                   const Rough_row &hi) const;
+  std::vector<uint32_t> find_named(uint32_t e,
+                                   const Safe_interval box[2]) const;
   const Drawn_edges &edges_;
   const Place &eye_;
   const hsr_view *view_;
+  const Screen screen_;
   std::vector<uint32_t> of_;
   Cells cells_{0x1p-20}; // of named places, by their images
 };

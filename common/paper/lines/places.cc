@@ -91,17 +91,25 @@ bool at_one_image(const Place &a, const Place &b, const Place &eye) {
 }
 
 // The screen matrix is rounded, to 2^-52 of each entry: view.h.
-bool find_image(const Rough_row &p, const hsr_view *view, Safe_interval at[2]) {
+Screen::Screen(const hsr_view *view) {
   const auto entry = [](double x) {
     return Safe_interval(1 - 0x1p-51, 1 + 0x1p-51) * Safe_interval(x);
   };
-  Safe_interval image[3];
   for (int r = 0; r < 3; r++) {
-    image[r] = entry(view->origin[r]) * p[3];
-    for (size_t k = 0; k < 3; k++)
-      image[r] +=
-          entry(view->screen[r][k]) * (p[k] - Safe_interval(view->E[k]) * p[3]);
+    origin_[r] = entry(view->origin[r]);
+    eye_[r] = view->E[r];
+    for (int k = 0; k < 3; k++)
+      row_[r][k] = entry(view->screen[r][k]);
   }
+}
+
+bool Screen::find(const Rough_row &p, Safe_interval at[2]) const {
+  Safe_interval from_eye[3], image[3];
+  for (size_t k = 0; k < 3; k++)
+    from_eye[k] = p[k] - eye_[k] * p[3];
+  for (int r = 0; r < 3; r++)
+    image[r] = origin_[r] * p[3] + row_[r][0] * from_eye[0] +
+               row_[r][1] * from_eye[1] + row_[r][2] * from_eye[2];
   if (!(image[2].inf() > 0))
     return false;
   at[0] = image[0] / image[2];

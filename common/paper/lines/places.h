@@ -52,10 +52,16 @@ int side_of(const Place &a, const Place &b, const Place &c, const Place &d);
 // Whether the images of a and b are one.
 bool at_one_image(const Place &a, const Place &b, const Place &eye);
 
-// The place of the image on the screen, as two intervals; false if they are not
-// bounded.
-bool find_image(const Rough_row &place, const hsr_view *view,
-                Safe_interval at[2]);
+// Finds images on the screen of a view.
+class Screen {
+public:
+  explicit Screen(const hsr_view *view);
+  // The image, as two intervals, in pixels; false if they are not bounded.
+  bool find(const Rough_row &place, Safe_interval at[2]) const;
+
+private:
+  Safe_interval row_[3][3], origin_[3], eye_[3];
+};
 
 } // namespace hsr
 
