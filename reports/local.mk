@@ -95,6 +95,7 @@ lesson_sources = \
   %D%/lesson/telling/figures.js \
   %D%/lesson/telling/glossary.js \
   %D%/lesson/telling/moments.js \
+  %D%/lesson/telling/pace.js \
   %D%/lesson/telling/questions.js \
   %D%/lesson/telling/wrong.js
 lab_sources = \

@@ -18,6 +18,7 @@ import { player, playerState } from "./parts/player.js";
 import { whenLooksChange } from "./parts/redraw.js";
 import { stepDrawing } from "./parts/save_step.js";
 import { momentsOf } from "./telling/moments.js";
+import { secondsOf } from "./telling/pace.js";
 import { questionsOf } from "./telling/questions.js";
 
 const MOST = 3; // algorithms side by side
@@ -165,7 +166,7 @@ addEventListener("hashchange", () => {
 globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESSONS,
   story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
   moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
-  contradicts, drawing: stepDrawing };
+  contradicts, drawing: stepDrawing, seconds: secondsOf };
 
 readAddress();
 keys(playing.act);
