@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-static json_t *counts_json(const struct hsr_algorithm *a,
+json_t *lesson_counts_json(const struct hsr_algorithm *a,
                            const uint64_t *count) {
   json_t *counts = json_array();
   for (int k = 0; k < trace_n_counters(a); k++)
@@ -23,8 +23,7 @@ static json_t *terms_json(const struct hsr_step *step) {
   return terms;
 }
 
-/* The steps of Table III, with what the survey predicts for this view. */
-static json_t *costs_json(const struct hsr_algorithm *a,
+json_t *lesson_costs_json(const struct hsr_algorithm *a,
                           const struct hsr_table1 *table) {
   json_t *costs = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
@@ -36,8 +35,7 @@ static json_t *costs_json(const struct hsr_algorithm *a,
   return costs;
 }
 
-/* The letters of the formulas: [symbol, meaning, measured]. */
-static json_t *letters_json(const struct hsr_table1 *table) {
+json_t *lesson_letters_json(const struct hsr_table1 *table) {
   json_t *letters = json_array();
 #define X(field, symbol, meaning)                                              \
   hsr_json_append(&letters,                                                    \
@@ -72,10 +70,10 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
       "{ss so sI sI so sO so so so ss? ss? so so so}", "schema", "hsr-lesson/2",
       "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
-      "counts", counts_json(a, tally->count), "parts", parts, "answer",
+      "counts", lesson_counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
-      costs_json(a, table), "letters", letters_json(table), "order",
-      a->sort_order, "coherence", a->coherence, "lists",
+      lesson_costs_json(a, table), "letters", lesson_letters_json(table),
+      "order", a->sort_order, "coherence", a->coherence, "lists",
       lesson_lists_json(recorder->run, &recorder->notes), "structure",
       lesson_structure_json(recorder->run), "points",
       points_json(recorder->run));

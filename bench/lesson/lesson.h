@@ -12,6 +12,7 @@
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
  * survey.c     the lessons through the survey
+ * survivors.c  what the ten have left after each cull and sort
  * frames.c     steps as pictures
  * command.c    the options
  *
@@ -149,6 +150,15 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table);
 
+/* Parts of it: how often each counter was raised; the steps of Table III, with
+ * what the survey predicts for this view; the letters of the formulas, as
+ * [symbol, meaning, measured]. New references, NULL for lack of memory. */
+json_t *lesson_counts_json(const struct hsr_algorithm *a,
+                           const uint64_t *count);
+json_t *lesson_costs_json(const struct hsr_algorithm *a,
+                          const struct hsr_table1 *table);
+json_t *lesson_letters_json(const struct hsr_table1 *table);
+
 /* --- One algorithm -------------------------------------------------------- */
 
 /* The most faces that a scene may have. */
@@ -193,6 +203,12 @@ struct lesson_page {
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err);
+
+/* What the survey's ten algorithms have left after each cull and sort, of one
+ * scene: {"scene": name, "letters": ..., "algorithms": [{"name", "title",
+ * "costs", "counts"}, ...]}, the last two as in the text of a run. *survivors is
+ * a new reference. Fails as hsr trace does. */
+enum hsr_status lesson_survivors(json_t **survivors, struct hsr_error *err);
 
 /* The most events of an algorithm, unless the user says otherwise. */
 enum { LESSON_STANDARD_EVENTS = 2000000 };
