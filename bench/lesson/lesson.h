@@ -183,11 +183,19 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject,
                             const struct lesson_limits *limits, char **text,
                             struct hsr_error *err);
 
-/* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
- * files in the folder, which exists. Fails as hsr trace does; HSR_E_INPUT if a
- * file cannot be written. */
+/* Which steps of a run are drawn, and how. */
+struct lesson_slides {
+  const char *folder;   /* which exists; borrowed */
+  long n;               /* steps */
+  const uint64_t *step; /* their numbers, from 1, ascending; borrowed. NULL: n
+                           steps evenly over the run, the last one too */
+  bool png;             /* as .png files, not .svg */
+};
+
+/* Draws steps of a run as files. Fails as hsr trace does; HSR_E_INPUT if a file
+ * cannot be written; HSR_E_USAGE if the run has not so many steps. */
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
-                              const char *folder, long n, bool png,
+                              const struct lesson_slides *slides,
                               struct hsr_error *err);
 
 /* --- The page ------------------------------------------------------------- */
