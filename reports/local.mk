@@ -53,6 +53,7 @@ lesson_sources = \
   %D%/lesson/figures/drawing.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/figures/survivors.js \
   %D%/lesson/figures/taxonomy.js \
   %D%/lesson/kinds/all.js \
   %D%/lesson/kinds/area.js \
@@ -90,11 +91,13 @@ lesson_sources = \
   %D%/lesson/parts/redraw.js \
   %D%/lesson/parts/save_step.js \
   %D%/lesson/parts/sentence.js \
+  %D%/lesson/parts/slides.js \
   %D%/lesson/parts/story_list.js \
   %D%/lesson/parts/timeline.js \
   %D%/lesson/telling/figures.js \
   %D%/lesson/telling/glossary.js \
   %D%/lesson/telling/moments.js \
+  %D%/lesson/telling/pace.js \
   %D%/lesson/telling/questions.js \
   %D%/lesson/telling/wrong.js
 lab_sources = \

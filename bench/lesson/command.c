@@ -14,7 +14,8 @@
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, SURVEY, FRAMES, FRAME_COUNT, PNG };
+enum { EVENTS = 0x200, SURVEY, FRAMES, FRAME_COUNT, STEPS, PNG };
+enum { MOST_STEPS = 1000 };
 
 struct options {
   struct option_base base;
@@ -25,9 +26,8 @@ struct options {
   const char *output;
   long events;
   bool survey;
-  const char *frames; /* the folder for pictures of steps, or NULL */
-  long n_frames;      /* of each algorithm */
-  bool png;
+  struct lesson_slides slides; /* .folder is NULL without them */
+  uint64_t step[MOST_STEPS];
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -58,7 +58,7 @@ static error_t add_algorithms(struct options *o, const char *names) {
 }
 
 static error_t check_output(struct options *o) {
-  return o->output || (o->frames && !o->survey)
+  return o->output || (o->slides.folder && !o->survey)
              ? 0
              : option_fail(&o->base, "lesson: which file? (-o FILE.html)");
 }
@@ -81,18 +81,43 @@ static error_t check_options(struct options *o) {
   return check_output(o);
 }
 
+/* "1,40,2074": ascending numbers. */
+static error_t parse_steps(struct options *o, const char *list) {
+  long n = 0;
+  for (const char *at = list; *at; n++) {
+    char *end;
+    unsigned long long step = strtoull(at, &end, 10);
+    bool good = end != at && ((*end == ',' && end[1]) || !*end) && *at >= '1' &&
+                *at <= '9' && n < MOST_STEPS && (!n || step > o->step[n - 1]);
+    if (!good)
+      return option_fail(&o->base,
+                         "--steps %s: must be ascending numbers from 1, with "
+                         "commas, at most %d",
+                         list, (int)MOST_STEPS);
+    o->step[n] = step;
+    at = end + (*end == ',');
+  }
+  if (!n)
+    return option_fail(&o->base, "--steps: which ones?");
+  o->slides.step = o->step;
+  o->slides.n = n;
+  return 0;
+}
+
 /* Steps as pictures. */
 static error_t parse_frame_option(struct options *o, int key, char *arg) {
   switch (key) {
   case FRAMES:
-    o->frames = arg;
+    o->slides.folder = arg;
     return 0;
   case FRAME_COUNT:
-    if (!parse_count(arg, 1, 9999, &o->n_frames))
+    if (!parse_count(arg, 1, 9999, &o->slides.n))
       return option_fail(&o->base, "--frame-count %s: must be 1 to 9999", arg);
     return 0;
+  case STEPS:
+    return parse_steps(o, arg);
   case PNG:
-    o->png = true;
+    o->slides.png = true;
     return 0;
   default:
     return parse_place_option(&o->scene, &o->view, key, arg, "lesson",
@@ -143,6 +168,10 @@ static const struct argp argp = {
          0},
         {"frame-count", FRAME_COUNT, "N", 0,
          "N steps of each algorithm, evenly over its run (standard: 24)", 0},
+        {"steps", STEPS, "K,K,...", 0,
+         "instead: these steps of each algorithm, counted from 1; the page has "
+         "a list of its key moments",
+         0},
         {"png", PNG, NULL, 0, "these pictures as .png, not .svg", 0},
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
@@ -156,6 +185,7 @@ static const struct argp argp = {
     "  hsr lesson house -a watkins -o watkins.html\n"
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
     "  hsr lesson house -a watkins --frames slides --png\n"
+    "  hsr lesson house -a roberts --frames slides --steps 36,25550,26399\n"
     "  hsr lesson --survey -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,
@@ -187,10 +217,10 @@ static enum hsr_status make_folder(const char *folder, struct hsr_error *err) {
 
 static enum hsr_status make_frames(const struct options *o,
                                    struct hsr_error *err) {
-  enum hsr_status status = make_folder(o->frames, err);
+  enum hsr_status status = make_folder(o->slides.folder, err);
   for (int k = 0; k < o->n && !status; k++) {
     struct lesson_subject subject = {&o->scene, &o->view, &o->variant[k]};
-    status = lesson_frames(&subject, o->frames, o->n_frames, o->png, err);
+    status = lesson_frames(&subject, &o->slides, err);
   }
   return status;
 }
@@ -200,7 +230,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
   if (!o)
     return hsr_fail_nomem(err);
   o->view = (struct view_options)VIEW_OPTIONS_STANDARD;
-  o->n_frames = 24;
+  o->slides.n = 24;
   o->events = LESSON_STANDARD_EVENTS;
   parse_size(STANDARD_SIZE, &o->view.m, &o->view.n);
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
@@ -212,7 +242,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
     status = lesson_survey(o->output, o->events, err);
   else if (!status)
     status = aim_scene(&o->scene, &o->view, err);
-  if (!status && !o->survey && o->frames)
+  if (!status && !o->survey && o->slides.folder)
     status = make_frames(o, err);
   if (!status && !o->survey && o->output)
     status = make_page(o, err);

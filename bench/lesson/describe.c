@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-static json_t *counts_json(const struct hsr_algorithm *a,
+json_t *lesson_counts_json(const struct hsr_algorithm *a,
                            const uint64_t *count) {
   json_t *counts = json_array();
   for (int k = 0; k < trace_n_counters(a); k++)
@@ -70,7 +70,7 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
       "{ss so sI sI so sO so so so ss? ss? so so so}", "schema", "hsr-lesson/2",
       "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
-      "counts", counts_json(a, tally->count), "parts", parts, "answer",
+      "counts", lesson_counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
       lesson_costs_json(a, table), "letters", lesson_letters_json(table),
       "order", a->sort_order, "coherence", a->coherence, "lists",

@@ -28,10 +28,13 @@ struct frames {
   struct trace_run *run;
   const char *folder;
   bool png;
-  long n, done;   /* frames, and how many are drawn */
-  uint64_t steps; /* of the whole run */
+  long n, done;         /* frames, and how many are drawn */
+  const uint64_t *step; /* the steps that they show, from 1; NULL: evenly */
+  uint64_t steps;       /* of the whole run */
+  uint64_t total[HSR_MAX_COUNTERS]; /* in the whole run */
   uint64_t count[HSR_MAX_COUNTERS];
   json_t *header;    /* as of hsr trace: where the faces are */
+  json_t *volumes;   /* as of lesson_add_volumes; NULL: there are none */
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
   uint32_t *touches; /* of the samples: how often a step looked at them */
   struct hsr_arena arena;
@@ -194,6 +197,33 @@ static void mark(struct frames *f, const struct hsr_subject *subject,
   mark_vertices(f, subject, colour, dashed);
 }
 
+/* Whether a step of an algorithm with volumes is about a whole body. */
+static bool is_of_body(const struct hsr_counter *c, int outcome) {
+  return hsr_has_key(c, "body-rejected") || hsr_has_key(c, "body-apart") ||
+         (hsr_has_key(c, "minimax") && outcome < 2);
+}
+
+/* The faces of a volume, or of a body. */
+static void mark_volume(struct frames *f, const struct hsr_event *event,
+                        unsigned colour) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
+  const struct hsr_subject *s =
+      event->a.kind == HSR_OF_VOLUME ? &event->a : &event->b;
+  if (!f->volumes || s->kind != HSR_OF_VOLUME)
+    return;
+  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
+  size_t k;
+  const json_t *face;
+  json_array_foreach(
+      json_array_get(json_object_get(f->volumes, list), s->id[0]), k, face) {
+    add_face(f, (uint32_t)json_integer_value(face));
+    set_colour(f->cairo, colour, .1);
+    cairo_fill_preserve(f->cairo);
+    stroke(f, colour, 1.4, true);
+  }
+}
+
 static bool is_part_of_picture(const struct frames *f,
                                const struct hsr_window *w) {
   return w->x0 < w->x1 && w->y0 < w->y1 &&
@@ -205,6 +235,7 @@ static void mark_event(struct frames *f, const struct hsr_event *event,
                        enum hsr_step_kind kind) {
   unsigned colour = kind_colour[kind];
   const struct hsr_window *w = &event->window;
+  mark_volume(f, event, colour);
   mark(f, &event->b, colour, true);
   mark(f, &event->a, colour, false);
   if (!is_part_of_picture(f, w))
@@ -286,12 +317,31 @@ static void say_outcome(const struct hsr_counter *counter, int outcome,
   snprintf(text, size, "%.*s", at ? (int)strcspn(at, "|") : 0, at ? at : "");
 }
 
+/* Whether the run comes to line `at` of the outline, or to one within it. */
+static bool is_used(const struct frames *f, const struct hsr_line *at) {
+  size_t depth = strspn(at->text, " ");
+  const struct hsr_line *l = at;
+  do {
+    for (int r = 0; r < l->n_raises; r++)
+      for (int k = 0; k < trace_n_counters(f->run->setup.algorithm); k++)
+        if (f->total[k] && hsr_line_of(f->run->setup.algorithm, k) ==
+                               (int)(l - f->run->setup.algorithm->outline) + 1)
+          return true;
+    l++;
+  } while (l->text && strspn(l->text, " ") > depth);
+  return l == at + 1 && !at->n_raises && strncmp(at->text, "with ", 5) != 0;
+}
+
+/* The lines that the run comes to. */
 static double put_outline(struct frames *f, int current) {
   double y = 70;
   int number = 0;
   for (const struct hsr_line *l = f->run->setup.algorithm->outline; l->text;
-       l++, y += LINE) {
-    if (++number == current) {
+       l++) {
+    number++;
+    if (!is_used(f, l))
+      continue;
+    if (number == current) {
       cairo_rectangle(f->cairo, LEFT - 6, y - 11, WIDTH - LEFT, LINE);
       set_colour(f->cairo, 0xd0dcef, 1);
       cairo_fill(f->cairo);
@@ -299,6 +349,7 @@ static double put_outline(struct frames *f, int current) {
     set_colour(f->cairo, 0x1d1f22, 1);
     int indent = (int)strspn(l->text, " ");
     put(f, LEFT + 6 * indent, y, 11, number == current, l->text + indent);
+    y += LINE;
   }
   return y + 8;
 }
@@ -383,14 +434,17 @@ static cairo_status_t draw_slide(struct frames *f,
   return said;
 }
 
-/* DIR/watkins-0001.svg; letters that are not for names of files become -. */
+/* DIR/watkins-0001.svg, numbered through, or by its step if the steps are chosen;
+ * letters that are not for names of files become -. */
 static void name_frame(const struct frames *f, char path[4400]) {
+  unsigned long long number =
+      f->step ? f->step[f->done] : (unsigned long long)f->done + 1;
   char name[64];
   snprintf(name, sizeof name, "%.60s", f->run->variant->name);
   for (char *c = name; *c; c++)
     if (!strchr("abcdefghijklmnopqrstuvwxyz0123456789-.", *c))
       *c = '-';
-  snprintf(path, 4400, "%.4096s/%s-%04ld.%s", f->folder, name, f->done + 1,
+  snprintf(path, 4400, "%.4096s/%s-%04llu.%s", f->folder, name, number,
            f->png ? "png" : "svg");
 }
 
@@ -411,9 +465,11 @@ static void write_frame(struct frames *f, const struct hsr_event *event) {
 
 /* --- The run -------------------------------------------------------------- */
 
-static void count_step(void *steps, const struct hsr_event *event) {
-  (void)event;
-  ++*(uint64_t *)steps;
+static void count_step(void *context, const struct hsr_event *event) {
+  struct frames *f = context;
+  f->steps++;
+  if (event->counter < HSR_MAX_COUNTERS)
+    f->total[event->counter]++;
 }
 
 static void fill(void *on, const struct hsr_window *w, uint32_t rgb) {
@@ -480,6 +536,8 @@ static void sketch(struct frames *f, const struct hsr_event *event,
 
 /* The step that frame number `frame` shows, from 1. */
 static uint64_t step_of(const struct frames *f, long frame) {
+  if (f->step)
+    return f->step[frame];
   return (uint64_t)ceil((double)f->steps * (double)(frame + 1) / (double)f->n);
 }
 
@@ -501,13 +559,16 @@ static void listen(void *context, const struct hsr_event *event) {
 
 static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   struct trace_run *run = f->run;
-  struct hsr_trace counts = {.listen = count_step, .context = &f->steps};
+  struct hsr_trace counts = {.listen = count_step, .context = f};
   struct hsr_trace draws = {.listen = listen, .context = f};
   struct hsr_tally tally = {.trace = &counts};
   static const struct trace_filter all = {.every = 1, .keyframe = 1};
   struct trace_header header = {.run = run, .filter = &all};
   enum hsr_status status =
       trace_answer_draw(&run->answer, &run->setup, &tally, err);
+  if (!status && f->step && f->step[f->n - 1] > f->steps)
+    status = hsr_fail(err, HSR_E_USAGE, "lesson: --steps: %s has %llu steps",
+                      run->variant->name, (unsigned long long)f->steps);
   if (status)
     return status;
   f->header = trace_header_json(&header);
@@ -515,6 +576,11 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->colour);
   f->touches =
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->touches);
+  if (lesson_has_volumes(&run->setup)) {
+    f->volumes = json_object();
+    if (!f->volumes || !lesson_add_volumes(f->volumes, run))
+      return hsr_fail_nomem(err);
+  }
   if (!f->header || !f->colour || !f->touches)
     return hsr_fail_nomem(err);
   trace_answer_free(&run->answer);
@@ -526,19 +592,24 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
 }
 
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
-                              const char *folder, long n, bool png,
+                              const struct lesson_slides *slides,
                               struct hsr_error *err) {
   struct trace_run run = {.command = "lesson",
                           .scene_options = subject->scene,
                           .view_options = subject->view,
                           .variant = subject->variant,
                           .most_faces = LESSON_MOST_FACES};
-  struct frames f = {
-      .run = &run, .folder = folder, .n = n, .png = png, .err = err};
+  struct frames f = {.run = &run,
+                     .folder = slides->folder,
+                     .n = slides->n,
+                     .step = slides->step,
+                     .png = slides->png,
+                     .err = err};
   enum hsr_status status = trace_run_open(&run, err);
   if (!status)
     status = draw_run(&f, err);
   json_decref(f.header);
+  json_decref(f.volumes);
   free(f.colour);
   free(f.touches);
   hsr_arena_free(&f.arena);

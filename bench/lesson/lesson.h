@@ -12,6 +12,7 @@
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
  * survey.c     the lessons through the survey
+ * survivors.c  what the ten have left after each cull and sort
  * frames.c     steps as pictures
  * command.c    the options
  *
@@ -149,15 +150,17 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table);
 
-/* The steps of Table III: a list of {label, terms: [[counter, factor], ...],
- * formula, predicted}; and the letters of the formulas, a list of [symbol,
- * meaning, measured]. What is not predicted or measured is null. New
- * references, NULL for lack of memory. */
+/* Parts of it: how often each counter was raised; the steps of Table III,
+ * a list of {label, terms: [[counter, factor], ...], formula, predicted}; the
+ * letters of the formulas, a list of [symbol, meaning, measured]. What is not
+ * predicted or measured is null. New references, NULL for lack of memory. */
+json_t *lesson_counts_json(const struct hsr_algorithm *algorithm,
+                           const uint64_t *count);
 json_t *lesson_costs_json(const struct hsr_algorithm *algorithm,
                           const struct hsr_table1 *table);
 json_t *lesson_letters_json(const struct hsr_table1 *table);
 
-/* Whether the survey predicts any of them. */
+/* Whether the survey predicts any of these steps. */
 bool lesson_predicts(const struct hsr_algorithm *algorithm);
 
 /* --- One algorithm -------------------------------------------------------- */
@@ -196,11 +199,19 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject,
                             const struct lesson_limits *limits, char **text,
                             struct hsr_error *err);
 
-/* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
- * files in the folder, which exists. Fails as hsr trace does; HSR_E_INPUT if a
- * file cannot be written. */
+/* Which steps of a run are drawn, and how. */
+struct lesson_slides {
+  const char *folder;   /* which exists; borrowed */
+  long n;               /* steps */
+  const uint64_t *step; /* their numbers, from 1, ascending; borrowed. NULL: n
+                           steps evenly over the run, the last one too */
+  bool png;             /* as .png files, not .svg */
+};
+
+/* Draws steps of a run as files. Fails as hsr trace does; HSR_E_INPUT if a file
+ * cannot be written; HSR_E_USAGE if the run has not so many steps. */
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
-                              const char *folder, long n, bool png,
+                              const struct lesson_slides *slides,
                               struct hsr_error *err);
 
 /* --- The page ------------------------------------------------------------- */
@@ -216,6 +227,12 @@ struct lesson_page {
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err);
+
+/* What the survey's ten algorithms have left after each cull and sort, of one
+ * scene: {"scene": name, "letters": ..., "algorithms": [{"name", "title",
+ * "costs", "counts"}, ...]}, the last two as in the text of a run. *survivors is
+ * a new reference. Fails as hsr trace does. */
+enum hsr_status lesson_survivors(json_t **survivors, struct hsr_error *err);
 
 /* The most events of an algorithm, unless the user says otherwise. */
 enum { LESSON_STANDARD_EVENTS = 2000000 };

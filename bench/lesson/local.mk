@@ -13,4 +13,5 @@ libbench_a_SOURCES += \
   %D%/structure.c \
   %D%/survey.c \
   %D%/survey.def \
+  %D%/survivors.c \
   %D%/volumes.c

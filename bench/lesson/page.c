@@ -73,20 +73,29 @@ static json_t *survey_json(const struct lesson_page *page) {
   return survey;
 }
 
-static enum hsr_status write_survey(const struct lesson_page *page, FILE *out,
-                                    struct hsr_error *err) {
-  json_t *survey = survey_json(page);
-  char *text =
-      survey ? json_dumps(survey, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
-  json_decref(survey);
+/* Writes a value as a script of that id, and takes the reference. */
+static enum hsr_status write_json(const char *id, json_t *value, FILE *out,
+                                  struct hsr_error *err) {
+  enum { FLAGS = JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(6) };
+  char *text = value ? json_dumps(value, FLAGS) : NULL;
+  json_decref(value);
   if (!text)
     return hsr_fail_nomem(err);
-  fputs("<script type=\"application/json\" id=\"survey\">", out);
+  fprintf(out, "<script type=\"application/json\" id=\"%s\">", id);
   for (const char *c = text; *c; c++)
     *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
   fputs("</script>\n", out);
   free(text);
   return HSR_OK;
+}
+
+static enum hsr_status write_survey(const struct lesson_page *page, FILE *out,
+                                    struct hsr_error *err) {
+  json_t *survivors = NULL;
+  enum hsr_status status = lesson_survivors(&survivors, err);
+  if (!status)
+    status = write_json("survivors", survivors, out, err);
+  return status ? status : write_json("survey", survey_json(page), out, err);
 }
 
 static enum hsr_status write_all(const struct lesson_page *page,

@@ -17,7 +17,9 @@ import { ideaOf, lessonText, wayThrough } from "./parts/lesson.js";
 import { player, playerState } from "./parts/player.js";
 import { whenLooksChange } from "./parts/redraw.js";
 import { stepDrawing } from "./parts/save_step.js";
+import { slides } from "./parts/slides.js";
 import { momentsOf } from "./telling/moments.js";
+import { secondsOf } from "./telling/pace.js";
 import { questionsOf } from "./telling/questions.js";
 
 const MOST = 3; // algorithms side by side
@@ -25,8 +27,9 @@ const main = document.querySelector("main");
 const scripts = [...document.querySelectorAll("script.run")];
 const texts = new Map(scripts.map((e) => [e.dataset.name, e.textContent]));
 const scenes = new Map(scripts.map((e) => [e.dataset.name, e.dataset.scene]));
-const survey = JSON.parse(document.querySelector("#survey")?.textContent ??
-  "null"); // of the lessons; null: the page is of one scene
+const parsed = (id) =>
+  JSON.parse(document.querySelector(`#${id}`)?.textContent ?? "null");
+const survey = parsed("survey"); // of the lessons; null: the page is of one scene
 const names = [...texts.keys()];
 const runs = new Map();
 
@@ -111,7 +114,7 @@ function chooser() {
 
 function showIndex() {
   playing.end();
-  main.replaceChildren(...courseIndex(survey));
+  main.replaceChildren(...courseIndex(survey, parsed("survivors")));
   document.title = "Hidden surfaces, step by step · hsr";
 }
 
@@ -131,11 +134,18 @@ async function begin() {
       wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
       h("p", { class: "kicker" }, sceneWords(first))), chooser()),
     h("div", { class: "at-work" }, bar, note, question, panels),
-    lessonText(first, goTo), legend,
+    lessonText(first, goTo, () => showSlides(first)), legend,
     figures(first, (name) =>
       scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "");
   document.title = `${sceneName(first)}: ${state.a.join(", ")} · hsr`;
   playing.open();
+}
+
+function showSlides(run) {
+  playing.end();
+  main.replaceChildren(h("h1", { tabindex: -1 }, ideaOf(run)),
+    slides(run, () => begin().catch(fail)));
+  scrollTo(0, 0);
 }
 
 // The scene's own name, without the folders of its file.
@@ -165,7 +175,7 @@ addEventListener("hashchange", () => {
 globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESSONS,
   story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
   moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
-  contradicts, drawing: stepDrawing };
+  contradicts, drawing: stepDrawing, seconds: secondsOf };
 
 readAddress();
 keys(playing.act);

@@ -9,6 +9,7 @@ import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { kindNamed } from "../../reports/lesson/kinds/all.js";
 import { addressOf, begin, blemishes } from "../browser.mjs";
+import { fits, telling } from "./telling.mjs";
 
 const [modules, executablePath, stories, ...files] = process.argv.slice(2);
 const { test, open: openWindow, serious, end } =
@@ -311,7 +312,7 @@ async function asAReader(file, names) {
   const words = () => page.textContent(".panel .words");
 
   await test("keys step, forward and back", async () => {
-    await go("");
+    await go("#/?level=step");
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press(".");
     assert.equal(await step(page), 2);
@@ -335,6 +336,7 @@ async function asAReader(file, names) {
     await go("");
     await page.keyboard.press("Shift+ArrowRight");
     assert.ok(await step(page) > 0);
+    await page.click(".more summary");
     await page.selectOption("select[name=to]", "kind:accept");
     await page.focus("h1");
     await page.keyboard.press("n");
@@ -408,25 +410,6 @@ async function asAReader(file, names) {
     assert.equal(await page.evaluate(() => globalThis.lesson.state.lead), 1);
   });
 
-  await test("the sentence and the pictures are seen at once", async () => {
-    for (const a of [three[0], three.slice(0, 2).join(","), three.join(",")])
-      for (const k of [1, 40, 500]) {
-        await go(`#/?a=${a}&k=${k}`);
-        const { bottoms, tops, heights, first } = await page.evaluate(() => {
-          const boxes = (what) => [...document.querySelectorAll(what)]
-            .map((e) => e.getBoundingClientRect());
-          const pictures = boxes(".picture"), words = boxes(".words");
-          return { bottoms: [...pictures, ...words].map((b) => b.bottom),
-            tops: pictures.map((b) => b.top), first: scrollY,
-            heights: pictures.map((b) => b.height) };
-        });
-        assert.equal(first, 0);
-        for (const y of bottoms) assert.ok(y <= 900, `${a}, ${k}: down to ${y}`);
-        for (const y of tops) assert.equal(y, tops[0], `${a}, ${k}: not level`);
-        for (const y of heights) assert.equal(y, heights[0]);
-      }
-  });
-
   await test("at the end nothing lies over the picture", async () => {
     await go(`#/?a=${three[0]}&outlines=0&k=1000000000`);
     const other = await page.evaluate(async () => {
@@ -451,24 +434,59 @@ async function asAReader(file, names) {
     assert.equal(other, 0);
   });
 
-  await test("a question waits for its answer", async () => {
-    await go("#/?quiz=1");
-    assert.ok(await page.isHidden(".quiz"));
-    for (let t = 0; t < 4000 && await page.isHidden(".quiz"); t++)
-      await page.keyboard.press(".");
-    const k = await step(page);
-    await page.keyboard.press(".");
-    assert.equal(await step(page), k);
-    const level = () => page.evaluate(() =>
-      document.querySelector(".picture").getBoundingClientRect().top);
-    const top = await level();
-    assert.doesNotMatch(await page.textContent(".quiz b"), /,\s*(nearer|which)/);
-    await page.click(".quiz .buttons button");
-    assert.match(await page.textContent(".quiz [role=status]"), /of 1 right/);
-    await page.click("text=Go on");
-    assert.equal(await step(page), k + 1);
-    assert.ok(await page.isHidden(".quiz"));
-    assert.equal(await level(), top, "the pictures stay");
+  await test("key moments, then rows, then steps", async () => {
+    await go(`#/?a=${three[0]}`);
+    const first = () => page.evaluate(async () => {
+      const { moments, run, state } = globalThis.lesson;
+      return moments(await run(state.a[0])).map((m) => m.k);
+    });
+    const ks = await first();
+    for (const k of ks.slice(0, 3)) {
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await step(page), k);
+      assert.match(await words(), /Key moment/);
+    }
+    await page.keyboard.press("l");
+    await page.keyboard.press("l");
+    assert.equal(await page.inputValue("select[name=level]"), "step");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await step(page), ks[2] + 1);
+  });
+
+  await test("questions: answered by the next step, and a result at the end", async () => {
+    await go(`#/?a=${three[0]}&quiz=1`);
+    const asked = await page.evaluate(async () => {
+      const { questions, run, state } = globalThis.lesson;
+      return questions(await run(state.a[0])).map(({ k, right }) => [k, right]);
+    });
+    assert.ok(asked.length >= 2 && asked.length <= 8);
+    for (const [n, [k, right]] of asked.entries()) {
+      for (let t = 0; t < 40 && await page.isHidden(".quiz .buttons"); t++)
+        await page.keyboard.press("ArrowRight");
+      assert.equal(await step(page), k - 1);
+      await page.evaluate(() => document.activeElement.matches(".quiz button"))
+        .then((is) => assert.ok(!is, "the first answer has the focus"));
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await step(page), k - 1, "it waits");
+      const over = await page.evaluate(() => {
+        const [p, q] = [".picture", ".quiz"].map((x) =>
+          document.querySelector(x).getBoundingClientRect());
+        return p.right > q.left && q.right > p.left && p.bottom > q.top &&
+          q.bottom > p.top;
+      });
+      assert.ok(!over, "the question lies over the picture");
+      const answer = n === 1
+        ? page.locator(`.quiz .buttons button:not([data-answer="${right}"])`).first()
+        : page.locator(`.quiz .buttons button[data-answer="${right}"]`);
+      await answer.click();
+      assert.match(await page.textContent(".quiz [role=status]"),
+        n === 1 ? /^No: / : /^Yes\. \S+/);
+      await page.click("text=Go on");
+      assert.equal(await step(page), k);
+    }
+    await page.keyboard.press("End");
+    assert.match(await page.textContent(".quiz"), new RegExp(
+      `${asked.length - 1} of ${asked.length} questions answered right`));
   });
 
   await test("a step says who does what to whom", async () => {
@@ -489,25 +507,6 @@ async function asAReader(file, names) {
       /^The plane of piece \d+ of .* passes through piece \d+|does not pass through/,
       /^Piece .* moved to the far end of the list, before piece .*with a marker$/]
       .forEach((wanted, k) => assert.match(said[k], wanted));
-  });
-
-  await test("every comparison of two faces is asked", async () => {
-    await go(`#/?a=${three}`);
-    const asked = await page.evaluate(async () => {
-      const { run, asks, state } = globalThis.lesson;
-      const runs = await Promise.all(state.a.map(run));
-      return runs.map((own) => [own.name, own.header.counters.filter((_, c) =>
-        own.trace.counter.some((x, k) => x === c && asks(own, k)))
-        .map((c) => c.name), own.header.counters.filter((_, c) =>
-        own.trace.counts[c]).map((c) => c.name)]);
-    });
-    const wanted = { newell: ["Newell special", "minimax tests", "plane tests",
-      "overlap tests", "circle search"], bouknight: ["depth search"] };
-    for (const [name, counters, raised] of asked) {
-      assert.ok(counters.length, name);
-      if (wanted[name])
-        assert.deepEqual(counters, wanted[name].filter((c) => raised.includes(c)));
-    }
   });
 
   await test("without JavaScript it says so", async () => {
@@ -564,11 +563,11 @@ async function lessons(file) {
     assert.deepEqual(await serious(page), []);
     const named = await page.$$eval(".figure-29 tbody a", (all) =>
       all.map((a) => a.getAttribute("href")));
-    assert.equal(named.length, 12);
+    assert.equal(named.length, 16);
     await page.click(".begin");
     for (let k = 0; k < named.length; k++) {
       await page.waitForFunction((place) => document.querySelector(".way")
-        ?.textContent.includes(place), `· ${k + 1} of 12`);
+        ?.textContent.includes(place), `· ${k + 1} of 16`);
       if (k + 1 < named.length) await page.click(".way a:text-is('next')");
     }
     await page.click(".way a:text-is('All lessons')");
@@ -591,21 +590,26 @@ async function lessons(file) {
       }
     });
   for (const name of names)
-    await test(`${name}: what it says to see is there`, async () => {
+    await test(`${name}: its key moments and its answer`, async () => {
       await go(`#/?a=${name}`);
       assert.deepEqual(await page.evaluate(blemishes), []);
       assert.deepEqual(await serious(page), []);
-      const wanted = await page.evaluate((a) =>
-        globalThis.lesson.lessons[a].see.length, name);
       const marks = page.locator(".marks button");
-      assert.equal(await marks.count(), wanted);
-      for (let k = 0; k < wanted; k++) {
+      const many = await marks.count();
+      assert.ok(many >= 6 && many <= 24, `${many} moments`);
+      for (let k = 0; k < many; k++) {
         await marks.nth(k).click();
         assert.equal(await step(page),
           Number(await marks.nth(k).getAttribute("data-step")));
+        assert.equal(await page.textContent(".words .caption"),
+          await marks.nth(k).textContent());
       }
+      assert.ok(await page.isHidden(".find p"));
+      await page.click(".find summary");
+      assert.match(await page.innerText(".find p"), /\d/);
       assert.deepEqual(faults, []);
     });
+  await fits({ test, open, file, names });
   await close();
 }
 
@@ -617,9 +621,11 @@ await test("kinds of answers have names; others are refused in words", () => {
 for (const file of files) {
   if (file.endsWith("lessons.html")) {
     await lessons(file);
+    await telling({ test, open, file });
     continue;
   }
   const names = await everyAlgorithm(file);
+  await telling({ test, open, file });
   if (file === files[0]) await asAReader(file, names);
 }
 await end();

@@ -52,6 +52,7 @@ export function taxonomyTree(known) {
   node(TREE[0], TREE[1], 0);
   const drawing = board(WIDTH, 20 + ROW * row, "The ten algorithms in the tree of " +
     "figure 13", ...shapes);
+  drawing.setAttribute("role", "group"); // it has links
   drawing.setAttribute("width", WIDTH);
   drawing.setAttribute("height", 20 + ROW * row);
   const caption = "Figure 13 of the survey: the ten algorithms";

@@ -3,12 +3,14 @@
 import { href } from "../../page/data/address.js";
 import { h, link } from "../../page/parts/dom.js";
 import { LESSONS } from "../lessons/all.js";
+import { survivorsFigure } from "../figures/survivors.js";
 import { taxonomyTree } from "../figures/taxonomy.js";
 import { glossary } from "./lesson.js";
 
 const to = (name) => href("", "", { a: name });
 
-export function courseIndex(survey) {
+// survivors: null if the page has none.
+export function courseIndex(survey, survivors) {
   const known = Object.keys(LESSONS).map((name) => survey.find((a) => a.name === name))
     .filter(Boolean);
   return [
@@ -22,8 +24,9 @@ export function courseIndex(survey) {
       "Begin with the first")),
     taxonomyTree(known),
     courseTable(known),
+    survivors && survivorsFigure(survivors),
     glossary(),
-  ];
+  ].filter(Boolean);
 }
 
 // What each sorts, when and by which method, as the survey's figure 29 has it.

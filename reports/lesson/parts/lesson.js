@@ -29,8 +29,8 @@ export function ideaOf(run) {
     lesson.idea.slice(1)}` : `${run.name}: ${run.title}`;
 }
 
-// The text of a lesson, folded; go(k) shows a step.
-export function lessonText(run, go) {
+// The text of a lesson, folded. go(k) shows a step, slides() all key moments.
+export function lessonText(run, go, slides) {
   const lesson = lessonOf(run);
   return h("details", { class: "lesson", open: true },
     h("summary", {}, "The idea, the key moments, something to find out"),
@@ -40,6 +40,8 @@ export function lessonText(run, go) {
         h("p", {}, h("small", {}, lesson?.source ?? run.header.algorithm.source, ".")),
         lackWords(run), figureLink(run)),
       h("div", {}, h("h3", {}, "Key moments"), momentList(run, go),
+        h("p", {}, h("button", { type: "button", class: "plain", onclick: slides },
+          "All of these as slides")),
         lesson ? findOut(run, lesson) : null, glossary())));
 }
 

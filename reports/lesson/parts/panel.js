@@ -51,7 +51,8 @@ export function panel(run, act) {
     h("div", { class: "right" }, said.element,
       h("div", { class: "told" }, h("div", { class: "does" },
         h("h3", {}, "What it does"), outline.element),
-      h("div", { class: "around" }, story.element, around.element))),
+      h("div", { class: "around", tabindex: 0, role: "region",
+        "aria-label": "What stands beside the scene" }, story.element, around.element))),
     h("details", { class: "counted" }, h("summary", {}, "What it has counted"),
       h("div", { class: "counted-body" }, counters.element, costs.element)));
   element.addEventListener("focusin", () => act.lead());

@@ -5,14 +5,12 @@ import { h } from "../../page/parts/dom.js";
 import { kindLook, KINDS } from "../data/kinds.js";
 import { controls, LEVELS } from "./controls.js";
 import { momentsOf } from "../telling/moments.js";
+import { rateOf, STANDARD } from "../telling/pace.js";
 import { questionsOf } from "../telling/questions.js";
 import { panel } from "./panel.js";
 import { quiz } from "./quiz.js";
 import { saveStep } from "./save_step.js";
 
-const STANDARD = 30; // the speed, from 0 to 100, at which nothing plays for longer
-const LONGEST = 110; // than so many seconds
-const USUAL = { moment: 0.25, unit: 4, step: 16, whole: 0.25 }; // moves a second
 const isCalm = matchMedia("(prefers-reduced-motion: reduce)");
 
 // What a player begins with; the address keeps some of it.
@@ -113,14 +111,7 @@ export function player(state, changed) {
 
   // --- Playing ---
 
-  // Moves of a level in all; a run is played in LONGEST seconds at the most.
-  function movesOf(run) {
-    return { moment: momentsOf(run).length, unit: run.units.length + 1, step: run.n,
-      whole: 1 }[state.level];
-  }
-
-  const rate = () => Math.max(USUAL[state.level], movesOf(leader()) / LONGEST) *
-    2 ** ((state.speed - STANDARD) / 8);
+  const rate = () => rateOf(leader(), state.level, state.speed);
   const paceWords = () => rate() < 1 ? `${(1 / rate()).toFixed(1)} s a move`
     : rate() < 10 ? `${rate().toFixed(1)} moves a second`
       : `${Math.round(rate()).toLocaleString("en")} moves a second`;

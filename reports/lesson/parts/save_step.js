@@ -17,14 +17,15 @@ export function saveStep(run, k, { outlines }) {
     new XMLSerializer().serializeToString(drawing));
 }
 
-// An SVG of step k on white paper.
-export function stepDrawing(run, k, outlines = true) {
+// An SVG of step k on white paper; withWords: what is said stands below.
+export function stepDrawing(run, k, outlines = true, withWords = true) {
   setPaper(true);
   const unit = SIDE / run.width, high = unit * run.height;
   const e = k > 0 && k <= run.trace.kept && k < run.n ? run.event(k - 1) : null;
-  const lines = textOf(run, k, e);
-  const drawing = s("svg", { xmlns: NAMES, viewBox: `0 0 ${SIDE} ${round(high) + 20 +
-    18 * lines.length}`, width: SIDE, "font-family": "sans-serif" },
+  const lines = withWords ? textOf(run, k, e) : [];
+  const drawing = s("svg", { xmlns: NAMES, viewBox: `0 0 ${SIDE} ${round(high) +
+    (withWords ? 20 + 18 * lines.length : 0)}`, width: SIDE, "font-family": "sans-serif",
+    role: "img", "aria-label": `Step ${k} of ${run.title}` },
   s("rect", { width: "100%", height: "100%", fill: colourOf("--paper") }),
   s("image", { href: painted(run, k), width: SIDE, height: round(high) }),
   outlines ? s("path", { d: run.header.faces.map(([, , , , polygon]) =>

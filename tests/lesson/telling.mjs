@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the pages of hsr lesson tell: all that a step names is drawn, numbers agree with
+// outcomes, key moments and questions are there, texts agree with counters, and a
+// projector and a phone show what matters. Used by watch.mjs.
+import assert from "node:assert/strict";
+import { addressOf } from "../browser.mjs";
+
+// What is told in words alone: rooms, regions of a picture's own tree, convex parts and
+// their cells, nodes of an octree over a grid.
+const IN_WORDS = new Set(["pvs", "naylor", "tiling-solids", "meagher"]);
+
+// For every algorithm of a page.
+export async function telling({ test, open, file }) {
+  const { page, faults, go, close } = await open(file);
+  await page.goto(addressOf(file));
+  await page.waitForFunction(() => globalThis.lesson);
+  const names = await page.evaluate(() => globalThis.lesson.names);
+  const scene = file.split("/").at(-2);
+  for (const name of names) {
+    await go(`#/?a=${encodeURIComponent(name)}`);
+    const seen = await page.evaluate(told, name);
+    await test(`${name} on ${scene}: all that a step names is drawn`, () =>
+      assert.deepEqual(IN_WORDS.has(name) ? [] : seen.undrawn, []));
+    await test(`${name} on ${scene}: numbers are as the outcomes say`, () =>
+      assert.deepEqual(seen.against, []));
+    await test(`${name} on ${scene}: key moments, and two minutes at most`, () => {
+      assert.deepEqual(seen.moments, []);
+      for (const seconds of seen.seconds) assert.ok(seconds <= 120, `${seconds} s`);
+    });
+    await test(`${name} on ${scene}: questions can be answered`, () =>
+      assert.deepEqual(seen.questions, []));
+    await test(`${name} on ${scene}: texts agree with the counters`, () =>
+      assert.deepEqual(seen.texts, []));
+    await test(`${name} on ${scene}: its steps as drawings`, () =>
+      assert.deepEqual(seen.drawings, []));
+  }
+  await test(`${scene}: printing is without errors`, async () => {
+    await page.emulateMedia({ media: "print" });
+    await page.pdf();
+    await page.emulateMedia({ media: "screen" });
+    assert.deepEqual(faults, []);
+  });
+  await close();
+}
+
+// Runs in the page.
+function told(name) {
+  const { lesson } = globalThis;
+  return lesson.run(name).then((run) => {
+    const { trace, header } = run;
+    const out = { undrawn: [], against: [], moments: [], questions: [], texts: [],
+      drawings: [], seconds: [] };
+    const say = (list, text) => list.length < 4 && list.push(text);
+
+    // Some events of every counter and outcome.
+    const of = new Map();
+    for (let k = 0; k < trace.kept; k++) {
+      const key = `${trace.counter[k]},${trace.outcome[k]}`;
+      if (!of.has(key)) of.set(key, []);
+      of.get(key).push(k);
+    }
+    for (const ks of of.values())
+      for (let p = 0; p < ks.length; p += Math.max(1, Math.floor(ks.length / 40))) {
+        const e = run.event(ks[p]);
+        for (const kind of lesson.unseen(run, e))
+          say(out.undrawn, `${e.counter.name}, step ${e.k + 1}: ${kind}`);
+        const found = lesson.numbersOf(run, e);
+        if (found && lesson.contradicts(found))
+          say(out.against, `${lesson.words(run, e)}: ${found.words}`);
+        if (found && /NaN|Infinity|undefined/.test(found.words))
+          say(out.against, found.words);
+      }
+
+    // Key moments: in order, within the run, each with its own words.
+    const moments = lesson.moments(run);
+    const own = lesson.lesson(run) ? 5 : 2;
+    if (moments.length < Math.min(own, run.n) || moments.length > 24)
+      say(out.moments, `${moments.length} moments`);
+    moments.forEach(({ k, say: text }, p) => {
+      if (k < 1 || k > run.n || (p && k <= moments[p - 1].k))
+        say(out.moments, `moment ${p} is step ${k}`);
+      if (!text || moments.findIndex((m) => m.say === text) !== p)
+        say(out.moments, `moment ${p}: “${text}”`);
+    });
+    if (moments.at(-1).k !== run.n) say(out.moments, "it does not end at the end");
+    out.seconds = ["moment", "unit", "step"].map((l) => lesson.seconds(run, l));
+
+    // Questions: the step says the answer, which is one of those offered; both
+    // subjects are drawn.
+    const questions = lesson.questions(run);
+    if (questions.length > 8) say(out.questions, `${questions.length} questions`);
+    for (const { k, text, right, answers } of questions) {
+      const e = run.event(k - 1);
+      if (e.outcome !== right || !answers.some(([word]) => word === right) ||
+          !lesson.words(run, e).includes(right))
+        say(out.questions, `step ${k}: ${text} ${right}`);
+      if (lesson.unseen(run, e).length) say(out.questions, `step ${k} is not drawn`);
+      if (!text.endsWith("?")) say(out.questions, text);
+    }
+
+    // Texts: no number written by hand; those of the answer are counts of the run, or
+    // shares and ratios of these.
+    const written = lesson.lesson(run);
+    if (written) {
+      const texts = [written.idea, ...written.text, ...written.moments.map(([t]) => t)];
+      for (const text of texts)
+        if (/\d/.test(text.replace(/8 × 8|64 bits|[Tt]est \d/g, "")) ||
+            /\b(fewer|less|most|more) (comparisons|spans|tests)/.test(text))
+          say(out.texts, text);
+      const known = new Set([run.width * run.height, run.height, header.faces.length,
+        trace.structure.pieces?.length, ...trace.counts, 0]);
+      const sums = new Map();
+      for (let k = 0; k < trace.kept; k++) {
+        const key = `${trace.counter[k]},${trace.outcome[k]}`;
+        sums.set(key, (sums.get(key) ?? 0) + 1);
+      }
+      for (const n of sums.values()) trace.counts.forEach((c) => {
+        known.add(n);
+        known.add(c - n);
+      });
+      const area = run.accepts.reduce((sum, k) =>
+        sum + trace.width[k] * trace.height[k], 0);
+      const large = run.accepts.reduce((sum, k) => sum + (trace.height[k] > 1
+        ? trace.width[k] * trace.height[k] : 0), 0);
+      [area, large].forEach((n) => known.add(n));
+      if (run.kind.name === "ids")
+        known.add(Array.from(run.painting.at(run.n)).filter((f) => f >= 0).length);
+      const answer = written.find[1](run).replace(/[\d.]+ %|\d+\.\d+|test \d/g, "");
+      const wrong = name === "painter" ? 1 : 0; // how many samples are wrong
+      const odd = (answer.match(/\d[\d,]*/g) ?? []).map((t) =>
+        Number(t.replaceAll(",", ""))).filter((n) => !known.has(n));
+      if (odd.length > wrong) say(out.texts, `${odd}: ${written.find[1](run)}`);
+    }
+
+    // Drawings of some steps.
+    for (const { k } of moments.slice(0, 4)) {
+      const text = new XMLSerializer().serializeToString(lesson.drawing(run, k));
+      const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
+      const own = text.replace(/data:[^"]*/g, "");
+      if (parsed.querySelector("parsererror") || /NaN|undefined|var\(/.test(own) ||
+          parsed.querySelectorAll("text").length < 2)
+        say(out.drawings, `step ${k}`);
+    }
+    return out;
+  });
+}
+
+// On a projector and on a phone, for every lesson.
+export async function fits({ test, open, file, names }) {
+  const projector = await open(file, { viewport: { width: 1366, height: 657 } });
+  for (const name of names)
+    await test(`${name}: a projector shows what matters`, async () => {
+      await projector.go(`#/?a=${name}`);
+      assert.deepEqual(await projector.page.evaluate(fitting, [name,
+        [".picture", ".words", ".controls .buttons", ".outline [aria-current]"]]), []);
+    });
+  await projector.close();
+  const phone = await open(file, { viewport: { width: 390, height: 844 } });
+  for (const name of names)
+    await test(`${name}: a phone shows the picture and the sentence first`, async () => {
+      await phone.go(`#/?a=${name}`);
+      assert.deepEqual(await phone.page.evaluate(fitting, [name,
+        [".picture", ".words", ".controls .buttons"]]), []);
+    });
+  assert.deepEqual(phone.faults, []);
+  await phone.close();
+}
+
+// Runs in the page: at each key moment, what is not wholly seen.
+function fitting([name, parts]) {
+  const { lesson } = globalThis;
+  return lesson.run(name).then((run) => {
+    const bad = [];
+    for (const { k } of lesson.moments(run)) {
+      lesson.go(k);
+      scrollTo(0, 0);
+      for (const part of parts) {
+        const e = document.querySelector(part);
+        if (!e && part.includes("aria-current")) continue;
+        const box = e.getBoundingClientRect();
+        const list = e.closest(".outline")?.getBoundingClientRect();
+        const bottom = Math.min(innerHeight, list?.bottom ?? Infinity);
+        const top = Math.max(0, list?.top ?? 0);
+        if (box.top < top - 1 || box.bottom > bottom + 1 || box.right > innerWidth ||
+            box.height < 5)
+          bad.push(`step ${k}: ${part} from ${Math.round(box.top)} to ${
+            Math.round(box.bottom)} of ${Math.round(bottom)}`);
+      }
+    }
+    return bad.slice(0, 4);
+  });
+}
