@@ -19,14 +19,11 @@ static enum hsr_status refuse(const char *path, struct hsr_error *err) {
                   path);
 }
 
-enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err) {
+enum hsr_status hsr_plot_write_page(const struct hsr_plot *plot,
+                                    const char *path, bool is_eps,
+                                    struct hsr_error *err) {
   (void)plot;
-  return refuse(path, err);
-}
-enum hsr_status hsr_plot_write_eps(const struct hsr_plot *plot,
-                                   const char *path, struct hsr_error *err) {
-  (void)plot;
+  (void)is_eps;
   return refuse(path, err);
 }
 enum hsr_status hsr_plot_write_dxf(const struct hsr_plot *plot,
