@@ -4,6 +4,7 @@
 import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
 import { closeness, projection } from "./projection.js";
+import { stretchesAt } from "./stretches.js";
 
 const NEARER = new Set(["nearer", "in front"]);
 const FARTHER = new Set(["farther", "behind"]);
@@ -22,8 +23,9 @@ export function numberWords(run, e) {
 }
 
 // Whether the numbers are not as the outcome says.
-export const contradicts = ({ a, b, less }) => less !== null && less !== undefined &&
-  (less ? a > b + tolerance(a, b) : a < b - tolerance(a, b));
+export const contradicts = ({ a, b, less, isOpen }) => isOpen ||
+  (less !== null && less !== undefined &&
+    (less ? a > b + tolerance(a, b) : a < b - tolerance(a, b)));
 const tolerance = (a, b) => 1e-6 * Math.max(1, Math.abs(a), Math.abs(b));
 
 // --- Words ---
@@ -82,16 +84,40 @@ function depthsInWindow(run, e) {
   return { words: `${p} to ${q} deep against ${r} to ${s}`, less: null };
 }
 
-// Over a window of more rows: in its middle.
+// Of the halves of two segments that a logarithmic search compares; a single sample
+// that they do not decide is compared by itself.
+function depthsOfStretches(run, e) {
+  const found = e.window ? stretchesAt(run, e.k) : null;
+  if (!found) return null;
+  const depth = (q) => run.header.view.parallel ? -q : 1 / q;
+  const [f, g] = found.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
+  const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
+  const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
+  if (!isApart && e.window.width === 1 && e.outcome !== "undecided") return null;
+  const [p, q, r, s] = told(...ranges.flat());
+  const less = lessOf(e.outcome);
+  return { words: `${p} to ${q} deep against ${r} to ${s}`,
+    a: less ? ranges[0][1] : ranges[0][0], b: less ? ranges[1][0] : ranges[1][1],
+    less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
+}
+
+// Over a window of more rows: at its corner samples.
 function depthsInSquare(run, e) {
   const w = e.window, [f, g] = [faceOf(e.a), faceOf(e.b)];
   if (!w || w.height < 2 || f < 0 || g < 0 || e.kind !== "compare" ||
-      e.a.kind === "piece") return null;
-  const at = depthsOf(run), x = w.x + w.width / 2, y = w.y + w.height / 2;
-  const [a, b] = [at(f, x, y), at(g, x, y)];
-  if (a === null || b === null || a < 0 || b < 0) return null;
-  const [p, q] = told(a, b);
-  return { words: `in its middle ${p} deep against ${q}`, less: null };
+      e.a.kind === "piece" || !OF_SAMPLES.has(run.kind.name)) return null;
+  const at = depthsOf(run);
+  const corners = [[w.x, w.y], [w.x + w.width - 1, w.y], [w.x, w.y + w.height - 1],
+    [w.x + w.width - 1, w.y + w.height - 1]];
+  const both = corners.map(([i, j]) => [f, g].map((face) =>
+    at(face, i + 0.5, j + 0.5)));
+  if (both.flat().some((d) => d === null || d < 0)) return null;
+  const range = (c) => [Math.min, Math.max].map((of) => of(...both.map((d) => d[c])));
+  const [p, q, r, s] = told(...range(0), ...range(1));
+  const less = lessOf(e.outcome);
+  const [a, b] = both.sort(([a0, b0], [a1, b1]) => (less ? -1 : 1) *
+    ((a0 - b0) - (a1 - b1)))[0];
+  return { words: `at the corners ${p} to ${q} deep against ${r} to ${s}`, a, b, less };
 }
 
 // The nearest and the farthest corner of a face or piece.
@@ -239,5 +265,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, cellDepth, depthsInWindow, depthsInSquare, placesOnRow,
+const FINDERS = [farthest, cellDepth, depthsOfStretches, depthsInWindow, depthsInSquare, placesOnRow,
   crossing, vertexAndFace, eyeAndPlane, boxes];

@@ -25,7 +25,7 @@ export const warnock = {
     ["The surround hides all else: the window is shown",
       { of: "homogeneous-window", pick: "largest", id: "shown" }],
     ["A face surrounds this window", { of: "window-test", outcome: "surrounder",
-      pick: "largest" }, WINDOW, KINDS],
+      where: (run, e) => e.window?.width > 1, pick: "largest" }, WINDOW, KINDS],
     ["A face is disjoint from this window: it is left out, here and in its quarters",
       { of: "window-test", outcome: "disjoint", pick: "largest",
         where: isLarge }, WINDOW, KINDS],
