@@ -101,7 +101,7 @@ function depthsOfStretches(run, e) {
     less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
 }
 
-// Over a window of more rows: at its corner samples.
+// Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {
   const w = e.window, [f, g] = [faceOf(e.a), faceOf(e.b)];
   if (!w || w.height < 2 || f < 0 || g < 0 || e.kind !== "compare" ||
@@ -117,7 +117,13 @@ function depthsInSquare(run, e) {
   const less = lessOf(e.outcome);
   const [a, b] = both.sort(([a0, b0], [a1, b1]) => (less ? -1 : 1) *
     ((a0 - b0) - (a1 - b1)))[0];
-  return { words: `at the corners ${p} to ${q} deep against ${r} to ${s}`, a, b, less };
+  const found = { words: `at the corners ${p} to ${q} deep against ${r} to ${s}`, a, b,
+    less };
+  if (!contradicts(found)) return found;
+  // Of two surrounders, the one that is nearer at the first corner is critical.
+  const first = twoDepths(...corners.slice(0, 1).flatMap(([i, j]) => [f, g].map((face) =>
+    at(face, i + 0.5, j + 0.5))), less);
+  return { ...first, words: `at the first corner ${first.words}` };
 }
 
 // The nearest and the farthest corner of a face or piece.
