@@ -61,6 +61,10 @@ function depthsOf(run) {
   return run.depthAt;
 }
 
+// Whether all are depths of points before the eye: a plane beyond its horizon has none.
+const isDeep = (run, depths) => depths.every((d) => d !== null &&
+  (d > 0 || run.header.view.parallel));
+
 const faceOf = ({ kind, ids }) => kind === "face" || kind === "piece" ? ids[0] : -1;
 
 // Answers whose windows are of samples, not of pixels with many samples.
@@ -75,11 +79,11 @@ function depthsInWindow(run, e) {
   const at = depthsOf(run), y = w.y + 0.5;
   if (w.width === 1) {
     const [a, b] = [at(f, w.x + 0.5, y), at(g, w.x + 0.5, y)];
-    return a === null || b === null ? null : twoDepths(a, b, lessOf(outcome));
+    return isDeep(run, [a, b]) ? twoDepths(a, b, lessOf(outcome)) : null;
   }
   const ends = [w.x + 0.5, w.x + w.width - 0.5];
   const [a, b] = [f, g].map((face) => ends.map((x) => at(face, x, y)));
-  if ([...a, ...b].includes(null)) return null;
+  if (!isDeep(run, [...a, ...b])) return null;
   const [p, q, r, s] = told(...a, ...b);
   return { words: `${p} to ${q} deep against ${r} to ${s}`, less: null };
 }
@@ -93,7 +97,8 @@ function depthsOfStretches(run, e) {
   const [f, g] = found.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
   const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
   const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
-  if (!isApart && e.window.width === 1 && e.outcome !== "undecided") return null;
+  if (!isDeep(run, ranges.flat()) || (!isApart && e.window.width === 1 &&
+    e.outcome !== "undecided")) return null;
   const [p, q, r, s] = told(...ranges.flat());
   const less = lessOf(e.outcome);
   return { words: `${p} to ${q} deep against ${r} to ${s}`,
@@ -111,7 +116,7 @@ function depthsInSquare(run, e) {
     [w.x + w.width - 1, w.y + w.height - 1]];
   const both = corners.map(([i, j]) => [f, g].map((face) =>
     at(face, i + 0.5, j + 0.5)));
-  if (both.flat().some((d) => d === null || d < 0)) return null;
+  if (!isDeep(run, both.flat())) return null;
   const range = (c) => [Math.min, Math.max].map((of) => of(...both.map((d) => d[c])));
   const [p, q, r, s] = told(...range(0), ...range(1));
   const less = lessOf(e.outcome);
@@ -174,7 +179,7 @@ function placesOnRow(run, e) {
   const w = e.window;
   if (e.a.kind !== "edge" || e.b.kind !== "edge" || w?.height !== 1) return null;
   const [a, b] = [e.a, e.b].map((s) => onRow(ends(run, s), w.y + 0.5));
-  if (a === null || b === null) return null;
+  if (a === null || b === null || Math.abs(a - b) < 1e-9) return null;
   const [p, q] = told(a, b);
   return { words: `column ${p} against ${q}`, less: null };
 }
@@ -271,5 +276,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, cellDepth, depthsOfStretches, depthsInWindow, depthsInSquare, placesOnRow,
-  crossing, vertexAndFace, eyeAndPlane, boxes];
+const FINDERS = [farthest, cellDepth, depthsOfStretches, depthsInWindow,
+  depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

@@ -148,11 +148,19 @@ function stake(run, e, pick) {
   const { a, b, where } = looksOf(run, e);
   const boxes = [a, b].map((shapes) => boxOf(run, shapes)).filter(Boolean);
   if (!boxes.length) return sizeOf(boxOf(run, where));
-  const least = Math.min(...boxes.map(sizeOf));
+  const least = Math.min(...boxes.map((box) => interest(run, sizeOf(box))));
   if (boxes.length < 2) return least + 0.2 * sizeOf(boxOf(run, where));
   const both = overlap(...boxes);
   return pick === "apart" ? least * (both < 0 ? 1 : 0.1)
     : least + 2 * Math.max(0, both);
+}
+
+const FILLS = 0.6; // of the picture's width and height: more is a ground, no figure
+
+// The larger the better, but what fills the picture tells little.
+function interest({ width, height }, size) {
+  const most = FILLS * (width + height);
+  return size <= most ? size : most - 3 * (size - most);
 }
 
 // Of the part that is in the picture: half of its width and height together.
