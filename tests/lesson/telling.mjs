@@ -68,7 +68,7 @@ function told(name) {
         if (found && lesson.contradicts(found))
           say(out.against, `${lesson.words(run, e)}: ${found.words}`);
         if (found && /NaN|Infinity|undefined|-\d/.test(found.words) &&
-            !/columns|rows/.test(found.words))
+            !/column|row/.test(found.words))
           say(out.against, found.words);
       }
 

@@ -2,7 +2,7 @@
 // The key moments of a run: some twenty steps that tell its idea. The rules of its
 // lesson choose them. A rule is
 //
-// of         a counter, by its key or name
+// of         a counter, by its key; name: one without a key, by its name
 // outcome    one of its outcomes; like: a pattern of them
 // where      (run, e): whether the event will do
 // real       its faces are faces, not the background
@@ -50,7 +50,7 @@ function addGeneral(run, taken) {
   header.counters.forEach((c, number) => {
     if (known.has(number) || c.computed || !trace.counts[number] || !c.line ||
         taken.size >= MOST) return;
-    const e = eventBy(run, { of: c.key ?? c.name, pick: "largest" }, taken);
+    const e = eventBy(run, { name: c.key ?? c.name, pick: "largest" }, taken);
     if (e !== null) taken.set(e + 1, { k: e + 1, say: sentence(c.meaning) });
   });
   for (const [share, say] of [[0.25, "A quarter of the answer"],
@@ -90,7 +90,7 @@ export function eventBy(run, rule, taken = new Map(), named = {}) {
 }
 
 function eventsBy(run, rule, named) {
-  const c = counterNamed(run, rule.of);
+  const c = counterNamed(run, rule.of ?? rule.name);
   const words = run.header.counters[c]?.outcomes ?? [];
   const isOutcome = rule.outcome === undefined && !rule.like ? null
     : words.map((w) => w === rule.outcome || Boolean(rule.like?.test(w)));
