@@ -232,10 +232,12 @@ function eyeAndPlane(run, e) {
   const { normal, offset } = equationOf(run, plane);
   const side = normal.reduce((sum, x, k) => sum + x * run.header.view.eye[k], -offset);
   if (run.header.view.parallel) return null;
+  // A face is looked at from either of its sides: the step does not say from which.
+  if (key === "back-face-cull") return { words: `the eye is ${told(Math.abs(side))[0]} ${
+    e.outcome === "front" ? "before" : "behind"} this side of its plane`, less: null };
   const word = side < 0 ? "behind its plane" : "before its plane";
   return { words: `the eye is ${told(Math.abs(side))[0]} ${word}`, a: 0, b: side,
-    less: { front: true, "in front": true, back: false, behind: false }[e.outcome] ??
-      null };
+    less: { "in front": true, behind: false }[e.outcome] ?? null };
 }
 
 // --- Boxes ---
