@@ -45,6 +45,7 @@ lesson_sources = \
   %D%/lesson/data/pyramids.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
+  %D%/lesson/data/stretches.js \
   %D%/lesson/data/structure.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/trees.js \

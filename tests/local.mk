@@ -418,6 +418,7 @@ EXTRA_DIST += \
   %D%/instructions \
   %D%/lab/edits.mjs \
   %D%/lab/visit.mjs \
+  %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \
   %D%/module \
   %D%/mutants \

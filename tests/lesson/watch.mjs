@@ -573,6 +573,56 @@ async function lessons(file) {
     await page.click(".way a:text-is('All lessons')");
     await page.waitForSelector(".figure-29");
   });
+  await test("the tree of the ten and their work can be saved", async () => {
+    await page.goto("about:blank");
+    await page.goto(addressOf(file));
+    await page.waitForSelector(".taxonomy svg");
+    assert.equal(await page.locator(".taxonomy svg a").count(), 10);
+    const text = await page.textContent(".survivors svg");
+    for (const name of ["roberts", "appel", "loutrel", "galimberti", "schumacker",
+      "newell", "warnock", "romney", "bouknight", "watkins"])
+      assert.ok(text.includes(name), name);
+    const { drawn, predicted } = await page.evaluate(() => {
+      const { algorithms } = JSON.parse(document.querySelector("#survivors")
+        .textContent);
+      const steps = algorithms.flatMap((a) => a.costs.map((c) => [c.predicted,
+        c.terms.reduce((sum, [n, f]) => sum + f * a.counts[n], 0)]));
+      return { drawn: steps.filter(([p, m]) => p || m).length ===
+          document.querySelectorAll(".survivors rect").length,
+      predicted: steps.filter(([p]) => p).length ===
+          document.querySelectorAll(".survivors circle").length };
+    });
+    assert.ok(drawn && predicted);
+    for (const figure of [".taxonomy", ".survivors"]) {
+      const saved = page.waitForEvent("download");
+      await page.locator(`${figure} button.save`).first().click();
+      const svg = readFileSync(await (await saved).path(), "utf8");
+      assert.match(svg, /^<svg/);
+      assert.doesNotMatch(svg, /var\(|NaN|undefined/);
+    }
+  });
+  await test("key moments as slides, each a page of a PDF", async () => {
+    await go("#/?a=newell");
+    const many = await page.locator(".marks button").count();
+    await page.click("text=All of these as slides");
+    assert.equal(await page.locator(".slide").count(), many);
+    assert.deepEqual(await serious(page), []);
+    assert.ok(await page.locator(".slide .outline [aria-current]").count() > many / 2);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+    const pages = pdf.match(/\/Type \/Page\b/g).length;
+    assert.ok(pages >= many && pages <= many + 1, `${pages} pages for ${many}`);
+    await page.click("text=Back");
+    await page.waitForSelector(".panel .words");
+  });
+  await test("a step is saved as SVG", async () => {
+    await go("#/?a=newell&k=607");
+    await page.click(".more summary");
+    const saved = page.waitForEvent("download");
+    await page.click("text=Save this step as SVG");
+    const file607 = await saved;
+    assert.equal(file607.suggestedFilename(), "newell-607.svg");
+    assert.match(readFileSync(await file607.path(), "utf8"), /is divided by the plane/);
+  });
   const names = await page.evaluate(() => globalThis.lesson.names);
   const figures = { appel: 1, schumacker: 3, newell: 2, warnock: 1, bouknight: 1,
     watkins: 2, hzbuffer: 2, tiling: 1 };

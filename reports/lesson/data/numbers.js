@@ -4,6 +4,7 @@
 import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
 import { closeness, projection } from "./projection.js";
+import { stretchesAt } from "./stretches.js";
 
 const NEARER = new Set(["nearer", "in front"]);
 const FARTHER = new Set(["farther", "behind"]);
@@ -22,8 +23,9 @@ export function numberWords(run, e) {
 }
 
 // Whether the numbers are not as the outcome says.
-export const contradicts = ({ a, b, less }) => less !== null && less !== undefined &&
-  (less ? a > b + tolerance(a, b) : a < b - tolerance(a, b));
+export const contradicts = ({ a, b, less, isOpen }) => isOpen ||
+  (less !== null && less !== undefined &&
+    (less ? a > b + tolerance(a, b) : a < b - tolerance(a, b)));
 const tolerance = (a, b) => 1e-6 * Math.max(1, Math.abs(a), Math.abs(b));
 
 // --- Words ---
@@ -59,6 +61,10 @@ function depthsOf(run) {
   return run.depthAt;
 }
 
+// Whether all are depths of points before the eye: a plane beyond its horizon has none.
+const isDeep = (run, depths) => depths.every((d) => d !== null &&
+  (d > 0 || run.header.view.parallel));
+
 const faceOf = ({ kind, ids }) => kind === "face" || kind === "piece" ? ids[0] : -1;
 
 // Answers whose windows are of samples, not of pixels with many samples.
@@ -73,25 +79,56 @@ function depthsInWindow(run, e) {
   const at = depthsOf(run), y = w.y + 0.5;
   if (w.width === 1) {
     const [a, b] = [at(f, w.x + 0.5, y), at(g, w.x + 0.5, y)];
-    return a === null || b === null ? null : twoDepths(a, b, lessOf(outcome));
+    return isDeep(run, [a, b]) ? twoDepths(a, b, lessOf(outcome)) : null;
   }
   const ends = [w.x + 0.5, w.x + w.width - 0.5];
   const [a, b] = [f, g].map((face) => ends.map((x) => at(face, x, y)));
-  if ([...a, ...b].includes(null)) return null;
+  if (!isDeep(run, [...a, ...b])) return null;
   const [p, q, r, s] = told(...a, ...b);
   return { words: `${p} to ${q} deep against ${r} to ${s}`, less: null };
 }
 
-// Over a window of more rows: in its middle.
+// Of the halves of two segments that a logarithmic search compares; a single sample
+// that they do not decide is compared by itself.
+function depthsOfStretches(run, e) {
+  const found = e.window ? stretchesAt(run, e.k) : null;
+  if (!found) return null;
+  const depth = (q) => run.header.view.parallel ? -q : 1 / q;
+  const [f, g] = found.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
+  const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
+  const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
+  if (!isDeep(run, ranges.flat()) || (!isApart && e.window.width === 1 &&
+    e.outcome !== "undecided")) return null;
+  const [p, q, r, s] = told(...ranges.flat());
+  const less = lessOf(e.outcome);
+  return { words: `${p} to ${q} deep against ${r} to ${s}`,
+    a: less ? ranges[0][1] : ranges[0][0], b: less ? ranges[1][0] : ranges[1][1],
+    less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
+}
+
+// Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {
   const w = e.window, [f, g] = [faceOf(e.a), faceOf(e.b)];
   if (!w || w.height < 2 || f < 0 || g < 0 || e.kind !== "compare" ||
-      e.a.kind === "piece") return null;
-  const at = depthsOf(run), x = w.x + w.width / 2, y = w.y + w.height / 2;
-  const [a, b] = [at(f, x, y), at(g, x, y)];
-  if (a === null || b === null || a < 0 || b < 0) return null;
-  const [p, q] = told(a, b);
-  return { words: `in its middle ${p} deep against ${q}`, less: null };
+      e.a.kind === "piece" || !OF_SAMPLES.has(run.kind.name)) return null;
+  const at = depthsOf(run);
+  const corners = [[w.x, w.y], [w.x + w.width - 1, w.y], [w.x, w.y + w.height - 1],
+    [w.x + w.width - 1, w.y + w.height - 1]];
+  const both = corners.map(([i, j]) => [f, g].map((face) =>
+    at(face, i + 0.5, j + 0.5)));
+  if (!isDeep(run, both.flat())) return null;
+  const range = (c) => [Math.min, Math.max].map((of) => of(...both.map((d) => d[c])));
+  const [p, q, r, s] = told(...range(0), ...range(1));
+  const less = lessOf(e.outcome);
+  const [a, b] = both.sort(([a0, b0], [a1, b1]) => (less ? -1 : 1) *
+    ((a0 - b0) - (a1 - b1)))[0];
+  const found = { words: `at the corners ${p} to ${q} deep against ${r} to ${s}`, a, b,
+    less };
+  if (!contradicts(found)) return found;
+  // Of two surrounders, the one that is nearer at the first corner is critical.
+  const first = twoDepths(...corners.slice(0, 1).flatMap(([i, j]) => [f, g].map((face) =>
+    at(face, i + 0.5, j + 0.5))), less);
+  return { ...first, words: `at the first corner ${first.words}` };
 }
 
 // The nearest and the farthest corner of a face or piece.
@@ -142,7 +179,7 @@ function placesOnRow(run, e) {
   const w = e.window;
   if (e.a.kind !== "edge" || e.b.kind !== "edge" || w?.height !== 1) return null;
   const [a, b] = [e.a, e.b].map((s) => onRow(ends(run, s), w.y + 0.5));
-  if (a === null || b === null) return null;
+  if (a === null || b === null || Math.abs(a - b) < 1e-9) return null;
   const [p, q] = told(a, b);
   return { words: `column ${p} against ${q}`, less: null };
 }
@@ -195,10 +232,12 @@ function eyeAndPlane(run, e) {
   const { normal, offset } = equationOf(run, plane);
   const side = normal.reduce((sum, x, k) => sum + x * run.header.view.eye[k], -offset);
   if (run.header.view.parallel) return null;
+  // A face is looked at from either of its sides: the step does not say from which.
+  if (key === "back-face-cull") return { words: `the eye is ${told(Math.abs(side))[0]} ${
+    e.outcome === "front" ? "before" : "behind"} this side of its plane`, less: null };
   const word = side < 0 ? "behind its plane" : "before its plane";
   return { words: `the eye is ${told(Math.abs(side))[0]} ${word}`, a: 0, b: side,
-    less: { front: true, "in front": true, back: false, behind: false }[e.outcome] ??
-      null };
+    less: { "in front": true, behind: false }[e.outcome] ?? null };
 }
 
 // --- Boxes ---
@@ -239,5 +278,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, cellDepth, depthsInWindow, depthsInSquare, placesOnRow,
-  crossing, vertexAndFace, eyeAndPlane, boxes];
+const FINDERS = [farthest, cellDepth, depthsOfStretches, depthsInWindow,
+  depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

@@ -20,7 +20,8 @@ export function subjectWords(run, { kind, ids }, window, e) {
       return `the edge where faces ${p} and ${q} penetrate`;
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
-    case "cube": return run.trace.structure.isGrid ? `cell ${p}` : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
+    case "cube": return run.trace.structure.isGrid ? `cell ${p}`
+      : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
     case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
     case "window": return window ? windowWords(window) : "the picture";
     default: return "";
@@ -96,6 +97,7 @@ export function eventWords(run, e) {
   const first = a || b || where || (e.window ? "the picture" : "");
   const second = a && b ? b : "";
   let text = first;
+  if (isIntoRows(e)) return `${capital(a)} is put into the bucket of row ${e.window.y}`;
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
@@ -118,5 +120,11 @@ export function eventWords(run, e) {
   const shown = e.a.kind === "window" || e.b.kind === "window";
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  return capital(text);
 }
+
+const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+// Whether a thing is put into the bucket of the row where its window begins.
+const isIntoRows = (e) => e.kind === "sort" && e.window &&
+  /Y sort/.test(e.counter.name);

@@ -18,27 +18,27 @@ export const warnock = {
     "not tested again."],
   source: "The survey, chapter III, area sampling, figures 25 and 26; Warnock 1969",
   moments: [
-    ["The first window is the whole picture", { of: "windows" }],
+    ["The first window is the whole picture", { name: "windows" }],
     ["A face intersects it", { of: "window-test", outcome: "intersecter" }],
     ["Too much is in it: it is divided into four", { of: "subdivision" }],
     ["A quarter is divided again", { of: "subdivision", nth: 2 }],
     ["The surround hides all else: the window is shown",
       { of: "homogeneous-window", pick: "largest", id: "shown" }],
     ["A face surrounds this window", { of: "window-test", outcome: "surrounder",
-      pick: "largest" }, WINDOW, KINDS],
+      where: (run, e) => e.window?.width > 1, pick: "largest" }, WINDOW, KINDS],
     ["A face is disjoint from this window: it is left out, here and in its quarters",
       { of: "window-test", outcome: "disjoint", pick: "largest",
         where: isLarge }, WINDOW, KINDS],
     ["A face intersects this window", { of: "window-test", outcome: "intersecter",
       pick: "largest", where: isSmall }, WINDOW, KINDS],
-    ["That a face surrounds is inherited, not tested", { of: "inherited surrounders",
+    ["That a face surrounds is inherited, not tested", { name: "inherited surrounders",
       pick: "largest" }],
     ["Solid is a surround. The dashed face is behind all of it in the window",
-      { of: "depth search", outcome: "behind", pick: "largest", real: true }],
+      { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One face before its background", { of: "one in front", pick: "largest" }],
+    ["One face before its background", { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
-    ["Half of the windows are done", { of: "windows", at: 0.5 }],
+    ["Half of the windows are done", { name: "windows", at: 0.5 }],
   ],
   find: ["What share of the picture is shown in windows larger than a sample?",
     (run) => {
@@ -52,7 +52,7 @@ export const warnock = {
 };
 
 const YSORT = ["Each edge goes into the bucket of the scan line where it begins",
-  { of: "Y sort", pick: "largest" }];
+  { name: "Y sort", pick: "largest" }];
 
 const NEARER = "Is the solid one nearer or farther than the dashed one, at this place?";
 
@@ -69,11 +69,11 @@ export const romney = {
     why: "No line of this picture repeats the order of the line before." }],
   moments: [
     ["Each triangle goes into the bucket of the line where it begins",
-      { of: "Y sort", pick: "largest" }],
+      { name: "Y sort", pick: "largest" }],
     ["Two triangles are here, and the new one is nearer",
       { of: "depth-search", outcome: "nearer", pick: "largest", real: true,
         id: "depth" }, NEARER],
-    ["On a line, the ends of a triangle go into X buckets", { of: "X sort",
+    ["On a line, the ends of a triangle go into X buckets", { name: "X sort",
       with: ["depth", "row"] }],
     ["An empty X bucket: nothing changes here",
       { of: "x-bucket", outcome: "empty", with: ["depth", "row"], at: 0.5 }],
@@ -99,7 +99,7 @@ const RIGHT = "Does the solid edge cross this line right or left of the dashed o
 const scanLine = (row) => [
   YSORT,
   ["Edges that begin here are merged into the list, by X",
-    { of: "X merge", pick: "largest" }],
+    { name: "X merge", pick: "largest" }],
   ["Two neighbors in the list are compared: in order",
     { of: "x-sort", outcome: "to the right", with: [row, "row"], pick: "largest" },
     RIGHT],
@@ -122,9 +122,9 @@ export const bouknight = {
       { of: "depth-search", outcome: "nearer", real: true, pick: "largest",
         id: "depth" }, NEARER],
     ...scanLine("depth"),
-    ["At its edge, a face is turned on", { of: "span cull", outcome: "turned on",
+    ["At its edge, a face is turned on", { name: "span cull", outcome: "turned on",
       with: ["depth", "row"], pick: "largest" }],
-    ["At its other edge, it is turned off", { of: "span cull", outcome: "turned off",
+    ["At its other edge, it is turned off", { name: "span cull", outcome: "turned off",
       with: ["depth", "row"], pick: "largest" }],
     ["The nearest face is shown in the span", { of: "span", real: true,
       with: ["depth", "row"], pick: "largest" }],

@@ -29,7 +29,7 @@ export function panel(run, act) {
   const story = storyList(run, act.go);
   chooseSamples(canvas, view, run, act);
 
-  // asked: a question is open about the next event, which is shown undecided.
+  // options.asked: an event that is asked about, which is shown undecided.
   const show = (k, options) => {
     view.draw(k, options);
     line.draw(k);
@@ -37,7 +37,8 @@ export function panel(run, act) {
     said.show(k, e);
     outline.show(k, e);
     strip?.show(k, e);
-    around.show(k, e);
+    around.show(k, options.asked === null || options.asked === undefined ? e
+      : run.event(options.asked));
     counters.show(k, e?.number);
     costs.show(k);
     story.show(k);

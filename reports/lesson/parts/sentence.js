@@ -33,12 +33,18 @@ export function sentence(run) {
     const look = e ? kindLook(e.kind) : null;
     sign.textContent = look?.sign ?? "";
     sign.style.color = look ? `var(--hue-${look.hue})` : "";
-    const wrong = k >= run.n ? wrongSamples(run).size : 0;
-    said.textContent = wrong ? `${whole(wrong)} samples are wrong, marked by crosses: ` +
-      "a farther face was painted over a nearer one." : e ? eventWords(run, e) : k === 0 ? "Before the first step."
-      : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
+    said.textContent = saidOf(run, k, e);
     raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`
       : k === 0 ? header.outline[0].trim() : "";
   };
   return { element, show };
+}
+
+function saidOf(run, k, e) {
+  const wrong = k >= run.n ? wrongSamples(run).size : 0;
+  if (wrong) return `${whole(wrong)} samples are wrong, marked by crosses: a farther ` +
+    "face was painted over a nearer one.";
+  if (e) return eventWords(run, e);
+  return k === 0 ? "Before the first step."
+    : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
 }

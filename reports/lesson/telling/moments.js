@@ -2,7 +2,7 @@
 // The key moments of a run: some twenty steps that tell its idea. The rules of its
 // lesson choose them. A rule is
 //
-// of         a counter, by its key or name
+// of         a counter, by its key; name: one without a key, by its name
 // outcome    one of its outcomes; like: a pattern of them
 // where      (run, e): whether the event will do
 // real       its faces are faces, not the background
@@ -50,7 +50,7 @@ function addGeneral(run, taken) {
   header.counters.forEach((c, number) => {
     if (known.has(number) || c.computed || !trace.counts[number] || !c.line ||
         taken.size >= MOST) return;
-    const e = eventBy(run, { of: c.key ?? c.name, pick: "largest" }, taken);
+    const e = eventBy(run, { name: c.key ?? c.name, pick: "largest" }, taken);
     if (e !== null) taken.set(e + 1, { k: e + 1, say: sentence(c.meaning) });
   });
   for (const [share, say] of [[0.25, "A quarter of the answer"],
@@ -90,7 +90,7 @@ export function eventBy(run, rule, taken = new Map(), named = {}) {
 }
 
 function eventsBy(run, rule, named) {
-  const c = counterNamed(run, rule.of);
+  const c = counterNamed(run, rule.of ?? rule.name);
   const words = run.header.counters[c]?.outcomes ?? [];
   const isOutcome = rule.outcome === undefined && !rule.like ? null
     : words.map((w) => w === rule.outcome || Boolean(rule.like?.test(w)));
@@ -148,11 +148,19 @@ function stake(run, e, pick) {
   const { a, b, where } = looksOf(run, e);
   const boxes = [a, b].map((shapes) => boxOf(run, shapes)).filter(Boolean);
   if (!boxes.length) return sizeOf(boxOf(run, where));
-  const least = Math.min(...boxes.map(sizeOf));
+  const least = Math.min(...boxes.map((box) => interest(run, sizeOf(box))));
   if (boxes.length < 2) return least + 0.2 * sizeOf(boxOf(run, where));
   const both = overlap(...boxes);
   return pick === "apart" ? least * (both < 0 ? 1 : 0.1)
     : least + 2 * Math.max(0, both);
+}
+
+const FILLS = 0.6; // of the picture's width and height: more is a ground, no figure
+
+// The larger the better, but what fills the picture tells little.
+function interest({ width, height }, size) {
+  const most = FILLS * (width + height);
+  return size <= most ? size : most - 3 * (size - most);
 }
 
 // Of the part that is in the picture: half of its width and height together.

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stretches of two segments that a logarithmic search compares (figure 28 of the
+// survey): it begins with the whole segments on the row, and halves them. The events
+// are replayed from where the search of the pair began.
+import { closeness, segmentsOn } from "./projection.js";
+
+// The two stretches at event k, { x0, x1, q0, q1 } each, q as of closeness; null: the
+// event is none of such a search.
+export function stretchesAt(run, k) {
+  const search = run.counterOf("depth-search");
+  const divide = run.counterOf("depth-division");
+  const { counter, a0, b0 } = run.trace;
+  const isOf = (e) => (counter[e] === search || counter[e] === divide) &&
+    ((a0[e] === a0[k] && b0[e] === b0[k]) || (a0[e] === b0[k] && b0[e] === a0[k]));
+  if (divide < 0 || !isOf(k)) return null;
+  let first = k;
+  while (first > 0 && isOf(first - 1)) first -= 1;
+  return new Replay(run, search, first, k).found;
+}
+
+class Replay {
+  constructor(run, search, first, wanted) {
+    Object.assign(this, { run, search, at: first, wanted, found: null });
+    while (this.at <= wanted && !this.found) {
+      const before = this.at;
+      this.begin();
+      if (this.at === before) break;
+    }
+  }
+
+  // A new search of the pair, from the whole segments on.
+  begin() {
+    const { run, at } = this;
+    const { trace } = run;
+    if (trace.counter[at] !== this.search) return;
+    const [l, r, j] = [trace.x[at], trace.x[at] + trace.width[at], trace.y[at]];
+    const [f, g] = [trace.a0[at], trace.b0[at]].map((face) =>
+      wholeSegment(run, face, l, r, j));
+    if (f && g) this.searched(f, g, l, r);
+  }
+
+  // Takes the next event, and notes the stretches if it is the wanted one.
+  take(f, g) {
+    if (this.at === this.wanted) this.found = this.isTurned(f, g);
+    this.at += 1;
+    return this.at - 1;
+  }
+
+  // A division names the longer one first.
+  isTurned(f, g) {
+    return this.run.trace.a0[this.at] === f.face ? [f, g] : [g, f];
+  }
+
+  // Where the answer of the search in [l, r) ends; null: the wanted event is found.
+  searched(f, g, l, r) {
+    for (;;) {
+      const e = this.take(f, g);
+      if (this.found) return null;
+      const { outcome } = this.run.event(e);
+      if (outcome !== "undecided") return { outcome, end: r };
+      this.take(f, g);
+      if (this.found) return null;
+      const isLonger = f.x1 - f.x0 >= g.x1 - g.x0;
+      const halves = [narrowed(f, l, r), narrowed(g, l, r)];
+      const [which, other] = isLonger ? [0, 1] : [1, 0];
+      if (!halves[which] && !halves[other]) break;
+      const chosen = halves[which] ? which : other;
+      if (chosen === 0) f = halves[0];
+      else g = halves[1];
+    }
+    const longer = f.x1 - f.x0 >= g.x1 - g.x0 ? f : g;
+    const middle = Math.floor((longer.x0 + longer.x1) / 2) + 1;
+    const first = this.searched(f, g, l, middle);
+    if (!first || first.end < middle) return first;
+    const second = this.searched(f, g, middle, r);
+    return second && { outcome: first.outcome,
+      end: second.outcome === first.outcome ? second.end : middle };
+  }
+}
+
+// The segment of a face on row j that has the samples [l, r).
+function wholeSegment(run, face, l, r, j) {
+  const near = run.near ??= closeness(run);
+  const rows = run.rowSegments ??= new Map();
+  if (!rows.has(j)) rows.set(j, segmentsOn(run, j, near));
+  const sample = (x) => Math.ceil(x - 0.5);
+  const own = rows.get(j).find((s) => s.face === face && sample(s.x0) < r &&
+    sample(s.x1) > l);
+  if (!own) return null;
+  const [x0, x1] = [Math.max(0, sample(own.x0)),
+    Math.min(run.width, sample(own.x1)) - 1];
+  const q = (x) => near(face)(x + 0.5, j + 0.5);
+  return { face, x0, x1, q0: q(x0), q1: q(x1) };
+}
+
+// The half that has all samples [l, r); null: neither has.
+function narrowed(p, l, r) {
+  const middle = (p.x0 + p.x1) / 2, q = (p.q0 + p.q1) / 2;
+  if (r - 1 <= middle && middle < p.x1) return { ...p, x1: middle, q1: q };
+  return l >= middle && middle > p.x0 ? { ...p, x0: middle, q0: q } : null;
+}
