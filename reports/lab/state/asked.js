@@ -4,8 +4,10 @@ import { ownOf } from "../scene/own.js";
 
 const element = document.getElementById("asked");
 const put = element ? JSON.parse(element.textContent) : null;
-const name = put?.file ? `${put.scene.split("/").pop()
-  .replace(/\.scene\.json$/, "")}.scene.json` : put?.scene;
+// Words of a name ("mesh:joint", "a.nii@palette=bone") mean nothing in one of a file.
+const plain = (scene) => scene.split("/").pop().replace(/^mesh:|\.scene\.json$/g, "")
+  .replace(/[^\w.-]+/g, "-");
+const name = put?.file ? `${plain(put.scene)}.scene.json` : put?.scene;
 const own = put?.file ? ownOf(name, new TextEncoder().encode(put.file)) : null;
 
 // What the page opens with, as far as it was said.
