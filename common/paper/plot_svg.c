@@ -133,8 +133,8 @@ static void put_lengths(FILE *out, const struct hsr_dashes *dashes) {
   long put = 0;
   for (size_t k = 0; k < dashes->n; k++) {
     sum += 1000 * dashes->length[k];
-    const long to = k + 1 < dashes->n ? step * lround(sum / (double)step)
-                                      : lround(sum);
+    const long to =
+        k + 1 < dashes->n ? step * lround(sum / (double)step) : lround(sum);
     fputs(k ? " " : "", out);
     put_number(out, to - put);
     put = to;
