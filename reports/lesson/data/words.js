@@ -97,7 +97,8 @@ export function eventWords(run, e) {
   const first = a || b || where || (e.window ? "the picture" : "");
   const second = a && b ? b : "";
   let text = first;
-  if (isIntoRows(e)) return `${capital(a)} is put into the bucket of row ${e.window.y}`;
+  if (isIntoRows(e)) return `${capital(a)} is put into the bucket of row ${
+    e.window.y}${where ? ` (${where})` : ""}${timesWords(run, e)}`;
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
