@@ -59,10 +59,11 @@ static enum hsr_status scene_json(const struct hsr_scene *scene,
 }
 
 static json_t *camera_json(const struct hsr_camera *c) {
-  return json_pack("{s[fff] s[fff] s[fff] sf sf sf}", "eye", c->eye[0],
+  return json_pack("{s[fff] s[fff] s[fff] sf sf sf s[ffff]}", "eye", c->eye[0],
                    c->eye[1], c->eye[2], "at", c->at[0], c->at[1], c->at[2],
                    "up", c->up[0], c->up[1], c->up[2], "fov", c->fov, "near",
-                   c->near, "parallel", c->parallel);
+                   c->near, "parallel", c->parallel, "light", c->light[0],
+                   c->light[1], c->light[2], c->light[3]);
 }
 
 enum hsr_status lab_asked(const char *name, const struct scene_options *options,

@@ -4,8 +4,8 @@
 #include "bench/lab/lab.h"
 #include "bench/modules/variant.h"
 #include "bench/options/command.h"
+#include "bench/options/words.h"
 #include "bench/results/page.h"
-#include "common/files/whole_file.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -23,27 +23,22 @@ struct options {
 
 /* --- Options -------------------------------------------------------------- */
 
-static error_t add_algorithm(struct options *o, const char *name,
-                             size_t length) {
-  char text[HSR_MOST_VARIANT + 1];
+static error_t add_algorithm(struct options *o, const char *name) {
   struct hsr_error err;
   struct hsr_variant variant;
-  snprintf(text, sizeof text, "%.*s", (int)length, name);
   if (json_array_size(o->algorithms) == MOST_ALGORITHMS)
     return option_fail(&o->base, "lab: at most %d algorithms",
                        (int)MOST_ALGORITHMS);
-  if (hsr_variant_parse(text, &variant, &err))
+  if (hsr_variant_parse(name, &variant, &err))
     return option_fail(&o->base, "%s", err.text);
-  return json_array_append_new(o->algorithms, json_string(text)) ? ENOMEM : 0;
+  return json_array_append_new(o->algorithms, json_string(name)) ? ENOMEM : 0;
 }
 
 static error_t add_algorithms(struct options *o, const char *names) {
+  char name[HSR_MOST_VARIANT + 1];
   error_t error = 0;
-  while (!error && *names) {
-    size_t length = strcspn(names, ",");
-    error = add_algorithm(o, names, length);
-    names += length + (names[length] == ',');
-  }
+  while (!error && next_name(&names, name, sizeof name))
+    error = add_algorithm(o, name);
   return error;
 }
 
@@ -90,60 +85,32 @@ static const struct argp argp = {
 
 /* --- The page ------------------------------------------------------------- */
 
-/* Writes JSON into an element of a page: "<" would end it. */
-static enum hsr_status put_asked(const json_t *asked, FILE *out,
+static enum hsr_status put_asked(const void *asked, FILE *out,
                                  struct hsr_error *err) {
-  char *text = json_dumps(asked, JSON_COMPACT | JSON_ENSURE_ASCII);
-  if (!text)
-    return hsr_fail_nomem(err);
-  fputs("<script type=\"application/json\" id=\"asked\">", out);
-  for (const char *c = text; *c; c++)
-    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
-  fputs("</script>\n", out);
-  free(text);
-  return HSR_OK;
-}
-
-static enum hsr_status write_page(const struct options *o, const json_t *asked,
-                                  const char *built, FILE *out,
-                                  struct hsr_error *err) {
-  static const char mark[] = "<!--asked-->";
-  const char *here = strstr(built, mark);
-  if (!here)
-    return hsr_fail(err, HSR_E_INTERNAL, "lab: the page has no '%s'", mark);
-  fwrite(built, 1, (size_t)(here - built), out);
-  enum hsr_status status = put_asked(asked, out, err);
-  fputs(here + strlen(mark), out);
-  if (!status && ferror(out))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written: %s", o->output,
-                      strerror(errno));
-  return status;
+  return put_page_json("asked", json_incref((json_t *)asked), out, err);
 }
 
 static enum hsr_status make_page(struct options *o, const char *built,
                                  struct hsr_error *err) {
   const char *name = o->scene.name; /* without the words of a camera */
   json_t *asked = NULL;
-  struct hsr_whole_file file;
   enum hsr_status status = aim_scene(&o->scene, &o->view, err);
   if (!status)
     status = lab_asked(name, &o->scene, &o->view, o->algorithms, &asked, err);
   if (!status)
-    status = hsr_whole_file_open(&file, o->output, err);
-  if (!status) {
-    status = write_page(o, asked, built, file.stream, err);
-    status = hsr_whole_file_close(&file, status, err);
-  }
+    status = write_built_page(o->output, built, "<!--asked-->", put_asked,
+                              asked, err);
   json_decref(asked);
   return status;
 }
 
 static enum hsr_status read_page(char **built, struct hsr_error *err) {
-  return read_built_page("lab.html", built, err)
+  enum hsr_status status = read_built_page("lab.html", built, err);
+  return status == HSR_E_INPUT
              ? hsr_fail(err, HSR_E_USAGE,
                         "lab: built without its page (./quickstart web "
                         "makes it)")
-             : HSR_OK;
+             : status;
 }
 
 enum hsr_status command_lab(int argc, char **argv, struct hsr_error *err) {

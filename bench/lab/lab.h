@@ -19,7 +19,7 @@ enum { LAB_MOST_FACES = 100000 };
  *   scene       its name. A built-in one that needs no files is made anew by the
  *               page, and has sliders for its parameters
  *   file        of any other scene: the text of a .scene.json
- *   camera      {eye, at, up, fov, near, parallel}
+ *   camera      {eye, at, up, fov, near, parallel, light}, as struct hsr_camera
  *   algorithms  those that draw, with their options
  *
  * `name` is the scene's as the user gave it, without the words of a camera. *asked

@@ -32,28 +32,23 @@ struct options {
 
 /* --- Options -------------------------------------------------------------- */
 
-static error_t add_algorithm(struct options *o, const char *name,
-                             size_t length) {
-  char text[HSR_MOST_VARIANT + 1];
-  snprintf(text, sizeof text, "%.*s", (int)length, name);
+static error_t add_algorithm(struct options *o, const char *name) {
   if (o->n == MOST_ALGORITHMS)
     return option_fail(&o->base, "lesson: at most %d algorithms",
                        (int)MOST_ALGORITHMS);
   struct hsr_error err;
   struct hsr_variant *variant = &o->variant[o->n++];
-  enum hsr_status status = hsr_variant_parse(text, variant, &err);
+  enum hsr_status status = hsr_variant_parse(name, variant, &err);
   if (!status)
     status = lib_check_trace(variant, &err);
   return status ? option_fail(&o->base, "%s", err.text) : 0;
 }
 
 static error_t add_algorithms(struct options *o, const char *names) {
+  char name[HSR_MOST_VARIANT + 1];
   error_t error = 0;
-  while (!error && *names) {
-    size_t length = strcspn(names, ",");
-    error = add_algorithm(o, names, length);
-    names += length + (names[length] == ',');
-  }
+  while (!error && next_name(&names, name, sizeof name))
+    error = add_algorithm(o, name);
   return error;
 }
 

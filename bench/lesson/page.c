@@ -73,61 +73,31 @@ static json_t *survey_json(const struct lesson_page *page) {
   return survey;
 }
 
-/* Writes a value as a script of that id, and takes the reference. */
-static enum hsr_status write_json(const char *id, json_t *value, FILE *out,
-                                  struct hsr_error *err) {
-  enum { FLAGS = JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(6) };
-  char *text = value ? json_dumps(value, FLAGS) : NULL;
-  json_decref(value);
-  if (!text)
-    return hsr_fail_nomem(err);
-  fprintf(out, "<script type=\"application/json\" id=\"%s\">", id);
-  for (const char *c = text; *c; c++)
-    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
-  fputs("</script>\n", out);
-  free(text);
-  return HSR_OK;
-}
-
 static enum hsr_status write_survey(const struct lesson_page *page, FILE *out,
                                     struct hsr_error *err) {
   json_t *survivors = NULL;
   enum hsr_status status = lesson_survivors(&survivors, err);
   if (!status)
-    status = write_json("survivors", survivors, out, err);
-  return status ? status : write_json("survey", survey_json(page), out, err);
+    status = put_page_json("survivors", survivors, out, err);
+  return status ? status : put_page_json("survey", survey_json(page), out, err);
 }
 
-static enum hsr_status write_all(const struct lesson_page *page,
-                                 const char *built, FILE *out,
-                                 struct hsr_error *err) {
-  static const char mark[] = "<!--runs-->";
-  const char *here = strstr(built, mark);
-  if (!here)
-    return hsr_fail(err, HSR_E_INTERNAL, "lesson: the page has no '%s'", mark);
-  fwrite(built, 1, (size_t)(here - built), out);
+/* All that the page shows. */
+static enum hsr_status put_all(const void *context, FILE *out,
+                               struct hsr_error *err) {
+  const struct lesson_page *page = context;
   enum hsr_status status =
       page->is_survey ? write_survey(page, out, err) : HSR_OK;
-  if (!status)
-    status = write_runs(page, out, err);
-  fputs(here + strlen(mark), out);
-  if (!status && ferror(out))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written: %s", page->path,
-                      strerror(errno));
-  return status;
+  return status ? status : write_runs(page, out, err);
 }
 
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err) {
   char *built = NULL;
-  struct hsr_whole_file file;
   enum hsr_status status = read_built_page("lesson.html", &built, err);
   if (!status)
-    status = hsr_whole_file_open(&file, page->path, err);
-  if (!status) {
-    status = write_all(page, built, file.stream, err);
-    status = hsr_whole_file_close(&file, status, err);
-  }
+    status =
+        write_built_page(page->path, built, "<!--runs-->", put_all, page, err);
   free(built);
   return status;
 }

@@ -67,6 +67,15 @@ bool parse_point(const char *text, double point[3]) {
   return true;
 }
 
+bool next_name(const char **names, char *name, size_t size) {
+  if (!**names)
+    return false;
+  size_t length = strcspn(*names, ",");
+  snprintf(name, size, "%.*s", (int)length, *names);
+  *names += length + ((*names)[length] == ',');
+  return true;
+}
+
 bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]) {
   size_t n = 0;
   int places = 0;

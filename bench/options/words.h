@@ -4,6 +4,7 @@
 #define HSR_BENCH_OPTIONS_WORDS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Parse "640x480", or "512", which is 512x512; "x,y,z"; a decimal number; a
  * whole number from `least` to `most`. False if the text is anything else. */
@@ -15,6 +16,10 @@ bool parse_count(const char *text, long least, long most, long *count);
 
 /* "A-B" or "A", of numbers from `least` on, A <= B. */
 bool parse_range(const char *text, long least, long *first, long *last);
+
+/* Copies the next of several names, which commas divide, to name[size], cut short
+ * if it is longer, and sets *names to what follows it. False: there is no more. */
+bool next_name(const char **names, char *name, size_t size);
 
 /* The name of a file of a series: the number in the place of the pattern's only
  * %d, which may have a width, as in f%03d.png; %% stands for one %. False if

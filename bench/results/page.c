@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/page.h"
+#include "common/files/whole_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -21,17 +22,21 @@ void find_page(const char *file, char folder[PAGE_FOLDER]) {
     snprintf(folder, PAGE_FOLDER, "%s", HSR_REPORT_DIR);
 }
 
-/* All of an open file, ended by 0; NULL if it cannot be read. */
-static char *text_of(FILE *file) {
+/* Reads all of an open file, and ends it by 0. */
+static enum hsr_status read_text(FILE *file, const char *path, char **text,
+                                 struct hsr_error *err) {
   long size = fseek(file, 0, SEEK_END) ? -1 : ftell(file);
-  char *text = size < 0 ? NULL : malloc((size_t)size + 1);
   rewind(file);
-  if (!text || fread(text, 1, (size_t)size, file) != (size_t)size) {
-    free(text);
-    return NULL;
+  *text = size < 0 ? NULL : malloc((size_t)size + 1);
+  if (size >= 0 && !*text)
+    return hsr_fail_nomem(err);
+  if (size < 0 || fread(*text, 1, (size_t)size, file) != (size_t)size) {
+    free(*text);
+    *text = NULL;
+    return hsr_fail(err, HSR_E_INPUT, "%.400s: cannot be read", path);
   }
-  text[size] = '\0';
-  return text;
+  (*text)[size] = '\0';
+  return HSR_OK;
 }
 
 enum hsr_status read_built_page(const char *name, char **page,
@@ -43,10 +48,43 @@ enum hsr_status read_built_page(const char *name, char **page,
   FILE *file = fopen(path, "rb");
   if (!file)
     return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
-  *page = text_of(file);
+  enum hsr_status status = read_text(file, path, page, err);
   fclose(file);
-  return *page ? HSR_OK
-               : hsr_fail(err, HSR_E_INPUT, "%.400s: cannot be read", path);
+  return status;
+}
+
+enum hsr_status
+write_built_page(const char *path, const char *page, const char *mark,
+                 enum hsr_status (*put)(const void *context, FILE *out,
+                                        struct hsr_error *err),
+                 const void *context, struct hsr_error *err) {
+  struct hsr_whole_file file;
+  const char *here = strstr(page, mark);
+  if (!here)
+    return hsr_fail(err, HSR_E_INTERNAL, "the page has no '%s'", mark);
+  enum hsr_status status = hsr_whole_file_open(&file, path, err);
+  if (status)
+    return status;
+  fwrite(page, 1, (size_t)(here - page), file.stream);
+  status = put(context, file.stream, err);
+  fputs(here + strlen(mark), file.stream);
+  return hsr_whole_file_close(&file, status, err);
+}
+
+/* "<" would end the script. */
+enum hsr_status put_page_json(const char *id, json_t *value, FILE *out,
+                              struct hsr_error *err) {
+  char *text =
+      value ? json_dumps(value, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
+  json_decref(value);
+  if (!text)
+    return hsr_fail_nomem(err);
+  fprintf(out, "<script type=\"application/json\" id=\"%s\">", id);
+  for (const char *c = text; *c; c++)
+    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
+  fputs("</script>\n", out);
+  free(text);
+  return HSR_OK;
 }
 
 char *base64_text(const void *bytes, size_t n) {

@@ -26,6 +26,10 @@ export function sceneFile(mesh, name, views) {
     views: views.map(viewOf) });
 }
 
-const viewOf = ({ eye, at, up, fov, near, parallel }) =>
+const viewOf = ({ eye, at, up, fov, near, parallel, light }) =>
   ({ eye: [...eye], at: [...at], up: [...up], near, ...(parallel > 0 ? { parallel }
-    : { fov }) });
+    : { fov }), ...lightOf(light ?? [0, 0, 0, 0]) });
+
+// A light at a point, a sun in a direction, or, of noughts, the standard one.
+const lightOf = ([x, y, z, w]) => w > 0 ? { light: [x, y, z] }
+  : x || y || z ? { sun: [x, y, z] } : {};

@@ -74,13 +74,16 @@ export function rayThrough(camera, x, y, m, n) {
 }
 
 const NUMBERS = ["fov", "near", "parallel"];
+const hasLight = ({ light }) => light?.some((x) => x !== 0) ?? false;
 export const cameraText = (camera) => [...camera.eye, ...camera.at, ...camera.up,
-  ...NUMBERS.map((name) => camera[name])].join(",");
+  ...NUMBERS.map((name) => camera[name]),
+  ...hasLight(camera) ? camera.light : []].join(",");
 
-// null: the text is no camera.
+// null: the text is no camera. The light is left out if it is the standard one.
 export function cameraOf(text) {
   const x = text.split(",").map(Number);
-  if (x.length !== 12 || x.some((c) => !Number.isFinite(c))) return null;
+  if (![12, 16].includes(x.length) || x.some((c) => !Number.isFinite(c))) return null;
   return { eye: x.slice(0, 3), at: x.slice(3, 6), up: x.slice(6, 9),
-    fov: x[9], near: x[10], parallel: x[11] };
+    fov: x[9], near: x[10], parallel: x[11],
+    ...x.length === 16 ? { light: x.slice(12) } : {} };
 }
