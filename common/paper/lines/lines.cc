@@ -145,8 +145,8 @@ hsr_line_class Finder::class_of(const Edges &edges) {
 // --- Ends that are one -------------------------------------------------------
 
 // Ends whose bounds overlap may be one place. They are taken for one only if
-// nobody can see them apart: a line may be longer than its picture is wide by
-// far, and then the bounds of its ends reach over all of the picture.
+// their images are also within this distance. For a line may be far longer than
+// the picture is wide. Then the bounds of its ends reach over the whole picture.
 constexpr double NEAR = 0x1p-20; // pixels
 
 bool Finder::is_near(const double p[3], const double q[3]) const {
@@ -262,8 +262,8 @@ void Finder::lay(uint32_t e, uint32_t space) {
   }
 }
 
-// Sorts the ends. Those are one stop whose bounds overlap and which nobody can
-// see apart. Returns the nodes of all stops, in the order of the line.
+// Sorts the ends. Neighbours are one stop if their bounds overlap and their images
+// are near. Returns the nodes of all stops, in the order of the line.
 std::vector<uint32_t> Finder::find_stops() {
   std::stable_sort(
       end_.begin(), end_.end(),

@@ -13,9 +13,10 @@
  *             node if that place has a name: a vertex, the end of an implied
  *             edge, or a change of visibility on one edge. Places of names are
  *             compared exactly. A change of visibility is known to 1e-12 of its
- *             parameter: within that it is at a vertex, or the end of an implied
- *             edge, whose image is on its line. On one line of the picture, ends
- *             whose bounds overlap are one if nobody can see them apart. */
+ *             parameter. If a vertex or the end of an implied edge has its image
+ *             there on the same line, the change is at that. Two ends on one
+ *             line of the picture are one if their bounds overlap and their
+ *             images are within 2^-20 pixels. */
 #ifndef HSR_COMMON_PAPER_LINES_H
 #define HSR_COMMON_PAPER_LINES_H
 

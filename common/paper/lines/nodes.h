@@ -66,8 +66,8 @@ public:
   // The image of a point of the world, in pixels.
   std::array<double, 2> image_of(const double point[3]) const;
   // The node of a change of visibility on an edge, at t or a little before or
-  // after it: that of a named place which has one image with the edge there, else
-  // a new one.
+  // after it. If a named place has its image on the edge there, it is the node of
+  // that place; else it is a new one.
   uint32_t of_change(uint32_t e, double t, const double point[3]);
   // The same between two places of the line of the picture on which the edge is.
   uint32_t of_change(uint32_t e, const Place &lo, const Place &hi,

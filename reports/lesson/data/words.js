@@ -97,8 +97,8 @@ export function eventWords(run, e) {
   const first = a || b || where || (e.window ? "the picture" : "");
   const second = a && b ? b : "";
   let text = first;
-  if (isIntoRows(e)) return `${capital(a)} is put into the bucket of row ${
-    e.window.y}${where ? ` (${where})` : ""}${timesWords(run, e)}`;
+  if (isIntoRows(e))
+    return `${capital(a)} ${bucketWords(e.window)}${timesWords(run, e)}`;
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
@@ -125,6 +125,9 @@ export function eventWords(run, e) {
 }
 
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+const bucketWords = ({ y, height }) => `is put into the bucket of row ${y}${
+  height > 1 ? `; it reaches to row ${y + height - 1}` : ""}`;
 
 // Whether a thing is put into the bucket of the row where its window begins.
 const isIntoRows = (e) => e.kind === "sort" && e.window &&
