@@ -120,6 +120,7 @@ libbench_a_SOURCES = \
   %D%/report/data.h \
   %D%/report/drawings.c \
   %D%/report/errors.c \
+  %D%/report/laboratory.c \
   %D%/report/ladders.c \
   %D%/report/lessons.c \
   %D%/report/pictures.c \

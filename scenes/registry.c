@@ -250,6 +250,11 @@ static const struct hsr_builtin *find_builtin(const char *name, size_t n) {
   return NULL;
 }
 
+bool hsr_is_made_by_name(const char *name) {
+  const struct hsr_builtin *builtin = find_builtin(name, strcspn(name, ":@"));
+  return builtin && !builtin->file;
+}
+
 /* What hsr export writes, but nothing reads. */
 static bool is_only_written(const char *name) {
   return has_suffix(name, ".vtu");

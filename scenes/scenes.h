@@ -43,6 +43,11 @@ extern const struct hsr_builtin hsr_builtins[];
 /* Whether the package that a scene needs is installed, if it needs one. */
 bool hsr_builtin_is_there(const struct hsr_builtin *builtin);
 
+/* Whether this is the name of a built-in scene that needs no files: "soup:9" and
+ * "house@eye=9,5,9" are, "mesh:elephant" and "mine.obj" are not. Its parameters
+ * are not looked at. */
+bool hsr_is_made_by_name(const char *name);
+
 /* Opens, finishes and returns the scene that a user names: a built-in scene
  * with parameters ("harbor", "soup:1000:7"), a real mesh of Debian's
  * libcgal-demo ("mesh:elephant"), a .scene.json, or one of its frames

@@ -175,6 +175,7 @@ tap_scripts = \
   %D%/export/polygons.test \
   %D%/export/round_trips.test \
   %D%/lab/lab.test \
+  %D%/lab/links.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
@@ -417,6 +418,7 @@ EXTRA_DIST += \
   %D%/fuzz \
   %D%/instructions \
   %D%/lab/edits.mjs \
+  %D%/lab/links.mjs \
   %D%/lab/visit.mjs \
   %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \

@@ -6,15 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whether the page can make the scene by its name alone. */
-static bool is_made_by_name(const char *name) {
-  size_t length = strcspn(name, ":@");
-  for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
-    if (strlen(b->name) == length && !memcmp(b->name, name, length))
-      return !b->file;
-  return false;
-}
-
 static enum hsr_status check(const struct hsr_scene *scene,
                              struct hsr_error *err) {
   uint64_t n = hsr_scene_faces(scene);
@@ -49,10 +40,8 @@ static enum hsr_status file_json(const struct hsr_scene *scene, json_t **file,
 /* NULL if the page makes the scene by its name. */
 static enum hsr_status scene_json(const struct hsr_scene *scene,
                                   const struct scene_options *options,
-                                  const char *name, json_t **file,
-                                  struct hsr_error *err) {
-  const struct hsr_import *import = &options->import;
-  if (is_made_by_name(name) && !import->two_sided && !(import->weld > 0))
+                                  json_t **file, struct hsr_error *err) {
+  if (scene_is_made_by_name(options))
     return HSR_OK;
   enum hsr_status status = check(scene, err);
   return status ? status : file_json(scene, file, err);
@@ -77,7 +66,7 @@ enum hsr_status lab_asked(const char *name, const struct scene_options *options,
   if (!status)
     status = choose_view(view, scene, 1, &seen, err);
   if (!status)
-    status = scene_json(scene, options, name, &file, err);
+    status = scene_json(scene, options, &file, err);
   if (!status) {
     *asked = json_pack("{ss so* so sO}", "scene", name, "file", file, "camera",
                        camera_json(&seen.camera), "algorithms", algorithms);

@@ -14,7 +14,7 @@
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, SURVEY, FRAMES, FRAME_COUNT, STEPS, PNG };
+enum { EVENTS = 0x200, SURVEY, FRAMES, FRAME_COUNT, STEPS, PNG, LAB };
 enum { MOST_STEPS = 1000 };
 
 struct options {
@@ -26,6 +26,7 @@ struct options {
   const char *output;
   long events;
   bool survey;
+  const char *lab;
   struct lesson_slides slides; /* .folder is NULL without them */
   uint64_t step[MOST_STEPS];
 };
@@ -137,6 +138,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case SURVEY:
     o->survey = true;
     return 0;
+  case LAB:
+    o->lab = arg;
+    return 0;
   case ARGP_KEY_END:
     return check_options(o);
   default:
@@ -156,6 +160,10 @@ static const struct argp argp = {
         {"survey", SURVEY, NULL, 0,
          "instead of SCENE and -a: lessons through the survey, each algorithm "
          "on a scene that shows its idea",
+         0},
+        {"lab", LAB, "ADDRESS", 0,
+         "where the laboratory is: each lesson leads to its scene there. For a "
+         "scene of a file, the page that hsr lab has made of this file",
          0},
         {"frames", FRAMES, "DIR", 0,
          "also, or instead of -o: steps as pictures for slides, "
@@ -181,7 +189,7 @@ static const struct argp argp = {
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
     "  hsr lesson house -a watkins --frames slides --png\n"
     "  hsr lesson house -a roberts --frames slides --steps 36,25550,26399\n"
-    "  hsr lesson --survey -o lessons.html\n"
+    "  hsr lesson --survey --lab lab.html -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,
     NULL,
@@ -198,6 +206,7 @@ static enum hsr_status make_page(const struct options *o,
       &(struct lesson_page){.path = o->output,
                             .subject = subject,
                             .n = o->n,
+                            .lab = o->lab,
                             .limits = {LESSON_MOST_FACES, o->events}},
       err);
 }
@@ -234,7 +243,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
                       "lesson: built without its page (configure needs node "
                       "and npm)");
   if (!status && o->survey)
-    status = lesson_survey(o->output, o->events, err);
+    status = lesson_survey(o->output, o->events, o->lab, err);
   else if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status && !o->survey && o->slides.folder)

@@ -222,6 +222,9 @@ struct lesson_page {
   int n;
   struct lesson_limits limits; /* of each run */
   bool is_survey;              /* the subjects are the lessons of survey.def */
+  const char *lab; /* the address of the laboratory: each lesson leads to its
+                      scene there. A scene that is not made by its name is the one
+                      that hsr lab has put into it. NULL: none leads there */
 };
 
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
@@ -237,10 +240,10 @@ enum hsr_status lesson_survivors(json_t **survivors, struct hsr_error *err);
 /* The most events of an algorithm, unless the user says otherwise. */
 enum { LESSON_STANDARD_EVENTS = 2000000 };
 
-/* Writes the lessons of survey.def, of those algorithms that the program has;
- * and the names of these, as a new reference, NULL for lack of memory. Fails as
+/* Writes the lessons of survey.def, of those algorithms that the program has, with
+ * `lab` as in struct lesson_page; and the names of these, as a new reference, NULL for lack of memory. Fails as
  * lesson_write. */
-enum hsr_status lesson_survey(const char *path, long events,
+enum hsr_status lesson_survey(const char *path, long events, const char *lab,
                               struct hsr_error *err);
 json_t *lesson_survey_names(void);
 

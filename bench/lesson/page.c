@@ -5,6 +5,7 @@
 #include "bench/terminal/terminal.h"
 #include "common/files/json/json.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,16 +28,33 @@ static void put_text(const char *text, FILE *out) {
     }
 }
 
-static enum hsr_status write_run(const struct lesson_subject *subject,
-                                 const struct lesson_limits *limits, FILE *out,
-                                 struct hsr_error *err) {
+/* Where the laboratory shows the subject's view. */
+static void put_lab(const struct lesson_subject *subject, const char *lab,
+                    FILE *out) {
+  const char *name = subject->scene->name;
+  fputs("\" data-lab=\"", out);
+  put_text(lab, out);
+  fputs("#/?", out);
+  if (!scene_is_made_by_name(subject->scene))
+    return;
+  fputs("s=", out);
+  for (const unsigned char *c = (const unsigned char *)name; *c; c++)
+    fprintf(out, isalnum(*c) || strchr("-._~", *c) ? "%c" : "%%%02X", *c);
+  fprintf(out, "&amp;v=%ld", subject->view->view - 1);
+}
+
+static enum hsr_status write_run(const struct lesson_page *page,
+                                 const struct lesson_subject *subject,
+                                 FILE *out, struct hsr_error *err) {
   char *text = NULL;
-  enum hsr_status status = lesson_draw(subject, limits, &text, err);
+  enum hsr_status status = lesson_draw(subject, &page->limits, &text, err);
   if (!status) {
     fputs("<script type=\"text/plain\" class=\"run\" data-name=\"", out);
     put_text(subject->variant->name, out);
     fputs("\" data-scene=\"", out);
     put_text(subject->scene->name, out);
+    if (page->lab)
+      put_lab(subject, page->lab, out);
     fprintf(out, "\">%s</script>\n", text);
   }
   free(text);
@@ -51,7 +69,7 @@ static enum hsr_status write_runs(const struct lesson_page *page, FILE *out,
   for (int k = 0; k < page->n && !status; k++) {
     progress_tell(&progress, (size_t)k, (size_t)page->n, "algorithms",
                   page->subject[k].variant->name);
-    status = write_run(&page->subject[k], &page->limits, out, err);
+    status = write_run(page, &page->subject[k], out, err);
   }
   progress_end(&progress);
   return status;

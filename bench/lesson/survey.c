@@ -41,7 +41,7 @@ json_t *lesson_survey_names(void) {
   return names;
 }
 
-enum hsr_status lesson_survey(const char *path, long events,
+enum hsr_status lesson_survey(const char *path, long events, const char *lab,
                               struct hsr_error *err) {
   struct stand *stand = calloc(1, sizeof *stand);
   if (!stand)
@@ -55,7 +55,8 @@ enum hsr_status lesson_survey(const char *path, long events,
                                          .subject = stand->subject,
                                          .n = n,
                                          .limits = {LESSON_MOST_FACES, events},
-                                         .is_survey = true},
+                                         .is_survey = true,
+                                         .lab = lab},
                    err);
   free(stand);
   return status;

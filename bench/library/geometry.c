@@ -9,6 +9,7 @@ void lib_geometry_free(struct lib_geometry *geometry) {
   free(geometry->ring);
   free(geometry->rgb);
   free(geometry->opacity);
+  free(geometry->one_sided);
   free(geometry->object_name);
   *geometry = (struct lib_geometry){.xyz = NULL};
 }
@@ -23,9 +24,11 @@ static bool allocate(struct lib_geometry *to, const struct hsr_world *world) {
   to->ring = array(world->n_faces, sizeof *to->ring);
   to->rgb = array(world->n_faces, 3 * sizeof *to->rgb);
   to->opacity = array(world->n_faces, sizeof *to->opacity);
+  to->one_sided = array(world->n_faces, sizeof *to->one_sided);
   to->object_name =
       array(world->roster.scene->n_objects, sizeof *to->object_name);
-  return to->xyz && to->ring && to->rgb && to->opacity && to->object_name;
+  return to->xyz && to->ring && to->rgb && to->opacity && to->one_sided &&
+         to->object_name;
 }
 
 static void fill(struct lib_geometry *to, const struct hsr_world *world) {
@@ -43,6 +46,7 @@ static void fill(struct lib_geometry *to, const struct hsr_world *world) {
     memcpy(&to->rgb[3 * (size_t)f], hsr_face_rgb(place.object, place.face),
            3 * sizeof *to->rgb);
     to->opacity[f] = hsr_face_opacity(place.object, place.face);
+    to->one_sided[f] = mesh->one_sided[f];
   }
   for (uint32_t k = 0; k < scene->n_objects; k++)
     to->object_name[k] = scene->objects[k].name;
@@ -102,6 +106,7 @@ enum hsr_status hsr_get_geometry(const struct lib_scene *scene,
                                      .object = world->mesh.object,
                                      .object_name =
                                          handle->geometry.object_name,
-                                     .n_objects = handle->scene->n_objects};
+                                     .n_objects = handle->scene->n_objects,
+                                     .one_sided = handle->geometry.one_sided};
   return lib_give("geometry", geometry, sizeof found, &found, err);
 }

@@ -319,7 +319,9 @@ HSR_API enum hsr_status hsr_get_scene(const struct hsr_scene *scene,
                                       struct hsr_error *err);
 
 /* The faces of a scene, laid out. The arrays are as those of struct hsr_arrays,
- * and belong to the scene. */
+ * and belong to the scene. A scene that hsr_open_arrays makes of them is one
+ * object, which is one-sided if it is closed: objects and one_sided do not pass
+ * through it. */
 struct hsr_geometry {
   size_t size;
   const double *xyz; /* 3 n_vertices, world units; those of one instance follow
@@ -336,6 +338,8 @@ struct hsr_geometry {
   const uint32_t *object; /* n_faces: which object the face is of */
   const char *const *object_name; /* n_objects */
   size_t n_objects;
+  const uint8_t *one_sided; /* n_faces: 1 if the face exists only when it is
+                               seen from its front, else 0 */
 };
 
 /* Lays the scene out, if no algorithm has done so, and sets *geometry to its

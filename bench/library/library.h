@@ -33,6 +33,7 @@ struct lib_geometry {
   double *xyz;
   uint32_t *ring;
   float *rgb, *opacity;
+  uint8_t *one_sided;
   const char **object_name;
 };
 

@@ -126,6 +126,11 @@ void say_opened(const char *name, const char *notes, uint64_t n_dropped,
             name, enlarged);
 }
 
+bool scene_is_made_by_name(const struct scene_options *options) {
+  return hsr_is_made_by_name(options->name) && !options->import.two_sided &&
+         !(options->import.weld > 0);
+}
+
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err) {
   enum hsr_status status = hsr_scene_open(name, &import, scene, err);

@@ -79,6 +79,10 @@ error_t parse_threads(struct scene_options *options, long *threads,
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 
+/* Whether the name alone makes the scene, anywhere: hsr_is_made_by_name, and no
+ * option changes it. */
+bool scene_is_made_by_name(const struct scene_options *options);
+
 /* Says on stderr what was left out of a scene that was opened, and that it was
  * enlarged 2^enlarged times. */
 void say_opened(const char *name, const char *notes, uint64_t n_dropped,

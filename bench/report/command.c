@@ -213,6 +213,8 @@ static enum hsr_status write_report(const struct report *report,
     return HSR_E_NOMEM;
   enum hsr_status status = report_errors(report, data, err);
   if (!status)
+    status = report_laboratory(report, data, err);
+  if (!status)
     status = report_lessons(report, data, err);
   if (!status)
     status = report_pictures(report, data, err);

@@ -115,7 +115,7 @@ static bool write_page(const struct lesson_page *page, double seconds) {
 /* Writes the page of one scene, and adds it to the list. A scene that cannot be
  * shown is left out. */
 static void add_page(const struct report *report, const json_t *view,
-                     double seconds, json_t **pages) {
+                     const char *lab, double seconds, json_t **pages) {
   struct lesson_runs *runs = calloc(1, sizeof *runs);
   if (!runs)
     return;
@@ -132,6 +132,8 @@ static void add_page(const struct report *report, const json_t *view,
   struct lesson_page page = {.path = path,
                              .subject = runs->subject,
                              .n = runs->n,
+                             .lab = scene_is_made_by_name(&runs->scene) ? lab
+                                                                        : NULL,
                              .limits = {MOST_FACES, LESSON_STANDARD_EVENTS}};
   if (runs->n && write_page(&page, seconds))
     hsr_json_append(pages,
@@ -153,7 +155,10 @@ enum hsr_status report_lessons(const struct report *report, json_t *data,
   static const char survey[] = "lessons.html";
   char path[4200];
   snprintf(path, sizeof path, "%.4096s/%s", report->folder, survey);
-  enum hsr_status status = lesson_survey(path, LESSON_STANDARD_EVENTS, err);
+  const char *lab =
+      json_object_get(data, "laboratory") ? REPORT_LABORATORY : NULL;
+  enum hsr_status status =
+      lesson_survey(path, LESSON_STANDARD_EVENTS, lab, err);
   if (status)
     return status;
   json_t *pages = json_array();
@@ -166,7 +171,7 @@ enum hsr_status report_lessons(const struct report *report, json_t *data,
     double left = end - hsr_seconds_now();
     if (left > 0 && json_array_size(pages) <= MOST_SCENES && is_small(view) &&
         !is_in(pages, results_text(view, "scene")))
-      add_page(report, view, left / 2, &pages);
+      add_page(report, view, lab, left / 2, &pages);
   }
   return json_object_set_new(data, "lessons", pages) ? hsr_fail_nomem(err)
                                                      : HSR_OK;

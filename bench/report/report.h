@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr report share: data.c makes the numbers of the page,
  * from cells.c and ladders.c; pictures.c makes its pictures; lessons.c the pages
- * on which algorithms are watched; errors.c takes in what hsr errors found. The
+ * on which algorithms are watched; laboratory.c the laboratory beside them; errors.c takes in what hsr errors found. The
  * page itself is under reports/. */
 #ifndef HSR_BENCH_REPORT_REPORT_H
 #define HSR_BENCH_REPORT_REPORT_H
@@ -32,10 +32,18 @@ enum hsr_status report_pictures(const struct report *report, json_t *data,
 
 /* Writes the lessons of the survey, and pages of the first small scenes of the
  * results, on which those algorithms can be watched that drew them right. Sets
- * "lessons" of the data: [{file, scene or null, names of algorithms}, ...]. Fails
+ * "lessons" of the data: [{file, scene or null, names of algorithms}, ...]. They lead
+ * to the laboratory if report_laboratory has put it there. Fails
  * as lesson_survey; a scene that cannot be shown is left out. */
 enum hsr_status report_lessons(const struct report *report, json_t *data,
                                struct hsr_error *err);
+
+/* Copies the page of the laboratory into the folder, if it is built. Then it sets
+ * "laboratory" of the data: {file, scenes: those of the results that the page makes
+ * by their names}. HSR_E_INPUT if it cannot be copied; HSR_E_NOMEM. */
+#define REPORT_LABORATORY "lab.html"
+enum hsr_status report_laboratory(const struct report *report, json_t *data,
+                                  struct hsr_error *err);
 
 /* Sets "errors" of the data: what the files of hsr errors say. Copies their
  * pictures, if they are beside these files. HSR_E_INPUT: a file is not of that

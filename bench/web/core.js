@@ -139,7 +139,8 @@ function coreOf(hsr) {
       vertex: copyOf(Uint32Array, g.vertex, g.nCorners),
       rgb: copyOf(Float32Array, g.rgb, 3 * g.nFaces),
       opacity: copyOf(Float32Array, g.opacity, g.nFaces),
-      object: copyOf(Uint32Array, g.object, g.nFaces), objects: g.objects };
+      object: copyOf(Uint32Array, g.object, g.nFaces), objects: g.objects,
+      oneSided: copyOf(Uint8Array, g.oneSided, g.nFaces) };
   }
 
   // --- Steps and judging ---

@@ -107,10 +107,11 @@ WEB_CALL enum hsr_status web_geometry(const struct lib_scene *scene) {
     return web_end(status, NULL);
   return web_end(
       HSR_OK,
-      json_pack("{so sI so sI so sI so so so so}", "xyz", web_address(g.xyz),
+      json_pack("{so sI so sI so sI so so so so so}", "xyz", web_address(g.xyz),
                 "nVertices", (json_int_t)g.n_vertices, "ring",
                 web_address(g.ring), "nFaces", (json_int_t)g.n_faces, "vertex",
                 web_address(g.vertex), "nCorners", (json_int_t)g.n_corners,
                 "rgb", web_address(g.rgb), "opacity", web_address(g.opacity),
-                "object", web_address(g.object), "objects", names_json(&g)));
+                "object", web_address(g.object), "objects", names_json(&g),
+                "oneSided", web_address(g.one_sided)));
 }

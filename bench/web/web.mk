@@ -8,8 +8,12 @@
 #   judges    the oracles
 #   bench     the library hsr.h, and the rooms of bench/ that serve it
 #   own       bench/web
-EMCC = emcc
 EMXX = em++
+# emcc begins slowly. So what it would call compiles, with the flags that it would
+# give.
+CLANG := $(shell em-config LLVM_ROOT)/clang
+CLANGCC := $(CLANG) $(shell emcc --cflags)
+CLANGXX := $(CLANG)++ $(shell em++ -fwasm-exceptions --cflags)
 WEB = web
 LIBRARIES = $(WEB)/libraries
 OBJECTS = $(WEB)/objects
@@ -49,7 +53,7 @@ WARNINGS = -Wall -Wextra
 COMMON = -msimd128 $(INCLUDES) $(DEFINES) -MMD -MP
 CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
   -DCGAL_IA_DONT_STOP_CONSTANT_PROPAGATION -DCGAL_NDEBUG \
-  -DCGAL_HAS_NO_THREADS -fwasm-exceptions -Wno-unused-parameter
+  -DCGAL_HAS_NO_THREADS -Wno-unused-parameter
 EXACT = -ffp-contract=off
 C_FLAGS = -O3 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
 CXX_FLAGS = -O2 -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
@@ -87,8 +91,8 @@ $(WEB)/made: $(srcdir)/bench/web/libraries
 	@ln -sfn /usr/include/boost $(WEB)/headers/boost
 	@: >$@
 
-compile_c = @echo "  EMCC     $<"; mkdir -p $(@D); $(EMCC) $(C_FLAGS) $(1) -c -o $@ $<
-compile_cxx = @echo "  EMXX     $<"; mkdir -p $(@D); $(EMXX) $(CXX_FLAGS) $(1) -c -o $@ $<
+compile_c = @echo "  EMCC     $<"; mkdir -p $(@D); $(CLANGCC) $(C_FLAGS) $(1) -c -o $@ $<
+compile_cxx = @echo "  EMXX     $<"; mkdir -p $(@D); $(CLANGXX) $(CXX_FLAGS) $(1) -c -o $@ $<
 
 # All is compiled anew if the flags are others.
 $(WEB)/%.flags: always

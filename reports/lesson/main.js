@@ -27,6 +27,7 @@ const main = document.querySelector("main");
 const scripts = [...document.querySelectorAll("script.run")];
 const texts = new Map(scripts.map((e) => [e.dataset.name, e.textContent]));
 const scenes = new Map(scripts.map((e) => [e.dataset.name, e.dataset.scene]));
+const labs = new Map(scripts.map((e) => [e.dataset.name, e.dataset.lab]));
 const parsed = (id) =>
   JSON.parse(document.querySelector(`#${id}`)?.textContent ?? "null");
 const survey = parsed("survey"); // of the lessons; null: the page is of one scene
@@ -132,7 +133,7 @@ async function begin() {
   main.replaceChildren(
     h("div", { class: "top" }, h("div", { class: "title" },
       wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
-      h("p", { class: "kicker" }, sceneWords(first))), chooser()),
+      h("p", { class: "kicker" }, sceneWords(first), tryIt())), chooser()),
     h("div", { class: "at-work" }, bar, note, question, panels),
     lessonText(first, goTo, () => showSlides(first)), legend,
     figures(first, (name) =>
@@ -157,6 +158,13 @@ function sceneWords(run) {
   return `${sceneName(run)}, view ${view.number}, ${view.width} × ${view.height} ` +
     `samples, ${faces.length} ${faces.length === 1 ? "face" : "faces"}. ${
       run.kind.hint}`;
+}
+
+// The same view in the laboratory, if the page knows where that is.
+function tryIt() {
+  const lab = labs.get(state.a[0]);
+  return lab ? [" ", h("a", { class: "try", href: `${lab}&a=${state.a.join(",")}` },
+    "Try it in the laboratory")] : null;
 }
 
 function fail(error) {

@@ -113,6 +113,17 @@ await test("the camera turns by dragging, by keys and by the wheel", async () =>
   assert.deepEqual(await hashes(page), before);
 });
 
+await test("an edited scene keeps its sides", async () => {
+  for (const scene of ["one-sided", "house", "cyclic-overlap"]) {
+    await go(`#/?s=${scene}&a=zbuffer&size=128x96`);
+    const ids = () => page.evaluate(() =>
+      globalThis.lab.pictures.shown()[0].answer.ids.join());
+    const before = await ids();
+    await set({ edits: [["paint", "f0", "#804020"]] });
+    assert.equal(await ids(), before, scene);
+  }
+});
+
 await test("what lies under the pointer is named, and why", async () => {
   await go("#/?s=house&a=watkins&size=256x192");
   const { x, y, width, height } = await page.locator("canvas.view").boundingBox();

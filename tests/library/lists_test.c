@@ -420,6 +420,23 @@ static void test_geometry(struct tap *tap) {
   hsr_close(scene);
 }
 
+/* Whether each face of a built-in scene is one-sided. */
+static void test_sides(struct tap *tap, const char *name, int two_sided,
+                       uint8_t expected) {
+  const struct hsr_open_options options = {.size = sizeof options,
+                                           .two_sided = two_sided};
+  struct hsr_geometry g = {.size = sizeof g};
+  struct hsr_scene *scene = NULL;
+  size_t n = 0;
+  if (!hsr_open(name, &options, &scene, NULL) &&
+      !hsr_get_geometry(scene, &g, NULL))
+    for (size_t f = 0; f < g.n_faces; f++)
+      n += g.one_sided[f] == expected;
+  ok(tap, n && n == g.n_faces, "the faces of %s%s are %s-sided", name,
+     two_sided ? ", made two-sided," : "", expected ? "one" : "two");
+  hsr_close(scene);
+}
+
 static void test_opacity(struct tap *tap) {
   static const float opacity[] = {1, 0.25f}, wrong[] = {1, 1.5f};
   struct hsr_arrays arrays = two_faces();
@@ -665,6 +682,10 @@ int main(void) {
   test_cameras(&tap);
   test_arrays(&tap);
   test_geometry(&tap);
+  test_sides(&tap, "house", 0, 1);
+  test_sides(&tap, "house", 1, 0);
+  test_sides(&tap, "one-sided", 0, 1);
+  test_sides(&tap, "cyclic-overlap", 0, 0);
   test_opacity(&tap);
   test_instances(&tap);
   test_grids(&tap);

@@ -169,6 +169,7 @@ def test_geometry():
     made = hsr.scene_from_arrays(
         g.xyz, faces, g.rgb, opacity=g.opacity, two_sided=True
     )
+    ok(not g.one_sided.any(), "all two-sided")
     camera, algorithm = glass.camera(0), "transparent-oracle"
     a, b = (s.render(algorithm, SIZE, camera=camera) for s in (glass, made))
     ok((a.rgba == b.rgba).all(), "they make the same scene")

@@ -16,7 +16,7 @@ const said = (does) => {
     return does();
   } catch (error) {
     if (error.isFatal) throw error;
-    return [`${error.status}: ${error.text}`, 0];
+    return [`${error.status}: ${error.text}`, 0, ""];
   }
 };
 // The sum of its coordinates, as tests/web/hashes has it.
@@ -27,20 +27,24 @@ function sumOf({ segments = [], polygons }) {
 }
 const drawing = (request) => {
   const answer = core.draw(scene, request);
-  return [answer.hash, sumOf(answer)];
+  const { counts = [] } = core.draw(scene, { ...request, counts: true });
+  return [answer.hash, sumOf(answer), counts.join()];
 };
 
 for (const line of readFileSync(0, "utf8").split("\n").filter(Boolean)) {
-  const [name, algorithm, wanted, sum] = line.split("\t");
+  const [name, algorithm, wanted, sum, counts] = line.split("\t");
   if (scene?.name !== name) {
     if (scene) core.close(scene);
     scene = core.open({ name });
   }
-  const [got, added] = said(() => drawing({ algorithm, m: size, n: size }));
+  const [got, added, counted] = said(() => drawing({ algorithm, m: size, n: size }));
   drawn += 1;
-  if (got === wanted && Math.abs(added - sum) <= 1e-9 * (1 + Math.abs(sum))) continue;
+  const isSame = got === wanted && counted === counts &&
+    Math.abs(added - sum) <= 1e-9 * (1 + Math.abs(sum));
+  if (isSame) continue;
   differing += 1;
-  console.log(`${name} ${algorithm}: ${got} ${added}, not ${wanted} ${sum}`);
+  console.log(`${name} ${algorithm}: ${got} ${added} ${counted}, not ` +
+    `${wanted} ${sum} ${counts}`);
 }
 console.log(`${drawn} drawn, ${differing} differ`);
 process.exitCode = differing ? 1 : 0;

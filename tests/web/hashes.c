@@ -3,6 +3,8 @@
  *
  *   SCENE  ALGORITHM  the hash of the answer (bench/web/hash.h), or the error
  *                     the sum of its coordinates, each weighed by 1 to 7
+ *                     what it counts, by the build that counts: numbers with
+ *                     commas
  *
  * with tabs. tests/web/equal.mjs draws the same in WebAssembly and compares.
  *
@@ -49,6 +51,19 @@ static double sum_of(const struct lib_answer *answer) {
   return sum.all;
 }
 
+static void print_counts(const struct lib_scene *scene,
+                         struct hsr_request request) {
+  struct lib_answer *answer = NULL;
+  const uint64_t *count;
+  size_t n = 0;
+  request.counts = 1;
+  if (!hsr_draw(scene, &request, &answer, NULL) &&
+      !hsr_get_counts(answer, &count, &n, NULL))
+    for (size_t k = 0; k < n; k++)
+      printf("%s%llu", k ? "," : "", (unsigned long long)count[k]);
+  hsr_free(answer);
+}
+
 /* Draws, and prints the line. */
 static void draw(const struct lib_scene *scene, const char *name,
                  const char *algorithm) {
@@ -57,11 +72,14 @@ static void draw(const struct lib_scene *scene, const char *name,
   struct lib_answer *answer = NULL;
   struct hsr_error err;
   char text[HASH_TEXT];
+  printf("%s\t%s\t", name, algorithm);
   if (hsr_draw(scene, &request, &answer, &err)) {
-    printf("%s\t%s\t%d: %s\t0\n", name, algorithm, (int)err.status, err.text);
+    printf("%d: %s\t0\t\n", (int)err.status, err.text);
   } else {
     hash_answer(answer, text);
-    printf("%s\t%s\t%s\t%.17g\n", name, algorithm, text, sum_of(answer));
+    printf("%s\t%.17g\t", text, sum_of(answer));
+    print_counts(scene, request);
+    printf("\n");
   }
   fflush(stdout);
   hsr_free(answer);

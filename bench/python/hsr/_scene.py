@@ -199,6 +199,7 @@ class Geometry(NamedTuple):
     opacity      of each face, 0 to 1
     object       which object each face is of
     object_name  of each object
+    one_sided    of each face: 1 if it exists only when it is seen from its front
     """
 
     xyz: NDArray[np.float64]
@@ -208,6 +209,7 @@ class Geometry(NamedTuple):
     opacity: NDArray[np.float32]
     object: NDArray[np.uint32]
     object_name: tuple[str, ...]
+    one_sided: NDArray[np.uint8]
 
 
 class Scene:
@@ -238,7 +240,8 @@ class Scene:
 
     @property
     def geometry(self) -> Geometry:
-        """Its faces. scene_from_arrays makes a scene of such arrays."""
+        """Its faces. scene_from_arrays makes a scene of such arrays. That is one
+        object, which is one-sided if it is closed."""
         info = struct("hsr_geometry")
         call(lib.hsr_get_geometry, self._handle, info)
         names = [text(info.object_name[k]) for k in range(info.n_objects)]
@@ -255,6 +258,7 @@ class Scene:
             opacity=array("opacity", np.float32, n),
             object=array("object", ids, n),
             object_name=tuple(names),
+            one_sided=array("one_sided", np.uint8, n),
         )
 
     @property

@@ -9,11 +9,12 @@ export function sceneFile(mesh, name, views) {
   let place = null, last = -1;
   for (const f of order) {
     const { ring, rgb, opacity = 1, solid } = mesh.faces[f];
+    const sides = mesh.sides[solid];
     if (solid !== last) {
       last = solid;
       place = new Map();
       objects.push({ name: mesh.solids[solid], vertices: [], faces: [],
-        face_colours: [] });
+        face_colours: [], ...(sides ? { one_sided: sides === 1 } : {}) });
     }
     const own = objects.at(-1);
     own.faces.push(ring.map((p) => {

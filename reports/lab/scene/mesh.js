@@ -3,10 +3,12 @@
 // through all edits; those that were deleted are null.
 //
 // { points: [[x, y, z]], faces: [{ ring: [point], rgb: [r, g, b], opacity: 0 to 1,
-//   or undefined: opaque, solid }], solids: [name] }
+//   or undefined: opaque, solid }], solids: [name],
+//   sides: [for a solid: 1 or 2, or undefined: one if it is closed, else two] }
 
 // geometry: as core.geometry gives it.
-export function meshOf({ xyz, ring, vertex, rgb, opacity, object, objects }) {
+export function meshOf({ xyz, ring, vertex, rgb, opacity, object, objects,
+  oneSided }) {
   const points = [];
   for (let k = 0; k < xyz.length; k += 3)
     points.push([xyz[k], xyz[k + 1], xyz[k + 2]]);
@@ -18,11 +20,41 @@ export function meshOf({ xyz, ring, vertex, rgb, opacity, object, objects }) {
       rgb: [rgb[3 * f], rgb[3 * f + 1], rgb[3 * f + 2]], opacity: opacity[f],
       solid: object[f] };
   });
-  return { points, faces, solids: objects.slice() };
+  return { points, faces, solids: objects.slice(),
+    sides: sidesOf(faces, objects.length, oneSided) };
 }
 
-export const copyOf = ({ points, faces, solids }) =>
-  ({ points: points.slice(), faces: faces.slice(), solids: solids.slice() });
+// Only what does not follow from whether a solid is closed.
+function sidesOf(faces, n, oneSided) {
+  const open = openSolids(faces), sides = new Array(n);
+  faces.forEach(({ solid }, f) => {
+    const isOne = oneSided[f] === 1;
+    if (isOne === open.has(solid)) sides[solid] = isOne ? 1 : 2;
+  });
+  return sides;
+}
+
+// The solids of which a side of a face has not exactly one that runs against it.
+function openSolids(faces) {
+  const edges = new Map(), open = new Set();
+  const count = (p, q) => edges.get(p)?.get(q) ?? 0;
+  for (const { ring } of faces)
+    ring.forEach((p, k) => {
+      const q = ring[(k + 1) % ring.length];
+      if (!edges.has(p)) edges.set(p, new Map());
+      edges.get(p).set(q, count(p, q) + 1);
+    });
+  for (const { ring, solid } of faces)
+    ring.forEach((p, k) => {
+      const q = ring[(k + 1) % ring.length];
+      if (count(p, q) !== 1 || count(q, p) !== 1) open.add(solid);
+    });
+  return open;
+}
+
+export const copyOf = ({ points, faces, solids, sides }) =>
+  ({ points: points.slice(), faces: faces.slice(), solids: solids.slice(),
+    sides: sides.slice() });
 
 // The numbers of the faces in the scene's order: solid by solid.
 export function orderOf({ faces }) {

@@ -56,6 +56,7 @@ export function model(data) {
     growth: data.growth ?? [],
     geometric: data.geometric ?? [],
     lessonPages: list(data.lessons).filter((l) => Array.isArray(l?.names)),
+    laboratory: data.laboratory ?? null,
     pictures, leftOut: data.left_out ?? [],
     views: (data.views ?? []).map(cleanView),
     errors: list(data.errors).map(cleanErrors),

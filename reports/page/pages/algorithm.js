@@ -34,11 +34,21 @@ export function algorithmPage(report, name) {
       algorithm.known_wrong && " · known to be wrong sometimes",
       report.lessonPages.filter(({ names }) => names.includes(name))
         .map(({ file, scene }) => [" · ", link(`${file}${href("", "",
-          { a: name })}`, scene ? `watch it on ${scene}` : "watch it at work")])),
+          { a: name })}`, scene ? `watch it on ${scene}` : "watch it at work")]),
+      tryIt(report, name)),
     compareForm(report, algorithm, others),
     ...others.length ? sideBySide(report, [algorithm, ...unique(others)])
       : alone(report, algorithm),
   ] };
+}
+
+// In the laboratory, on a scene that it drew.
+function tryIt(report, name) {
+  const { file, scenes } = report.laboratory ?? { scenes: [] };
+  const cell = report.cellsOf(name).find(({ status, scene }) =>
+    status === "ok" && scenes.includes(scene));
+  return cell ? [" · ", link(`${file}${href("", "", { s: cell.scene, a: name })}`,
+    "try it")] : null;
 }
 
 function alone(report, algorithm) {

@@ -22,7 +22,7 @@ export function indexPage(report) {
           link(href("sweeps"), "how they grow"), ", ",
           link(href("timings"), "how fast they are"), " and ",
           link(href("tables"), "the tables of 1974 beside our counts"), "."),
-        watching(report.lessonPages)),
+        watching(report.lessonPages), trying(report.laboratory)),
       picture(report)),
     section("The algorithms", "tree", tree(report), apart(report)),
     section("What was run", "run", summary(report), leftOut(report)),
@@ -34,6 +34,11 @@ function watching(pages) {
   return pages.length ? h("p", {}, pages.map(({ file, scene }, k) => [
     k ? ", " : "", link(file, scene ? `on ${scene}` : "Watch the ten at work")]),
   ", step by step.") : null;
+}
+
+function trying(laboratory) {
+  return laboratory ? h("p", {}, "Or ", link(laboratory.file, "try them in the " +
+    "laboratory"), ": they run in the page, on scenes that you change.") : null;
 }
 
 // Of the largest of the environments of 1974 that have one; else of the scene
