@@ -55,8 +55,8 @@ CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
   -DCGAL_IA_DONT_STOP_CONSTANT_PROPAGATION -DCGAL_NDEBUG \
   -DCGAL_HAS_NO_THREADS -Wno-unused-parameter
 EXACT = -ffp-contract=off
-C_FLAGS = -O3 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
-CXX_FLAGS = -O2 -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
+C_FLAGS = -O2 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
+CXX_FLAGS = -Os -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
 EXPORTS = $(srcdir)/bench/web/exports
 LINK_FLAGS = -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 \
   -sEXPORT_NAME=createHsr -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 \
@@ -64,7 +64,7 @@ LINK_FLAGS = -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 \
   -sTOTAL_STACK=8MB -sEXPORTED_FUNCTIONS=@$(WEB)/exports.json \
   -sEXPORTED_RUNTIME_METHODS=FS,HEAPU8,stackSave,stackRestore \
   -sFORCE_FILESYSTEM=1 -sSTRICT=0 -sNODEJS_CATCH_EXIT=0 \
-  -sNODEJS_CATCH_REJECTION=0 $(EXTRA_LINK)
+  -sNODEJS_CATCH_REJECTION=0
 
 .DELETE_ON_ERROR:
 all: $(WEB)/hsr.js $(WEB)/core.js $(WEB)/worker.js $(WEB)/client.js
@@ -98,18 +98,25 @@ compile_cxx = @echo "  EMXX     $<"; mkdir -p $(@D); $(CLANGXX) $(CXX_FLAGS) $(1
 $(WEB)/%.flags: always
 	@echo '$($*_FLAGS)' | cmp -s - $@ || echo '$($*_FLAGS)' >$@
 .PHONY: all always
-$(every_object): | $(WEB)/made
+# The algorithms in C need none of the libraries. They compile meanwhile.
+$(core_objects) $(filter %.cc.o,$(every_object)): | $(WEB)/made
 $(filter %.c.o,$(every_object)): $(WEB)/C.flags
-$(filter %.cc.o,$(every_object)): $(WEB)/CXX.flags
+# What a file of the system includes is not among its dependencies.
+$(filter %.cc.o,$(every_object)): $(WEB)/CXX.flags \
+  $(srcdir)/bench/web/stand_in/CGAL/FPU.h
+# over.cc shares inline functions with the oracles.
+as_judges = $(judges) bench/web/over.cc
+# What no frame waits for is small.
 $(OBJECTS)/once/%.c.o: $(srcdir)/%.c
-	$(call compile_c,-DHSR_COUNTING=$(if $(filter $*.c,$(judges)),1,0))
+	$(call compile_c,-DHSR_COUNTING=$(if $(filter $*.c,$(judges)),1,0) \
+	  $(if $(filter bench/% scenes/% common/files/%,$*),-Os))
 $(OBJECTS)/once/%.cc.o: $(srcdir)/%.cc
-	$(call compile_cxx,-DHSR_COUNTING=$(if $(filter $*.cc,$(judges)),1,0))
+	$(call compile_cxx,-DHSR_COUNTING=$(if $(filter $*.cc,$(as_judges)),1,0))
 $(OBJECTS)/plain/%.c.o: $(srcdir)/%.c
 	$(call compile_c,-DHSR_COUNTING=0)
 $(OBJECTS)/plain/%.cc.o: $(srcdir)/%.cc
 	$(call compile_cxx,-DHSR_COUNTING=0)
-again = -include $(WEB)/counting-names.h -DHSR_COUNTING=1
+again = -Os -include $(WEB)/counting-names.h -DHSR_COUNTING=1
 $(OBJECTS)/counting/%.c.o: $(srcdir)/%.c $(WEB)/counting-names.h
 	$(call compile_c,$(again))
 $(OBJECTS)/counting/%.cc.o: $(srcdir)/%.cc $(WEB)/counting-names.h
