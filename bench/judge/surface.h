@@ -485,17 +485,21 @@ uint32_t builder<Items>::grow(uint32_t first, uint32_t last) {
   const uint32_t self = uint32_t(made.nodes.size());
   made.nodes.emplace_back();
   if (last - first <= ITEMS_A_LEAF) {
+    std::sort(&made.items[first], made.items.data() + last);
     make_leaf(&made.nodes[self], first, last);
     return self;
   }
 
-  /* Half the items to either child, by their centres on the widest axis. */
+  /* Half the items to either child, by their centres on the widest axis, and by
+   * their numbers where these are equal: so every library makes the same tree. */
   const int axis = widest_axis(first, last);
   const uint32_t middle = first + (last - first) / 2;
   uint32_t *all = made.items.data();
   std::nth_element(all + first, all + middle, all + last,
                    [&](uint32_t f, uint32_t g) {
-                     return centre[f][size_t(axis)] < centre[g][size_t(axis)];
+                     const double a = centre[f][size_t(axis)];
+                     const double b = centre[g][size_t(axis)];
+                     return a != b ? a < b : f < g;
                    });
   const uint32_t one = grow(first, middle);
   const uint32_t two = grow(middle, last);

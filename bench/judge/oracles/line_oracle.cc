@@ -882,9 +882,23 @@ int artist::compare(place *p, place *q) {
   return int(CGAL::compare(a, b));
 }
 
+/* The point between a and b, at t from 0 to 1, rounded to nearest also while
+ * intervals round upwards. Opaque numbers stay on this side of the change. */
+double between_at(double a, double b, double t) {
+  const Nearest to_nearest;
+  const double x = CGAL::IA_opacify(a), y = CGAL::IA_opacify(b);
+  return CGAL::IA_opacify((1 - t) * x + t * y);
+}
+
+double middle(double a, double b) {
+  const Nearest to_nearest;
+  const double x = CGAL::IA_opacify(a), y = CGAL::IA_opacify(b);
+  return CGAL::IA_opacify(x + (y - x) / 2);
+}
+
 /* Within 1e-13, relatively. */
 double artist::rounded(place *p) {
-  const double t = p->t.inf() + (p->t.sup() - p->t.inf()) / 2;
+  const double t = middle(p->t.inf(), p->t.sup());
   if (p->t.sup() - p->t.inf() <= 1e-13 * p->t.inf())
     return t;
   const Exact &exact_t = exact_place(p);
@@ -897,7 +911,7 @@ double artist::rounded(place *p) {
 point artist::between(place *p, place *q) {
   point m = {};
   const double a = p->t.sup(), b = q->t.inf();
-  m.t = a + (b - a) / 2;
+  m.t = middle(a, b);
   Interval t(m.t);
   if (!(a < m.t && m.t < b)) {
     const Exact &s = exact_place(p), &r = exact_place(q);
@@ -1236,8 +1250,8 @@ enum hsr_status artist::emit_part(place *from, place *to, int invisibility) {
     }
   }
   for (int k = 0; k < 3; k++) {
-    part.from[k] = (1 - part.t0) * A[k] + part.t0 * B[k];
-    part.to[k] = (1 - part.t1) * A[k] + part.t1 * B[k];
+    part.from[k] = between_at(A[k], B[k], part.t0);
+    part.to[k] = between_at(A[k], B[k], part.t1);
   }
   return hsr_drawing_add(hsr_answer_drawing_of(job.answer), &part);
 }
