@@ -29,6 +29,9 @@ static uint64_t add_segments(uint64_t hash, const struct lib_segment *s,
   for (; n--; s++) {
     const uint32_t of[] = {s->is_implied, s->a, s->b, s->part, s->invisibility};
     hash = add(hash, of, sizeof of);
+    hash = add_doubles(hash, (double[]){s->t0, s->t1}, 2);
+    hash = add_doubles(hash, s->from, 3);
+    hash = add_doubles(hash, s->to, 3);
   }
   return hash;
 }
@@ -37,7 +40,8 @@ static uint64_t add_polygons(uint64_t hash,
                              const struct hsr_polygon_arrays *p) {
   hash = add(hash, p->face, p->n_regions * sizeof *p->face);
   hash = add_sizes(hash, p->cycle, p->n_regions + 1);
-  return add_sizes(hash, p->point, p->n_cycles + 1);
+  hash = add_sizes(hash, p->point, p->n_cycles + 1);
+  return add_doubles(hash, p->xy, 2 * p->n_points);
 }
 
 static uint64_t add_voxels(uint64_t hash, const struct hsr_voxel_array *v) {

