@@ -37,6 +37,7 @@ lesson_sources = \
   %D%/lesson/beside/row.js \
   %D%/lesson/beside/tree.js \
   %D%/lesson/data/branches.js \
+  %D%/lesson/data/fragments.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
   %D%/lesson/data/numbers.js \

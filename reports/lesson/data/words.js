@@ -44,8 +44,11 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
   w.x + w.width >= run.width && w.y + w.height >= run.height;
 
 // Where an event is, unless that is the whole picture.
-export const whereWords = (run, window) =>
-  window && !isWhole(run, window) ? windowWords(window) : "";
+export const whereWords = (run, window) => !window || isWhole(run, window) ? ""
+  : window.height === 1 && window.width >= run.width ? `row ${window.y}`
+    : windowWords(window);
+
+const placeWord = (w) => w?.height !== 1 ? "in" : w.width === 1 ? "at" : "on";
 
 // What becomes of two things that are sorted.
 function sortWords({ counter: { key } }, a, b) {
@@ -112,6 +115,8 @@ export function eventWords(run, e) {
     text += ` is ${run.kind.verb ?? verb}${
       second && e.b.kind !== "window"
         ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
+  else if (e.b.kind === "window" && second)
+    text += ` is ${verb} ${placeWord(e.window)} ${second}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   const numbers = numberWords(run, e);
   if (e.outcome) text += `: ${e.outcome}`;

@@ -9,24 +9,29 @@ export const roberts = {
   idea: "Each edge against each volume",
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
-    "nothing, one end, or a part between two pieces that stay. What no volume hides " +
-    "is drawn.",
+    "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
+    "is compared with the volumes that follow. What no volume hides is drawn.",
+  "A point of the edge is hidden if the line of sight to it passes through the volume. " +
+    "At first all of the edge may be hidden. Each front plane of the volume takes away " +
+    "what lies before it, and each edge of its contour what lies beside it, until all " +
+    "have been asked or nothing is left: a linear programme, as the survey says.",
   "Boxes come first: if the box of an edge’s image and that of a volume are apart, or " +
-    "the edge is nearer, the volume can not hide it. Whole bodies are left out so. " +
+    "the edge is nearer, the volume cannot hide it. Whole bodies are left out so. " +
     "Even so the number of box tests grows as edges times bodies."],
   source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   moments: [
-    ["The volume hides the middle: two pieces are left",
+    ["The volume hides the middle, thin and dotted: two pieces are left",
       { of: "edge-volume", outcome: "two pieces left", pick: "largest", id: "two" },
       VOLUME],
     ["The edge starts as one fragment", { name: "fragments", before: "two" }],
+    ["Half of the drawing is done", { of: "interval-drawn", at: 0.5 }],
     ["Its boxes and those of a body are apart: the body is left out",
       { of: "minimax", outcome: "body out of the way", with: ["two", "a"],
         pick: "apart" }, "Solid: the edge. Dashed: the body. Can it hide the edge?",
       { "body out of the way": "no, by its box", "body in the way": "perhaps" }],
     ["The boxes overlap: the volume is in the way, perhaps",
       { of: "minimax", outcome: "volume in the way", before: "two" }],
-    ["A plane of the volume shortens the hidden part",
+    ["A front plane of the volume: of the edge, some lies behind it",
       { name: "conditions", like: /some left/, before: "two" }],
     ["One of the two pieces waits as a fragment of its own",
       { name: "two pieces left", after: "two" }],
@@ -35,14 +40,14 @@ export const roberts = {
     ["The volume hides nothing of the edge",
       { of: "edge-volume", outcome: "untouched", pick: "largest", id: "none" },
       VOLUME],
-    ["A contour edge leaves nothing hidden: the volume is beside the edge",
+    ["An edge of the contour: all of the fragment is beside it, so nothing is hidden",
       { name: "conditions", outcome: "contour: nothing left", before: "none" }],
     ["The volume hides the whole edge: nothing is left to draw",
       { of: "edge-volume", outcome: "hidden whole", pick: "largest" }, VOLUME],
     ["The volume hides one end: one piece is left",
       { of: "edge-volume", outcome: "one piece left", pick: "largest" }, VOLUME],
     ["What is left goes on to the next volume", { of: "one-left", pick: "largest" }],
-    ["The edge lies in the front of this volume, which can not hide it",
+    ["The edge lies in the front of this volume, which cannot hide it",
       { name: "own volumes", pick: "largest" }],
     ["A face that looks away from the eye does not count for its edge",
       { of: "back-edge-cull", outcome: "does not exist", pick: "largest" }],

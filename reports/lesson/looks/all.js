@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a step looks like over the picture: shapes in samples, which the canvas of
-// the page and a saved drawing both take. A shape is { points, closed, dashed,
+// the page and a saved drawing both take. A shape is { points, closed, dashed, dotted,
 // width, fill, role }: `fill` is a strength from 0 to 1, `role` the colour: of the
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
