@@ -9,7 +9,7 @@ import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { kindNamed } from "../../reports/lesson/kinds/all.js";
 import { addressOf, begin, blemishes } from "../browser.mjs";
-import { fits, telling } from "./telling.mjs";
+import { fits, fitsBeside, telling } from "./telling.mjs";
 
 const [modules, executablePath, stories, ...files] = process.argv.slice(2);
 const { test, open: openWindow, serious, end } =
@@ -666,7 +666,19 @@ async function lessons(file) {
       assert.deepEqual(faults, []);
     });
   await fits({ test, open, file, names });
+  const groups = [["bouknight", "watkins"], ["watkins", "warnock", "bouknight"],
+    ["galimberti", "appel"], ["loutrel", "schumacker", "romney"],
+    ["painter", "zbuffer", "bsp-painter"]];
+  await fitsBeside({ test, open, file, groups });
   await close();
+}
+
+// Groups of so many, each name in one of them.
+function inGroups(names, many) {
+  const groups = [];
+  for (let k = 0; k + many <= names.length; k += many)
+    groups.push(names.slice(k, k + many));
+  return groups;
 }
 
 await test("kinds of answers have names; others are refused in words", () => {
@@ -682,6 +694,9 @@ for (const file of files) {
   }
   const names = await everyAlgorithm(file);
   await telling({ test, open, file });
-  if (file === files[0]) await asAReader(file, names);
+  if (file !== files[0]) continue;
+  await asAReader(file, names);
+  const groups = [2, 3].flatMap((many) => inGroups(names, many));
+  await fitsBeside({ test, open, file, groups });
 }
 await end();

@@ -22,8 +22,9 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "volume": return `volume ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
       : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
-    case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
-    case "window": return window ? windowWords(window) : "the picture";
+    case "cell": return e && run.pyramid?.of(e.number)
+      ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0));
+    case "window": return window ? placeWords(run, window) : "the picture";
     default: return "";
   }
 }
@@ -44,7 +45,10 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
   w.x + w.width >= run.width && w.y + w.height >= run.height;
 
 // Where an event is, unless that is the whole picture.
-export const whereWords = (run, window) => !window || isWhole(run, window) ? ""
+export const whereWords = (run, window) =>
+  !window || isWhole(run, window) ? "" : placeWords(run, window);
+
+const placeWords = (run, window) => isWhole(run, window) ? "the whole picture"
   : window.height === 1 && window.width >= run.width ? `row ${window.y}`
     : windowWords(window);
 
@@ -105,7 +109,9 @@ export function eventWords(run, e) {
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
-  else if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
+  else if (e.outcome && e.kind !== "compare")
+    text += !second ? "" : e.b.kind === "window" ? ` ${placeWord(e.window)} ${second}`
+      : `, with ${second}`;
   else if (e.kind === "compare") text += second ? ` against ${second}` : "";
   else if (e.kind === "split" && e.b.kind === "face")
     text += ` is divided by the plane of ${second}`;

@@ -5,6 +5,18 @@ import { countOf, mostOutcomes, times } from "../telling/figures.js";
 const SIDES = { "in front": "in front", behind: "behind" };
 const FACING = { front: "yes, its front", back: "no, its back" };
 
+const FEW = 60; // steps at a sample that are looked at
+
+// Whether another face is there, too, at the same sample, after event e.
+function hasRival(run, e) {
+  const { x, y, counter, kept } = run.trace;
+  for (let k = e.k + 1; k < Math.min(kept, e.k + FEW); k++) {
+    if (x[k] !== x[e.k] || y[k] !== y[e.k]) return false;
+    if (counter[k] === counter[e.k] && run.event(k).outcome === "there") return true;
+  }
+  return false;
+}
+
 export const schumacker = {
   idea: "Know the order before the picture",
   text: ["Within a convex cluster the faces have an order that holds from every eye; " +
@@ -36,7 +48,8 @@ export const schumacker = {
       "Is the eye in front of the dashed plane, or behind it?", SIDES],
     ["The first face of the list that is inside wins",
       { of: "priority-search", outcome: "there, with the highest priority", at: 0.5,
-        id: "wins" }],
+        where: hasRival, id: "wins", or: { of: "priority-search", at: 0.5,
+          outcome: "there, with the highest priority" } }],
     ["At this sample the counters of a face say: not inside",
       { of: "priority-search", outcome: "not there", with: ["wins", "place"] }],
     ["Another face is inside, too, but lower in the list",

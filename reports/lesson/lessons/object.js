@@ -66,10 +66,11 @@ const isBeyond = (run, e) => {
   return Boolean(found) && found.a > found.b * 1.01;
 };
 
-const crossings = (other) => [
+// kept: what is kept of an edge, with what is said of it.
+const crossings = (other, kept) => [
   ["A face that looks away from the eye does not count for its edge",
     { name: "edge cull", outcome: "does not exist", pick: "largest" }],
-  ["A face hides the vertex: the number begins at one or more",
+  [`A face hides the vertex: ${kept.begins}`,
     { of: "initial-visibility", outcome: "hides", pick: "largest", id: "hides" },
     "Does the dashed face hide the vertex?"],
   ["A search begins: nothing is known of this vertex", { of: "search",
@@ -78,21 +79,25 @@ const crossings = (other) => [
     { of: "initial-visibility", outcome: "does not hide", with: ["hides", "a"],
       where: isBeyond, pick: "largest" }, "Does the dashed face hide the vertex?"],
   ...other,
-  ["The crossing is noted: the number changes here", { name: "crossings",
+  [`The crossing is noted: the ${kept.what} changes here`, { name: "crossings",
     after: "behind" }],
   ["The crossings are put in order along an edge", { name: "sort along edge",
     after: "behind" }],
   ["The visible part of the edge is drawn", { of: "interval-drawn",
     with: ["behind", "a"], pick: "largest", where: (run, e) => e.part?.[1] === 0 }],
-  ["The hidden part: its number is not zero", { of: "interval-drawn",
+  [`The hidden part: its ${kept.what} is not ${kept.none}`, { of: "interval-drawn",
     with: ["behind", "a"], pick: "largest", where: (run, e) => e.part?.[1] > 0 }],
-  ["The number at this end goes to the neighbors: no new search",
+  [`The ${kept.what} at this end goes to the neighbors: no new search`,
     { of: "promoted", pick: "largest" }],
   ["At a corner, a face of the corner itself may hide the edge",
     { name: "correction", outcome: "hides", pick: "largest" }],
   ["Hidden everywhere: no crossing has to be sorted",
     { name: "sorts to save", pick: "largest" }],
 ];
+
+const NUMBER = { what: "number", none: "zero",
+  begins: "the number begins at one or more" };
+const SET = { what: "set", none: "empty", begins: "it begins the set" };
 
 const QUESTION = "Solid: this edge. Dashed: the other. At the crossing, which is nearer?";
 const WORDS = { farther: "the other is farther", nearer: "the other is nearer" };
@@ -114,7 +119,7 @@ export const appel = {
     ["The edge passes behind a contour edge that is nearer",
       { of: "edge-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
-      WORDS]]),
+      WORDS]], NUMBER),
   find: ["How many pairs of edges are looked at for each crossing that counts?",
     (run) => perEach(run, "edge-intersection", "crossings")],
 };
@@ -129,14 +134,15 @@ export const loutrel = {
     ["The boxes of two edges are apart: done",
       { of: "edge-intersection", outcome: "boxes apart", pick: "apart" }],
     ["The boxes of two edges overlap: a longer question follows",
-      { of: "boxes-overlap", pick: "largest" }],
+      { of: "boxes-overlap", pick: "largest", where: (run, { a, b }) =>
+        a.ids.slice(0, 2).every((v) => !b.ids.slice(0, 2).includes(v)) }],
     ["Their images cross, but the other one is farther",
       { of: "plane-intersection", outcome: "farther", pick: "largest" }, QUESTION,
       WORDS],
     ["Their images cross, and the other one is nearer",
       { of: "plane-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
-      WORDS]]),
+      WORDS]], NUMBER),
   find: ["What share of all pairs is settled by their boxes?", (run) => {
     const all = countOf(run, "edge-intersection");
     const apart = withOutcome(run, "edge-intersection", "boxes apart");
@@ -159,7 +165,7 @@ export const galimberti = {
       { of: "edge-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
       WORDS],
-    ["The set of hiding faces changes", { of: "nature-change", pick: "largest" }]]),
+    ["The set of hiding faces changes", { of: "nature-change", pick: "largest" }]], SET),
   find: ["How many of the pairs would Appel have looked at?", (run) => {
     const [all, contour] = ["edge-intersection", "contour-pair"].map((name) =>
       countOf(run, name));
