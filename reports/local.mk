@@ -44,6 +44,7 @@ lesson_sources = \
   %D%/lesson/data/pieces.js \
   %D%/lesson/data/projection.js \
   %D%/lesson/data/pyramids.js \
+  %D%/lesson/data/regions.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
   %D%/lesson/data/stretches.js \
@@ -55,6 +56,7 @@ lesson_sources = \
   %D%/lesson/figures/drawing.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/figures/steps.js \
   %D%/lesson/figures/survivors.js \
   %D%/lesson/figures/taxonomy.js \
   %D%/lesson/kinds/all.js \

@@ -630,8 +630,8 @@ async function lessons(file) {
     assert.match(readFileSync(await file25.path(), "utf8"), /is divided by the plane/);
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
-  const figures = { appel: 1, schumacker: 3, newell: 2, warnock: 1, bouknight: 1,
-    watkins: 2, hzbuffer: 2, tiling: 1 };
+  const figures = { "bsp-painter": 1, roberts: 1, appel: 1, loutrel: 1, schumacker: 3,
+    newell: 1, warnock: 2, romney: 1, bouknight: 1, watkins: 2, hzbuffer: 2, tiling: 1 };
   for (const name of names)
     await test(`${name}: its figures`, async () => {
       await go(`#/?a=${name}`);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An event in words.
 import { kindLook } from "./kinds.js";
-import { planeOfCell } from "../looks/solids.js";
+import { isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
 
 // e: the event, where its words depend on it.
 export function subjectWords(run, { kind, ids }, window, e) {
   const [p, q, r] = ids;
+  if (kind === "cell" && isRegion(run, ids)) return `region ${p} of the map`;
   if (kind === "cell" && e && planeOfCell(run, e.number, p))
     return `plane ${p} of the tree`;
   switch (kind) {
@@ -21,6 +22,7 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
+      : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
       : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
     case "cell": return e && run.pyramid?.of(e.number)
       ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0));

@@ -5,7 +5,7 @@
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
 import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
-import { cellLook, cubeLook, planeLook, volumeLook } from "./solids.js";
+import { cellLook, cubeLook, isRegion, planeLook, volumeLook } from "./solids.js";
 import { bucketLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
@@ -66,6 +66,7 @@ function isNowhere(run, { kind, ids }) {
     return ids[0] < 0 || !vertices[ids[0]] || !vertices[ids[1]];
   if (kind === "cube")
     return !run.cubes.get(`${ids[0]},${ids[1]}`)?.some(Boolean);
+  if (kind === "cell") return isRegion(run, ids) && !run.regionOf(ids[0]).length;
   if (kind === "implied edge") return ids.slice(0, 2).every((f) =>
     !faces[f]?.[4].length);
   return false;
