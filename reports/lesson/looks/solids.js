@@ -43,7 +43,7 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
   if (texel) return texel;
   const level = run.pyramid?.of(e.number)
     ? run.pyramid.levels[run.pyramid.placeOf(p)] : null;
-  if (level && e.window) {
+  if (level) {
     const [x, y, s] = [q * level.size, r * level.size, level.size];
     return [{ points: [[x, y], [x + s, y], [x + s, y + s], [x, y + s]], closed: true,
       width: 1.5, fill: 0.15 }];
