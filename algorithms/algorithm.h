@@ -74,6 +74,13 @@ enum {
   HSR_SUMS = 1 << 1 /* it adds to the sums of an answer that has them */
 };
 
+struct hsr_box; /* common/trees/box.h */
+
+/* Takes a box of the world, perhaps an infinite one: that which steps name as
+ * HSR_CELL(a, b, 0). */
+typedef void hsr_take_box(void *to, uint32_t a, uint32_t b,
+                          const struct hsr_box *box);
+
 /* What an algorithm has prepared, for those who show it. Each is the prepared
  * object's own; NULL: there is none. */
 struct hsr_shown {
@@ -84,6 +91,9 @@ struct hsr_shown {
   const struct hsr_bsp *bsp;       /* common/trees/bsp.h */
   const struct hsr_grove
       *grove; /* algorithms/image_space/area/tiling/grove.h */
+  /* Gives all its boxes of a scene. */
+  void (*boxes)(const void *prepared, const struct hsr_scene *scene,
+                hsr_take_box *put, void *to);
 };
 
 /* What was chosen of an algorithm. */

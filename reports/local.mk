@@ -37,12 +37,14 @@ lesson_sources = \
   %D%/lesson/beside/row.js \
   %D%/lesson/beside/tree.js \
   %D%/lesson/data/branches.js \
+  %D%/lesson/data/fragments.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
   %D%/lesson/data/numbers.js \
   %D%/lesson/data/pieces.js \
   %D%/lesson/data/projection.js \
   %D%/lesson/data/pyramids.js \
+  %D%/lesson/data/regions.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
   %D%/lesson/data/stretches.js \
@@ -54,6 +56,7 @@ lesson_sources = \
   %D%/lesson/figures/drawing.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/figures/steps.js \
   %D%/lesson/figures/survivors.js \
   %D%/lesson/figures/taxonomy.js \
   %D%/lesson/kinds/all.js \

@@ -53,6 +53,11 @@ static error_t add_algorithms(struct options *o, const char *names) {
   return error;
 }
 
+static bool is_pdf(const struct options *o) {
+  const char *end = strrchr(o->slides.folder, '.');
+  return end && !strcmp(end, ".pdf");
+}
+
 static error_t check_output(struct options *o) {
   return o->output || (o->slides.folder && !o->survey)
              ? 0
@@ -74,6 +79,8 @@ static error_t check_options(struct options *o) {
   if (o->view.m > MOST_SIDE || o->view.n > MOST_SIDE)
     return option_fail(&o->base, "lesson: a page shows %d x %d samples at most",
                        (int)MOST_SIDE, (int)MOST_SIDE);
+  if (o->slides.folder && o->slides.png && is_pdf(o))
+    return option_fail(&o->base, "lesson: --png or a file of PDF, not both");
   return check_output(o);
 }
 
@@ -165,9 +172,11 @@ static const struct argp argp = {
          "where the laboratory is: each lesson leads to its scene there. For a "
          "scene of a file, the page that hsr lab has made of this file",
          0},
-        {"frames", FRAMES, "DIR", 0,
+        {"frames", FRAMES, "DIR|FILE.pdf", 0,
          "also, or instead of -o: steps as pictures for slides, "
-         "DIR/NAME-0001.svg and so on; DIR is made if need be",
+         "DIR/NAME-0001.svg and so on; DIR is made if need be. FILE.pdf: all "
+         "of "
+         "them in one file, a page for each step, its sentence beneath",
          0},
         {"frame-count", FRAME_COUNT, "N", 0,
          "N steps of each algorithm, evenly over its run (standard: 24)", 0},
@@ -188,6 +197,7 @@ static const struct argp argp = {
     "  hsr lesson house -a watkins -o watkins.html\n"
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
     "  hsr lesson house -a watkins --frames slides --png\n"
+    "  hsr lesson house -a watkins --frames slides.pdf\n"
     "  hsr lesson house -a roberts --frames slides --steps 36,25550,26399\n"
     "  hsr lesson --survey --lab lab.html -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
@@ -219,8 +229,18 @@ static enum hsr_status make_folder(const char *folder, struct hsr_error *err) {
              : HSR_OK;
 }
 
+static enum hsr_status make_pdf(const struct options *o,
+                                struct hsr_error *err) {
+  struct lesson_subject subject[MOST_ALGORITHMS];
+  for (int k = 0; k < o->n; k++)
+    subject[k] = (struct lesson_subject){&o->scene, &o->view, &o->variant[k]};
+  return lesson_pdf(subject, o->n, &o->slides, err);
+}
+
 static enum hsr_status make_frames(const struct options *o,
                                    struct hsr_error *err) {
+  if (is_pdf(o))
+    return make_pdf(o, err);
   enum hsr_status status = make_folder(o->slides.folder, err);
   for (int k = 0; k < o->n && !status; k++) {
     struct lesson_subject subject = {&o->scene, &o->view, &o->variant[k]};

@@ -4,8 +4,6 @@
 #include "common/answers/coded.h"
 #include "common/files/json/json.h"
 
-#include <string.h>
-
 /* What is larger is left out of the page. */
 enum { MOST_CELLS = 4096 };
 
@@ -35,7 +33,7 @@ static void add_row(json_t **cubes, const struct trace_run *run, uint32_t j,
 bool lesson_has_cells(const struct trace_run *run) {
   const struct hsr_grid *grid = run->scene->grid;
   return grid && grid->n_cells <= MOST_CELLS &&
-         strcmp(run->setup.algorithm->name, "meagher") != 0;
+         !hsr_setup_show(&run->setup).boxes;
 }
 
 bool lesson_add_cells(json_t *to, const struct trace_run *run) {

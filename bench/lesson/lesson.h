@@ -13,7 +13,7 @@
  * page.c       the file
  * survey.c     the lessons through the survey
  * survivors.c  what the ten have left after each cull and sort
- * frames.c     steps as pictures
+ * frames.h     steps as pictures
  * command.c    the options
  *
  * One algorithm is one text in base64. It is a zlib stream of
@@ -124,7 +124,8 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *               number of a piece, added to b, is its place in pieces
  *   cubes       of octrees, or boxes in them: [node, instance or -1, the images
  *   of its corners, or
- *               null for those that have none]
+ *               null for those that have none]; isBoxes: boxes of the algorithm's
+ *               own, [a, b, corners] for its subject HSR_CELL(a, b, 0)
  *
  *   bodies      of an algorithm that puts edges to volumes: the faces of each
  *   volumes     likewise: the faces in whose planes each one is
@@ -133,8 +134,8 @@ json_t *lesson_lists_json(const struct trace_run *run,
 json_t *lesson_structure_json(const struct trace_run *run);
 
 /* Whether the scene is a grid whose cells the steps name by number, and these as
- * cubes of instance 0; then there is also a member isGrid, which is true. Meagher's
- * algorithm names nodes of its own octree. False: HSR_E_NOMEM. */
+ * cubes of instance 0; then there is also a member isGrid, which is true. Not where
+ * the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
 bool lesson_has_cells(const struct trace_run *run);
 bool lesson_add_cells(json_t *structure, const struct trace_run *run);
 
@@ -201,7 +202,7 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject,
 
 /* Which steps of a run are drawn, and how. */
 struct lesson_slides {
-  const char *folder;   /* which exists; borrowed */
+  const char *folder;   /* which exists; or a file of PDF; borrowed */
   long n;               /* steps */
   const uint64_t *step; /* their numbers, from 1, ascending; borrowed. NULL: n
                            steps evenly over the run, the last one too */
@@ -213,6 +214,12 @@ struct lesson_slides {
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
                               const struct lesson_slides *slides,
                               struct hsr_error *err);
+
+/* Draws them of n subjects as pages of one file of PDF. Fails likewise; then
+ * there is no file. */
+enum hsr_status lesson_pdf(const struct lesson_subject *subject, int n,
+                           const struct lesson_slides *slides,
+                           struct hsr_error *err);
 
 /* --- The page ------------------------------------------------------------- */
 

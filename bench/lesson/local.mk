@@ -4,7 +4,10 @@ libbench_a_SOURCES += \
   %D%/command.c \
   %D%/describe.c \
   %D%/draw.c \
+  %D%/frame_marks.c \
+  %D%/frame_words.c \
   %D%/frames.c \
+  %D%/frames.h \
   %D%/grids.c \
   %D%/lesson.h \
   %D%/lists.c \

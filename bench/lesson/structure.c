@@ -10,6 +10,7 @@
 #include "common/scene/pieces.h"
 #include "common/trees/bsp.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -282,6 +283,66 @@ static void add_own_octree(json_t **to, const struct trace_run *run,
   add(to, "cubes", all);
 }
 
+/* --- Boxes ---------------------------------------------------------------- */
+
+/* What takes boxes, clipped to one around the scene. */
+struct boxes {
+  const struct hsr_view *view;
+  struct hsr_box around;
+  json_t *all;
+};
+
+static void add_box(void *to, uint32_t a, uint32_t b,
+                    const struct hsr_box *box) {
+  struct boxes *boxes = to;
+  if (json_array_size(boxes->all) >= MOST_CUBES)
+    return;
+  json_t *corners = json_array();
+  for (int c = 0; c < 8; c++) {
+    double point[3];
+    for (int k = 0; k < 3; k++)
+      point[k] =
+          fmin(fmax(c >> k & 1 ? box->hi[k] : box->lo[k], boxes->around.lo[k]),
+               boxes->around.hi[k]);
+    hsr_json_append(&corners, hsr_point_json(boxes->view, point));
+  }
+  hsr_json_append(&boxes->all,
+                  json_pack("[I I o]", (json_int_t)a,
+                            b == HSR_NO_ID ? (json_int_t)-1 : (json_int_t)b,
+                            corners));
+}
+
+/* Around all points of the world, a little wider. */
+static struct hsr_box around(const struct hsr_world *world) {
+  const struct hsr_mesh *mesh = &world->mesh;
+  const double *at[3] = {mesh->x, mesh->y, mesh->z};
+  struct hsr_box box;
+  for (int k = 0; k < 3; k++) {
+    double low = INFINITY, high = -INFINITY;
+    for (uint32_t p = 0; p < mesh->n_vertices; p++) {
+      low = fmin(low, at[k][p]);
+      high = fmax(high, at[k][p]);
+    }
+    double more = .02 * (high - low);
+    box.lo[k] = low - more;
+    box.hi[k] = high + more;
+  }
+  return box;
+}
+
+static void add_own_boxes(json_t **to, const struct trace_run *run,
+                          const struct hsr_shown *shown) {
+  struct boxes boxes = {.view = &run->view,
+                        .around = {{-INFINITY, -INFINITY, -INFINITY},
+                                   {INFINITY, INFINITY, INFINITY}},
+                        .all = json_array()};
+  if (!run->scene->grid)
+    boxes.around = around(run->setup.world);
+  shown->boxes(run->setup.prepared, run->scene, add_box, &boxes);
+  add(to, "isBoxes", json_true());
+  add(to, "cubes", boxes.all);
+}
+
 json_t *lesson_structure_json(const struct trace_run *run) {
   const struct hsr_shown shown = hsr_setup_show(&run->setup);
   json_t *structure = json_object();
@@ -295,6 +356,8 @@ json_t *lesson_structure_json(const struct trace_run *run) {
     add_own_octree(&structure, run, shown.octree);
   if (shown.cubes)
     add_cubes(&structure, run, shown.cubes);
+  if (shown.boxes)
+    add_own_boxes(&structure, run, &shown);
   if (lesson_has_cells(run))
     good &= lesson_add_cells(structure, run);
   if (lesson_has_volumes(&run->setup))

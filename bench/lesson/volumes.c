@@ -71,8 +71,13 @@ static enum hsr_status find(struct found *found, const struct hsr_view *view) {
   return status;
 }
 
+static bool numbers_solids(const struct hsr_setup *setup) {
+  return strcmp(setup->algorithm->name, "tiling-solids") == 0;
+}
+
 bool lesson_has_volumes(const struct hsr_setup *setup) {
-  return strcmp(setup->algorithm->name, "roberts") == 0;
+  return strcmp(setup->algorithm->name, "roberts") == 0 ||
+         numbers_solids(setup);
 }
 
 bool lesson_add_volumes(json_t *to, const struct trace_run *run) {
@@ -83,6 +88,12 @@ bool lesson_add_volumes(json_t *to, const struct trace_run *run) {
   hsr_volumes_free(&found.volumes);
   hsr_edges_free(&found.edges);
   hsr_arena_free(&found.arena);
+  if (numbers_solids(&run->setup)) { /* from 1: of each, its faces */
+    json_decref(found.volume);
+    found.volume = json_copy(found.body);
+    good &=
+        found.volume && !json_array_insert_new(found.volume, 0, json_array());
+  }
   good &= !json_object_set_new(to, "bodies", found.body);
   return !json_object_set_new(to, "volumes", found.volume) && good;
 }

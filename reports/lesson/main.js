@@ -157,7 +157,7 @@ function sceneWords(run) {
   const { view, faces } = run.header;
   return `${sceneName(run)}, view ${view.number}, ${view.width} × ${view.height} ` +
     `samples, ${faces.length} ${faces.length === 1 ? "face" : "faces"}. ${
-      run.kind.hint}`;
+      run.kind.hint ?? ""}`;
 }
 
 // The same view in the laboratory, if the page knows where that is.

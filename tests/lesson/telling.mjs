@@ -5,14 +5,6 @@
 import assert from "node:assert/strict";
 import { addressOf } from "../browser.mjs";
 
-// The counters whose steps are told in words alone: rooms, regions of a picture's own
-// tree, convex parts and their cells, nodes of an octree over a grid, texels that are
-// not seen yet.
-const IN_WORDS = { pvs: /^(start cells|faces met)/,
-  naylor: /^(divisions|regions filled|lines compared)/,
-  "tiling-solids": /./, meagher: /./, "texture-mipmap": /^built/,
-  "texture-table": /^built/ };
-
 // For every algorithm of a page.
 export async function telling({ test, open, file }) {
   const { page, faults, go, close } = await open(file);
@@ -24,7 +16,7 @@ export async function telling({ test, open, file }) {
     await go(`#/?a=${encodeURIComponent(name)}`);
     const seen = await page.evaluate(told, name);
     await test(`${name} on ${scene}: all that a step names is drawn`, () =>
-      assert.deepEqual(seen.undrawn.filter((what) => !IN_WORDS[name]?.test(what)), []));
+      assert.deepEqual(seen.undrawn, []));
     await test(`${name} on ${scene}: numbers are as the outcomes say`, () =>
       assert.deepEqual(seen.against, []));
     await test(`${name} on ${scene}: key moments, and two minutes at most`, () => {
@@ -172,25 +164,45 @@ export async function fits({ test, open, file, names }) {
   await phone.close();
 }
 
+// Two and three beside one another on a projector: of each, what matters.
+export async function fitsBeside({ test, open, file, groups }) {
+  const projector = await open(file, { viewport: { width: 1366, height: 657 } });
+  for (const group of groups)
+    await test(`${group.join(", ")} beside one another: all that matters is seen`,
+      async () => {
+        await projector.go(`#/?a=${group.map(encodeURIComponent).join(",")}`);
+        assert.equal(await projector.page.locator(".panel").count(), group.length);
+        assert.deepEqual(await projector.page.evaluate(fitting, [group[0],
+          [".picture", ".words", ".controls .buttons", ".outline [aria-current]",
+            ".strip"]]), []);
+      });
+  assert.deepEqual(projector.faults, []);
+  await projector.close();
+}
+
 // Runs in the page: at each key moment, what is not wholly seen.
 function fitting([name, parts]) {
   const { lesson } = globalThis;
   return lesson.run(name).then((run) => {
     const bad = [];
+    const look = (k, part, e) => {
+      const box = e.getBoundingClientRect();
+      const list = e.closest(".outline")?.getBoundingClientRect();
+      const bottom = Math.min(innerHeight, list?.bottom ?? Infinity);
+      const top = Math.max(0, list?.top ?? 0);
+      if (box.top < top - 1 || box.bottom > bottom + 1 || box.right > innerWidth ||
+          box.height < 5 || box.width < 60 || e.scrollHeight > e.clientHeight + 4)
+        bad.push(`step ${k}: ${part} from ${Math.round(box.top)} to ${
+          Math.round(box.bottom)} of ${Math.round(bottom)}, ${
+          Math.round(box.width)} wide, ${e.scrollHeight} of ${e.clientHeight}`);
+    };
     for (const { k } of lesson.moments(run)) {
       lesson.go(k);
       scrollTo(0, 0);
       for (const part of parts) {
-        const e = document.querySelector(part);
-        if (!e && /aria-current|strip/.test(part)) continue; // there is none
-        const box = e.getBoundingClientRect();
-        const list = e.closest(".outline")?.getBoundingClientRect();
-        const bottom = Math.min(innerHeight, list?.bottom ?? Infinity);
-        const top = Math.max(0, list?.top ?? 0);
-        if (box.top < top - 1 || box.bottom > bottom + 1 || box.right > innerWidth ||
-            box.height < 5)
-          bad.push(`step ${k}: ${part} from ${Math.round(box.top)} to ${
-            Math.round(box.bottom)} of ${Math.round(bottom)}`);
+        const all = [...document.querySelectorAll(part)];
+        if (!all.length && !/aria-current|strip/.test(part)) bad.push(`no ${part}`);
+        all.forEach((e) => look(k, part, e));
       }
     }
     return bad.slice(0, 4);

@@ -9,7 +9,7 @@ import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { kindNamed } from "../../reports/lesson/kinds/all.js";
 import { addressOf, begin, blemishes } from "../browser.mjs";
-import { fits, telling } from "./telling.mjs";
+import { fits, fitsBeside, telling } from "./telling.mjs";
 
 const [modules, executablePath, stories, ...files] = process.argv.slice(2);
 const { test, open: openWindow, serious, end } =
@@ -67,6 +67,10 @@ function watched([name, stories]) {
     expect("counts at the start", shownCounts(), trace.counts.map((_, c) =>
       run.header.counters[c].computed ? "at the end" : "0"));
     expect("drawn at the start", run.painting.decided(0), 0);
+    const listed = [...document.querySelectorAll(".outline li:not(.unused)")]
+      .map((li) => li.textContent);
+    expect("the first line", document.querySelector(".words small").textContent,
+      listed[0] ?? "");
 
     // Anywhere: against a replay from the start.
     let seed = 7;
@@ -77,6 +81,8 @@ function watched([name, stories]) {
     for (let t = 0; t < 12; t++) {
       const k = random(n + 1);
       go(k);
+      if (document.querySelector(".outline .unused:is([aria-current], .asked)"))
+        bad.push(`step ${k} marks a line that is not in this run`);
       const counts = run.header.counters.map((c) => c.computed ? null : 0);
       const ids = new Int32Array(m * height).fill(-2);
       for (let e = 0; e < Math.min(k, trace.kept); e++) {
@@ -615,17 +621,17 @@ async function lessons(file) {
     await page.waitForSelector(".panel .words");
   });
   await test("a step is saved as SVG", async () => {
-    await go("#/?a=newell&k=607");
+    await go("#/?a=newell&k=25");
     await page.click(".more summary");
     const saved = page.waitForEvent("download");
     await page.click("text=Save this step as SVG");
-    const file607 = await saved;
-    assert.equal(file607.suggestedFilename(), "newell-607.svg");
-    assert.match(readFileSync(await file607.path(), "utf8"), /is divided by the plane/);
+    const file25 = await saved;
+    assert.equal(file25.suggestedFilename(), "newell-25.svg");
+    assert.match(readFileSync(await file25.path(), "utf8"), /is divided by the plane/);
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
-  const figures = { appel: 1, schumacker: 3, newell: 2, warnock: 1, bouknight: 1,
-    watkins: 2, hzbuffer: 2, tiling: 1 };
+  const figures = { "bsp-painter": 1, roberts: 1, appel: 1, loutrel: 1, schumacker: 3,
+    newell: 1, warnock: 2, romney: 1, bouknight: 1, watkins: 2, hzbuffer: 2, tiling: 1 };
   for (const name of names)
     await test(`${name}: its figures`, async () => {
       await go(`#/?a=${name}`);
@@ -660,7 +666,19 @@ async function lessons(file) {
       assert.deepEqual(faults, []);
     });
   await fits({ test, open, file, names });
+  const groups = [["bouknight", "watkins"], ["watkins", "warnock", "bouknight"],
+    ["galimberti", "appel"], ["loutrel", "schumacker", "romney"],
+    ["painter", "zbuffer", "bsp-painter"]];
+  await fitsBeside({ test, open, file, groups });
   await close();
+}
+
+// Groups of so many, each name in one of them.
+function inGroups(names, many) {
+  const groups = [];
+  for (let k = 0; k + many <= names.length; k += many)
+    groups.push(names.slice(k, k + many));
+  return groups;
 }
 
 await test("kinds of answers have names; others are refused in words", () => {
@@ -676,6 +694,9 @@ for (const file of files) {
   }
   const names = await everyAlgorithm(file);
   await telling({ test, open, file });
-  if (file === files[0]) await asAReader(file, names);
+  if (file !== files[0]) continue;
+  await asAReader(file, names);
+  const groups = [2, 3].flatMap((many) => inGroups(names, many));
+  await fitsBeside({ test, open, file, groups });
 }
 await end();

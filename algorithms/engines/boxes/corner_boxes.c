@@ -135,7 +135,7 @@ const struct hsr_part hsr_box_sort_part = {
     HSR_PART_BOX_SORT, counters, steps, NULL, {lines}};
 
 const struct hsr_word hsr_box_sortings[] = {
-    [HSR_NOT_SORTED] = {"none", "not: an edge is put to all of them", 0},
+    [HSR_NOT_SORTED] = {"none", "not: an edge is compared with all of them", 0},
     [HSR_BY_CORNER] = {"corner",
                        "by their boxes' upper left corners: an edge is put "
                        "to those that may be near it",

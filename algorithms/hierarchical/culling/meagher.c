@@ -370,10 +370,10 @@ static void draw_cube(struct frame *f, uint32_t leaf,
 /* --- From front to back --------------------------------------------------- */
 
 /* The box of a node in cells, from lo to hi, both included. */
-static void box_of(const struct frame *f, int layer, uint64_t code,
-                   uint32_t lo[3], uint32_t hi[3]) {
+static void cells_of(const struct hsr_grid *grid, int layer, uint64_t code,
+                     uint32_t lo[3], uint32_t hi[3]) {
   for (int a = 0; a < 3; a++) {
-    uint32_t end = f->cells.grid->n[a] - 1;
+    uint32_t end = grid->n[a] - 1;
     lo[a] = gather(code, a) << layer;
     hi[a] = lo[a] + (1u << layer) - 1;
     hi[a] = hi[a] < end ? hi[a] : end;
@@ -412,7 +412,7 @@ static void visit(struct frame *f, int layer, uint32_t k) {
   struct hsr_cell_box box;
   uint32_t lo[3], hi[3];
   HSR_STEP(f->tally, NODES, node, HSR_NOTHING, HSR_NOWHERE, 0);
-  box_of(f, layer, nodes->code[k], lo, hi);
+  cells_of(f->cells.grid, layer, nodes->code[k], lo, hi);
   if (!hsr_cells_box(&f->cells, lo, hi, &box)) {
     HSR_STEP(f->tally, OUT, node, HSR_THE_WINDOW, HSR_NOWHERE, 0);
     return;
@@ -515,6 +515,28 @@ static const struct hsr_sort sorts[] = {
     {"samples", "XY", "quadtree", "once a cube"},
     {NULL}};
 
+static void put_boxes(const void *prepared, const struct hsr_scene *scene,
+                      hsr_take_box *put, void *to) {
+  const struct octree *o = prepared;
+  const struct hsr_grid *grid = scene->grid;
+  for (int layer = 0; layer < o->n_layers; layer++)
+    for (uint32_t k = 0; k < o->layer[layer].n; k++) {
+      uint32_t lo[3], hi[3];
+      struct hsr_box box;
+      cells_of(grid, layer, o->layer[layer].code[k], lo, hi);
+      for (int a = 0; a < 3; a++) {
+        box.lo[a] = grid->bound[a][lo[a]];
+        box.hi[a] = grid->bound[a][hi[a] + 1];
+      }
+      put(to, k, (uint32_t)layer, &box);
+    }
+}
+
+static void show(const void *prepared, struct hsr_shown *shown) {
+  (void)prepared;
+  shown->boxes = put_boxes;
+}
+
 const struct hsr_algorithm HSR_ALGORITHM(meagher) = {
     .name = "meagher",
     .title = "Meagher's octree of cubes, tiled into a quadtree",
@@ -533,4 +555,5 @@ const struct hsr_algorithm HSR_ALGORITHM(meagher) = {
     .outline = outline,
     .prepare = prepare,
     .render = render,
-    .release = release};
+    .release = release,
+    .show = show};

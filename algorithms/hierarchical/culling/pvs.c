@@ -355,6 +355,20 @@ static const struct hsr_line outline[] = {
     {"        instead of another", HSR_RAISES(OVERWRITES)},
     {NULL}};
 
+static void put_boxes(const void *prepared, const struct hsr_scene *scene,
+                      hsr_take_box *put, void *to) {
+  const struct hsr_portals *portals =
+      &((const struct prepared *)prepared)->portals;
+  (void)scene;
+  for (uint32_t c = 0; c < portals->n_cells; c++)
+    put(to, c, HSR_NO_ID, &portals->cell[c]);
+}
+
+static void show(const void *prepared, struct hsr_shown *shown) {
+  (void)prepared;
+  shown->boxes = put_boxes;
+}
+
 const struct hsr_algorithm HSR_ALGORITHM(pvs) = {
     .name = "pvs",
     .title = "Cells and portals: potentially visible sets",
@@ -372,4 +386,5 @@ const struct hsr_algorithm HSR_ALGORITHM(pvs) = {
     .options = options,
     .prepare = prepare,
     .render = render,
-    .release = release};
+    .release = release,
+    .show = show};

@@ -615,7 +615,7 @@ static const struct hsr_counter counters[] = {
      "bucket by the high digit",
      .key = "list-sort"},
     {"Newell special",
-     "pieces that may come before P in depth, put to the six tests",
+     "pieces that may come before P in depth, asked about by the six tests",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
      "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "

@@ -99,7 +99,7 @@ static const struct hsr_counter counters[] = {
     [MINIMAX] = {"boxes overlap", "pairs that the minimax test leaves",
                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap"},
     [PLANE] = {"plane intersections",
-               "pairs whose images cross, put to the depth test", HSR_COMPARE,
+               "pairs whose images cross, compared in depth", HSR_COMPARE,
                HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer",
                .key = "plane-intersection"},
     [DEPTH] = {"nearer boundary edges",

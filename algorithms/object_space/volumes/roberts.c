@@ -27,12 +27,12 @@
  * Departures  The program divides concave solids (common/lines/volumes.h). Each
  *             face is a volume without thickness in open objects, and where the
  *             near plane or the eye is in an object. A face that is not flat,
- *             or that is cut, is put to the edge by itself, by hsr_sight_face.
+ *             or that is cut, is compared with the edge by itself, by hsr_sight_face.
  *             Edges may pierce volumes, and implied edges are drawn; the
  *             paper's environments have neither.
  * Options     boxes=corner: volumes sorted by the upper left corners of their
  *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
- *             An edge is put to those whose boxes overlap its own; whole bodies
+ *             An edge is compared with those whose boxes overlap its own; whole bodies
  *             are not looked at
  * Cost        Table III: back-edge cull E_t, clipping cull 100 E_s, edge/volume
  *             test 100 E_s f C_t, f = 4; it grows as the square of the
@@ -833,7 +833,7 @@ static const struct hsr_counter counters[] = {
                  HSR_OF_EDGE, HSR_OF_VOLUME},
     [OWN] = {"own volumes", "volumes that have an edge in a front plane",
              HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME},
-    [TEST] = {"edge/volume test", "fragments put to a convex volume",
+    [TEST] = {"edge/volume test", "fragments compared with a convex volume",
               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
               "hidden whole|untouched|one piece left|two pieces left",
               .key = "edge-volume"},
@@ -847,11 +847,12 @@ static const struct hsr_counter counters[] = {
                   HSR_OF_EDGE, HSR_OF_VOLUME},
     [FRAGMENTS] = {"fragments", "edges and what was split off them",
                    HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING},
-    [CONDITIONS] = {"conditions", "planes and contour edges put to a fragment",
+    [CONDITIONS] = {"conditions",
+                    "planes and contour edges that narrow a fragment",
                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
                     "contour: nothing left|contour: some left|plane: nothing "
                     "left|plane: some left"},
-    [APART] = {"faces apart", "faces that are no volumes put to an edge",
+    [APART] = {"faces apart", "edges compared with faces that are no volumes",
                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
                "does not hide its beginning|hides its beginning"},
     [TAKEN_APART] = {"bodies apart", "bodies that are taken face by face",
@@ -894,8 +895,9 @@ static const struct hsr_line outline[] = {
     {"        it is hidden whole", HSR_RAISES(WHOLE)},
     {"        it is untouched", HSR_RAISES(UNTOUCHED)},
     {"        one piece of it is left", HSR_RAISES(ONE_LEFT)},
-    {"        two pieces are left: put one by", HSR_RAISES(TWO_LEFT)},
-    {"  put faces that are no volumes to what is left", HSR_RAISES(APART)},
+    {"        two pieces are left: keep one for later", HSR_RAISES(TWO_LEFT)},
+    {"  compare what is left with the faces that are no volumes",
+     HSR_RAISES(APART)},
     {"  draw the unobscured portions, and the hidden ones", HSR_RAISES(DRAWN)},
     {NULL}};
 

@@ -3,6 +3,7 @@
 // step compares, and its span.
 import { colourOf, kindColour } from "../data/kinds.js";
 import { closeness, segmentsOn } from "../data/projection.js";
+import { stretchesAt } from "../data/stretches.js";
 import { board } from "./board.js";
 
 const HIGH = 190; // of the canvas
@@ -46,6 +47,7 @@ function drawRow(context, run, segments, { width, e }) {
   context.fillRect(px(w.x), 0, Math.max(2, px(w.x + w.width) - px(w.x)), HIGH - 12);
   context.globalAlpha = 1;
   for (const g of segments) drawSegment(context, run, g, { px, py, e });
+  drawStretches(context, run, e, { px, py });
   drawPlaces(context, run, e, px);
   context.fillStyle = colourOf("--faint");
   context.font = "11px system-ui, sans-serif";
@@ -70,6 +72,20 @@ function drawSegment(context, run, g, { px, py, e }) {
   if (isA || isB) stroke(kindColour(e.kind), 8, isA ? [] : [6, 4]);
   stroke(colourOf("--paper"), 5);
   stroke(run.header.faces[g.face][2], 3.5);
+}
+
+// The stretches that a logarithmic search compares, between their ends; where the first
+// is divided, its midpoint.
+function drawStretches(context, run, e, { px, py }) {
+  const two = stretchesAt(run, e.k);
+  context.fillStyle = colourOf("--ink");
+  const tick = (x, y, high) => context.fillRect(px(x) - 1, py(y) - high, 2, 2 * high);
+  two?.forEach(({ x0, x1, q0, q1 }, k) => {
+    tick(x0 + 0.5, q0, 6);
+    tick(x1 + 0.5, q1, 6);
+    if (e.kind === "subdivide" && k === 0)
+      tick((x0 + x1 + 1) / 2, (q0 + q1) / 2, 10);
+  });
 }
 
 // Where the edges of the step cross the row.

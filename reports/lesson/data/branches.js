@@ -30,10 +30,27 @@ export function unusedLines({ header, trace }) {
 // A line that only a variant has, as its first word says.
 const isVariant = (text) => /^\s*(with|lazily|where)\b/.test(text);
 
-// The line that event k takes, as a number from 1: if the next step is one of the
-// same subject in a line within the one that asks, that line; otherwise its own.
+// The first line that this run comes to.
+export function firstLine(run) {
+  const unused = unusedLines(run);
+  return run.header.outline.find((_, k) => !unused[k])?.trim() ?? "";
+}
+
+// The line within `line` that names the test of the outcome "test 2: ..."; null: none.
+function lineOfTest({ header: { outline } }, { outcome }, line) {
+  const test = /^test (\d)/.exec(outcome ?? "")?.[1];
+  const found = test && within(outline, line - 1).find((l) =>
+    new RegExp(`\\btest ${test}\\b`).test(outline[l]));
+  return found ? found + 1 : null;
+}
+
+// The line that event k takes, as a number from 1: that of the test that decides; if
+// the next step is one of the same subject in a line within the one that asks, that
+// line; otherwise its own.
 export function branchOf(run, k) {
   const e = run.event(k), line = e.counter.line;
+  const test = line && lineOfTest(run, e, line);
+  if (test) return test;
   if (!line || e.kind === "accept" || k + 1 >= run.trace.kept) return line;
   const next = run.event(k + 1);
   const isSame = next.a.kind === e.a.kind &&

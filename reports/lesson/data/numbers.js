@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers that a step compares: depths, places on a row, boxes, distances of
 // the eye to a plane. They are found again from the scene, in doubles.
+import { fragmentAt } from "./fragments.js";
 import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
 import { closeness, projection } from "./projection.js";
@@ -122,8 +123,9 @@ function depthsInSquare(run, e) {
   const less = lessOf(e.outcome);
   const [a, b] = both.sort(([a0, b0], [a1, b1]) => (less ? -1 : 1) *
     ((a0 - b0) - (a1 - b1)))[0];
-  const found = { words: `at the corners ${p} to ${q} deep against ${r} to ${s}`, a, b,
-    less };
+  const found = { a, b, less, words: less === null
+    ? `at the corners ${p} to ${q} deep against ${r} to ${s}`
+    : `at the corner where that is closest ${twoDepths(a, b).words}` };
   if (!contradicts(found)) return found;
   // Of two surrounders, the one that is nearer at the first corner is critical.
   const first = twoDepths(...corners.slice(0, 1).flatMap(([i, j]) => [f, g].map((face) =>
@@ -259,6 +261,19 @@ function boxes(run, e) {
     less: null } : null;
 }
 
+// --- Edges and volumes ---
+
+// The share of the fragment that the volume hides, from the edge's first end on.
+function hiddenPart(run, e) {
+  const at = e.counter.key === "edge-volume" ? fragmentAt(run, e.k) : null;
+  if (!at?.hidden) return null;
+  const percent = (t) => `${Math.round(100 * Math.min(1, Math.max(0, t)))} %`;
+  const isWhole = at.from < 0.005 && at.to > 0.995;
+  return { words: `it hides from ${percent(at.hidden[0])} to ${percent(at.hidden[1])} ` +
+    `of the edge${isWhole ? "" : `; the fragment goes from ${percent(at.from)} to ${
+      percent(at.to)}`}`, less: null };
+}
+
 // --- The pyramid ---
 
 // What a cell of the pyramid holds: the farthest depth painted in it so far.
@@ -278,5 +293,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, cellDepth, depthsOfStretches, depthsInWindow,
+const FINDERS = [farthest, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
   depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

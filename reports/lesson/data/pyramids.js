@@ -7,32 +7,13 @@
 //   windows lie where the cells' places say.
 export function pyramidOf(run) {
   const { trace, header, width: m, height: n } = run;
-  const side = header.counters.map((c) => c.computed ? null
-    : c.a === "cell" ? "a" : c.b === "cell" ? "b" : null);
-  const sizes = new Map(), good = side.map(() => false);
   const cellOf = (k, which) => which === "a"
     ? [trace.a0[k], trace.a1[k], trace.a2[k]]
     : [trace.b0[k], trace.b1[k], trace.b2[k]];
-  const isOf = side.map(() => true);
-  for (let k = 0; k < trace.kept; k++) {
-    const c = trace.counter[k];
-    if (!side[c]) continue;
-    const [level, x, y] = cellOf(k, side[c]);
-    if (!trace.width[k] || x < 0) isOf[c] = false;
-    else if (trace.x[k] + trace.width[k] < m || trace.width[k] >= m)
-      sizes.set(`${c},${level}`, Math.max(trace.width[k], trace.height[k],
-        sizes.get(`${c},${level}`) ?? 0));
-    if (x || y) good[c] = true;
-  }
-  for (let k = 0; k < trace.kept; k++) {
-    const c = trace.counter[k];
-    if (!side[c] || !isOf[c]) continue;
-    const [level, x, y] = cellOf(k, side[c]);
-    const size = sizes.get(`${c},${level}`);
-    if (size && (trace.x[k] !== x * size || trace.y[k] !== y * size))
-      isOf[c] = false;
-  }
-  const own = side.map((which, c) => which && isOf[c] && good[c] ? which : null);
+  const sizes = new Map(); // of levels, by counter
+  const own = header.counters.map((counter, c) => counter.computed ? null
+    : ["a", "b"].find((which) => counter[which] === "cell" &&
+      isPyramid(run, c, (k) => cellOf(k, which), sizes)) ?? null);
   const level = new Map();
   for (const [key, size] of sizes) {
     const [c, l] = key.split(",").map(Number);
@@ -60,4 +41,30 @@ export function pyramidOf(run) {
       }
       return touched;
     } };
+}
+
+// Whether the cells of a counter lie where their windows do; then its sizes are noted,
+// by counter and level. A cell outside of the picture has no window.
+function isPyramid({ trace, width: m }, c, cellOf, sizes) {
+  const own = new Map();
+  const events = [];
+  let hasPlaces = false;
+  for (let k = 0; k < trace.kept; k++) {
+    if (trace.counter[k] !== c) continue;
+    const [level, x, y] = cellOf(k);
+    if (x < 0) return false;
+    hasPlaces ||= x > 0 || y > 0;
+    if (!trace.width[k]) continue;
+    events.push(k);
+    if (trace.x[k] + trace.width[k] < m || trace.width[k] >= m)
+      own.set(level, Math.max(trace.width[k], trace.height[k], own.get(level) ?? 0));
+  }
+  const isThere = events.every((k) => {
+    const [level, x, y] = cellOf(k);
+    const size = own.get(level);
+    return !size || (trace.x[k] === x * size && trace.y[k] === y * size);
+  });
+  if (!hasPlaces || !events.length || !isThere) return false;
+  own.forEach((size, level) => sizes.set(`${c},${level}`, size));
+  return true;
 }

@@ -4,10 +4,12 @@
 import { listOf } from "./lists.js";
 import { piecesOf } from "./pieces.js";
 import { pyramidOf } from "./pyramids.js";
+import { regionsOf } from "./regions.js";
 import { treeOf } from "./trees.js";
 
 export const structureOf = (run) => ({ list: listOf(run), tree: treeOf(run),
-  pyramid: pyramidOf(run), ...piecesOf(run), cubes: cubesOf(run),
+  pyramid: pyramidOf(run), ...piecesOf(run), ...regionsOf(run),
+  cubes: cubesOf(run),
   isCube: cubeSides(run) });
 
 // "node,instance" -> the images of a cube's corners.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An event in words.
 import { kindLook } from "./kinds.js";
-import { planeOfCell } from "../looks/solids.js";
+import { isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
 
 // e: the event, where its words depend on it.
 export function subjectWords(run, { kind, ids }, window, e) {
   const [p, q, r] = ids;
+  if (kind === "cell" && isRegion(run, ids)) return `region ${p} of the map`;
   if (kind === "cell" && e && planeOfCell(run, e.number, p))
     return `plane ${p} of the tree`;
   switch (kind) {
@@ -21,9 +22,11 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
+      : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
       : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
-    case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
-    case "window": return window ? windowWords(window) : "the picture";
+    case "cell": return e && run.pyramid?.of(e.number)
+      ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0));
+    case "window": return window ? placeWords(run, window) : "the picture";
     default: return "";
   }
 }
@@ -45,7 +48,13 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
 
 // Where an event is, unless that is the whole picture.
 export const whereWords = (run, window) =>
-  window && !isWhole(run, window) ? windowWords(window) : "";
+  !window || isWhole(run, window) ? "" : placeWords(run, window);
+
+const placeWords = (run, window) => isWhole(run, window) ? "the whole picture"
+  : window.height === 1 && window.width >= run.width ? `row ${window.y}`
+    : windowWords(window);
+
+const placeWord = (w) => w?.height !== 1 ? "in" : w.width === 1 ? "at" : "on";
 
 // What becomes of two things that are sorted.
 function sortWords({ counter: { key } }, a, b) {
@@ -102,7 +111,9 @@ export function eventWords(run, e) {
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
-  else if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
+  else if (e.outcome && e.kind !== "compare")
+    text += !second ? "" : e.b.kind === "window" ? ` ${placeWord(e.window)} ${second}`
+      : `, with ${second}`;
   else if (e.kind === "compare") text += second ? ` against ${second}` : "";
   else if (e.kind === "split" && e.b.kind === "face")
     text += ` is divided by the plane of ${second}`;
@@ -112,6 +123,8 @@ export function eventWords(run, e) {
     text += ` is ${run.kind.verb ?? verb}${
       second && e.b.kind !== "window"
         ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
+  else if (e.b.kind === "window" && second)
+    text += ` is ${verb} ${placeWord(e.window)} ${second}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   const numbers = numberWords(run, e);
   if (e.outcome) text += `: ${e.outcome}`;

@@ -6,8 +6,22 @@ import { alongAnEdge, cubesVisited, logarithmic, masks, pyramid, spans,
   windows } from "./image.js";
 import { clusterPriority, division, facePriority, intercepts,
   wrongOrder } from "./lists.js";
+import { appearances, faceAndWindow, fourResults, repeatedLine, walk } from "./steps.js";
+import { segmentsOn } from "../data/projection.js";
 
 const FIGURES = {
+  "bsp-painter": [["The walk", "The pieces in the order of the walk, the farthest first. " +
+    "Bars that lie over one another in a circle have an order, too, since the planes of " +
+    "the tree have cut them.", walk]],
+  roberts: [["The four results of the edge/volume test", "Broad: what is left of the " +
+    "fragment. Dotted: what the volume hides. As the volume is convex, no more than two " +
+    "pieces can be left.", fourResults]],
+  loutrel: [["Figure 10", "The image of the edge AB crosses that of CD at I. Only where CD " +
+    "is nearer does the number of the faces that hide AB change.", appearances]],
+  romney: [["A line that repeats", "Each line leads from where a face begins or ends on a " +
+    "row to where it does so on the next; above and below, the faces that are visible. " +
+    "Where no two of these lines cross, the same faces stay visible.",
+  (run) => repeatedLine(run, (j) => segmentsOn(run, j))]],
   appel: [["Figure 14", "λ, the number of faces that hide the edge, changes only " +
     "where its image crosses that of a nearer contour edge. The edge is drawn " +
     "where λ is 0.", alongAnEdge]],
@@ -30,7 +44,9 @@ const FIGURES = {
       "P divides Q into Qa and Qb, which go into the list apart.", division]],
   warnock: [["Figure 25", "All windows that were shown: outlined where they are " +
     "larger than a sample, filled where they are single samples. Where a face " +
-    "ends, or penetrates another, windows are small.", windows]],
+    "ends, or penetrates another, windows are small.", windows],
+  ["Figure 26", "What a test of a face and a window finds. It looks at X and Y alone, not " +
+    "at depth.", faceAndWindow]],
   bouknight: [["Figures 12 and 27", "The segments of one row, seen from above with " +
     "the eye below, and dotted lines between the spans. In a, each edge begins a " +
     "new span, as in Bouknight’s algorithm; in b, spans end where the visible face " +

@@ -32,10 +32,10 @@ export const line = (x1, y1, x2, y2, attributes = {}) => s("line",
 export const colourOf = (run, f) => run.header.faces[f]?.[2] ??
   run.header.background;
 
-// The images of all faces, pale, scaled by `unit`.
-export function ground(run, unit) {
+// The images of all faces, pale, scaled by `unit`, or where place() says.
+export function ground(run, unit, place = ([x, y]) => [x * unit, y * unit]) {
   return s("path", { d: run.header.faces.map(([, , , , polygon]) =>
-    pathOf(polygon.map(([x, y]) => [x * unit, y * unit]))).join(""),
+    pathOf(polygon.map(place))).join(""),
   fill: "none", stroke: "var(--ink)", "stroke-opacity": 0.25,
   "stroke-width": 0.7 });
 }

@@ -201,6 +201,8 @@ function widthAt(edges, across, y, otherwise) {
 
 // --- 22: the Z sort alone is wrong ---
 
+const LEAST = 1e-3; // of the depth: a difference that can be seen
+
 export function wrongOrder(run) {
   const near = closeness(run);
   const farthest = (f) => Math.min(...run.header.faces[f][4].map(
@@ -216,7 +218,7 @@ export function wrongOrder(run) {
       if (!best || gain > best.gain) best = { j, both, far, segments, gain };
     }
   }
-  if (!best) return null;
+  if (!best || best.gain < LEAST * Math.abs(best.far[0])) return null;
   const { j, both, far, segments } = best;
   const name = (f) => f === both[0] ? "P" : "Q";
   const x = segments.flatMap(({ x0, x1 }) => [x0, x1]);

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first four lessons: painter, z-buffer, ray casting, BSP tree. all.js says what
 // a lesson is.
+import { numbersOf } from "../data/numbers.js";
 import { countOf, share, times } from "../telling/figures.js";
 import { paintsWrong, wrongSamples } from "../telling/wrong.js";
+
+// Whether the two numbers that are compared differ.
+const tells = (run, e) => {
+  const found = numbersOf(run, e);
+  return Boolean(found) && Math.abs(found.a - found.b) > 0.01;
+};
 
 export const painter = {
   idea: "Paint from back to front",
@@ -14,7 +21,8 @@ export const painter = {
   source: "The survey, chapter III, list priority",
   moments: [
     ["Two faces are compared by their farthest corners",
-      { of: "face-sort", pick: "largest" },
+      { of: "face-sort", pick: "largest", where: tells,
+        or: { of: "face-sort", pick: "largest" } },
       "Which of the two is painted first, by its farthest corner?"],
     ["The farthest face is painted", { name: "samples" }],
     ["A nearer face is painted over it", { name: "samples", covers: true }],
@@ -84,10 +92,12 @@ export const raycast = {
       "Does the face cover the sample?"],
     ["The nearest of all is shown", { name: "samples shown", with: ["second", "place"] }],
     ["Inside the box, but the face does not cover the sample",
-      { name: "surround tests", outcome: "does not surround", pick: "largest" },
+      { name: "surround tests", outcome: "does not surround", after: "second",
+        pick: "largest", or: { name: "surround tests", outcome: "does not surround" } },
       "Does the face cover the sample?"],
     ["A second face covers the sample, but is farther",
-      { name: "depth tests", outcome: "farther", real: true, pick: "largest" },
+      { name: "depth tests", outcome: "farther", real: true, after: "second",
+        pick: "largest", or: { name: "depth tests", outcome: "farther", real: true } },
       "Solid: this face. Dashed: the nearest so far. Which is nearer?"],
     ["Half of the samples are done", { name: "samples shown", at: 0.5 }],
   ],

@@ -10,33 +10,40 @@ const isSmall = (run, e) => isLarge(run, e) && e.window.width < run.width / 2;
 
 export const warnock = {
   idea: "Divide until it is simple",
-  text: ["Look at a window. If one face surrounds it and all others are behind, it is " +
-    "done; also if nothing is in it. Otherwise divide it into four and look at each " +
-    "quarter. Large areas cost little; the work gathers along edges.",
+  text: ["Look at a window. If no face is in it, or if one face covers all of it and " +
+    "is nearer than all others there, the window is shown at once. Otherwise it is " +
+    "divided into four, and each quarter is looked at in the same way. A window of " +
+    "a single sample shows the face that is nearest there. Large areas cost little; " +
+    "the work gathers along edges.",
   "A face is disjoint from a window, surrounds it, or intersects it. A face that " +
     "surrounds a window, or is disjoint from it, is so for its quarters, too, and is " +
-    "not tested again."],
+    "not tested again. Of all surrounds the nearest one is the critical one: it is " +
+    "compared with the planes of the other faces at the corners of the window. The " +
+    "faces come in order of depth, so that the search ends at the first one that is " +
+    "behind a surround."],
   source: "The survey, chapter III, area sampling, figures 25 and 26; Warnock 1969",
   moments: [
     ["The first window is the whole picture", { name: "windows" }],
     ["A face intersects it", { of: "window-test", outcome: "intersecter" }],
-    ["Too much is in it: it is divided into four", { of: "subdivision" }],
+    ["It is not empty, and no face hides all else in it: it is divided into four",
+      { of: "subdivision" }],
     ["A quarter is divided again", { of: "subdivision", nth: 2 }],
-    ["The surround hides all else: the window is shown",
+    ["A face covers the window and hides all else there: it is shown",
       { of: "homogeneous-window", pick: "largest", id: "shown" }],
-    ["A face surrounds this window", { of: "window-test", outcome: "surrounder",
+    ["A face surrounds this window: it covers all of it", { of: "window-test", outcome: "surrounder",
       where: (run, e) => e.window?.width > 1, pick: "largest" }, WINDOW, KINDS],
     ["A face is disjoint from this window: it is left out, here and in its quarters",
       { of: "window-test", outcome: "disjoint", pick: "largest",
         where: isLarge }, WINDOW, KINDS],
-    ["A face intersects this window", { of: "window-test", outcome: "intersecter",
+    ["A face intersects this window: it covers a part of it", { of: "window-test", outcome: "intersecter",
       pick: "largest", where: isSmall }, WINDOW, KINDS],
-    ["That a face surrounds is inherited, not tested", { name: "inherited surrounders",
-      pick: "largest" }],
-    ["Solid is a surround. The dashed face is behind all of it in the window",
+    ["This face surrounds the larger window: its quarter inherits that, without a test",
+      { name: "inherited surrounders", pick: "largest" }],
+    ["The dashed face is a surround. The solid one is behind it at all four corners",
       { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One face before its background", { name: "one in front", pick: "largest" }],
+    ["One face is left before the surround: where it is not, the surround is shown",
+      { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
     ["Half of the windows are done", { name: "windows", at: 0.5 }],
   ],
@@ -95,16 +102,19 @@ export const romney = {
 
 const RIGHT = "Does the solid edge cross this line right or left of the dashed one?";
 
-// What happens on a row, before its spans; `row` is the id of a moment on it.
-const scanLine = (row) => [
+// What happens on rows before their spans: before the moment of that id, if it can be.
+const scanLine = (id) => [
   YSORT,
   ["Edges that begin here are merged into the list, by X",
-    { name: "X merge", pick: "largest" }],
-  ["Two neighbors in the list are compared: in order",
-    { of: "x-sort", outcome: "to the right", with: [row, "row"], pick: "largest" },
-    RIGHT],
+    { name: "X merge", before: id, pick: "largest",
+      or: { name: "X merge", pick: "largest" } }],
   ["Out of order: the edges have crossed since the last line",
-    { of: "x-sort", outcome: "to the left", pick: "largest", id: "order" }, RIGHT],
+    { of: "x-sort", outcome: "to the left", before: id, pick: "largest", id: "order",
+      or: { of: "x-sort", outcome: "to the left", pick: "largest" } }, RIGHT],
+  ["Two neighbors in the list are compared: in order",
+    { of: "x-sort", outcome: "to the right", with: ["order", "row"], before: "order",
+      pick: "largest", or: { of: "x-sort", outcome: "to the right", pick: "largest" } },
+    RIGHT],
   ["They change places in the list", { of: "interchange", after: "order" }],
 ];
 
@@ -127,9 +137,11 @@ export const bouknight = {
     ["At its other edge, it is turned off", { name: "span cull", outcome: "turned off",
       with: ["depth", "row"], pick: "largest" }],
     ["The nearest face is shown in the span", { of: "span", real: true,
-      with: ["depth", "row"], pick: "largest" }],
+      with: ["depth", "row"], after: "depth", pick: "widest",
+      or: { of: "span", real: true, after: "depth" } }],
     ["The faces that are on are compared: farther",
-      { of: "depth-search", outcome: "farther", real: true, pick: "largest" }, NEARER],
+      { of: "depth-search", outcome: "farther", real: true, after: "depth",
+        pick: "largest" }, NEARER],
     ["A different face is nearest at each end: they penetrate, and the span is divided",
       { of: "span-division", pick: "largest", id: "cut" }],
     ["The first part of the divided span is shown", { of: "span", after: "cut" }],
@@ -140,37 +152,77 @@ export const bouknight = {
       run.height, "line")}`],
 };
 
+// The span that is shown next after event e, on its row.
+function spanAfter(run, e) {
+  const c = run.counterOf("span");
+  for (let k = e.k + 1; k < run.trace.kept && run.trace.y[k] === e.window.y; k++)
+    if (run.trace.counter[k] === c) return run.event(k).window;
+  return null;
+}
+
+const WIDE = 1 / 12; // of the row: a span that can be seen
+
+// Whether the segments are compared where one begins within the span that is shown next.
+function isPassedOver(run, e) {
+  const w = spanAfter(run, e);
+  return w && w.width > WIDE * run.width && w.x + 2 < e.window.x &&
+    e.window.x < w.x + w.width - 2;
+}
+
+// Whether the span that is shown next ends where these segments are compared.
+function endsSpan(run, e) {
+  const w = spanAfter(run, e);
+  return w && w.x + w.width === e.window.x && w.width > WIDE * run.width;
+}
+
+const isDivision = (run, k) => k >= 0 && k < run.trace.kept &&
+  run.event(k).counter.key === "depth-division";
+const isFirst = (run, e) => !isDivision(run, e.k - 1) && e.window.width > 2;
+const isAtOnce = (run, e) => isFirst(run, e) && run.event(e.k - 1).counter !== e.counter;
+
 export const watkins = {
   idea: "Spans as long as possible",
-  text: ["As in Bouknight’s algorithm the edges of a line are in order. But a span may " +
-    "pass over edges of what is hidden: its right end moves to the left only where a " +
-    "nearer segment comes into view. So there are few spans.",
-  "Two segments are compared by the depths of their ends. If these do not tell, one " +
-    "segment is divided at its midpoint: a logarithmic search."],
+  text: ["As in Bouknight’s algorithm the edges of a line are kept in order of X, from " +
+    "line to line. But a span may pass over edges of what is hidden. Its left end is " +
+    "where the last span ended; its right end floats. It begins at the end of the " +
+    "line, and moves to the left only where the visible segment ends, or where " +
+    "another one comes to be nearer. So there are few spans.",
+  "Two segments are compared by the depths of their ends: if the nearest end of one " +
+    "is deeper than the farthest end of the other, all is known. If these do not " +
+    "tell, one segment is divided at its midpoint, and the half in question is " +
+    "compared again: a logarithmic search. Where two faces penetrate, it finds the " +
+    "sample from which on the other one is nearer."],
   source: "The survey, chapter III, scan lines, figures 12, 27b and 28; Watkins 1970",
   needs: [{ of: "depth-division", instead: "penetration",
     why: "In this scene the ends of segments always tell: nothing is divided." }],
   moments: [
-    ["Two segments are compared: their ends tell",
-      { of: "depth-search", outcome: "nearer", pick: "largest", real: true,
-        id: "depth" }, NEARER],
-    ...scanLine("depth"),
-    ["A segment is outside of the span: it does not matter",
-      { of: "span-cull", outcome: "outside", with: ["depth", "row"],
+    ["A segment begins inside the span, but is farther: the span goes on over it",
+      { of: "depth-search", outcome: "farther", pick: "largest", real: true,
+        where: isPassedOver, id: "over",
+        or: { of: "depth-search", outcome: "farther", pick: "largest", real: true } },
+      NEARER],
+    ...scanLine("over"),
+    ["The span begins at the left. A segment that begins in it: inside",
+      { of: "span-cull", outcome: "inside", with: ["over", "row"], before: "over" },
+      "Is the segment of this face inside the span?"],
+    ["The visible segment is shown in one span, over the edge of what it hides",
+      { of: "span", real: true, after: "over" }],
+    ["A segment begins to the right of the span’s end: outside",
+      { of: "span-cull", outcome: "outside", with: ["over", "row"], after: "over",
         pick: "largest" }, "Is the segment of this face inside the span?"],
-    ["A segment is inside the span: it is searched",
-      { of: "span-cull", outcome: "inside", with: ["depth", "row"],
-        pick: "largest" }, "Is the segment of this face inside the span?"],
-    ["The visible segment is shown, over edges of what it hides",
-      { of: "span", real: true, with: ["depth", "row"], pick: "largest" }],
-    ["The solid segment is farther", { of: "depth-search", outcome: "farther",
-      pick: "largest", real: true }, NEARER],
-    ["The depths of the ends overlap: undecided",
-      { of: "depth-search", outcome: "undecided", pick: "largest", real: true,
-        id: "open" }],
+    ["Here the solid segment comes to be nearer: the span’s right end moves to here",
+      { of: "depth-search", outcome: "nearer", real: true, after: "over",
+        where: endsSpan, pick: "largest", id: "ends" }, NEARER],
+    ["So this span ends before it, and the next one begins there",
+      { of: "span", after: "ends" }],
+    ["The depths of two segments overlap: their ends do not tell",
+      { of: "depth-search", outcome: "undecided", after: "over", pick: "largest",
+        real: true, where: isFirst, id: "open" }],
     ["One segment is divided at its midpoint", { of: "depth-division",
       after: "open" }],
     ["The half is compared again", { of: "depth-search", after: "open" }],
+    ["The ends of these two tell at once", { of: "depth-search", real: true,
+      where: isAtOnce, after: "over", pick: "largest", like: /nearer|farther/ }, NEARER],
     ["Half of the lines are done", { of: "span", at: 0.5 }],
   ],
   find: ["How many comparisons of segments end without a division?", (run) => {

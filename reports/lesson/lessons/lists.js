@@ -5,6 +5,18 @@ import { countOf, mostOutcomes, times } from "../telling/figures.js";
 const SIDES = { "in front": "in front", behind: "behind" };
 const FACING = { front: "yes, its front", back: "no, its back" };
 
+const FEW = 60; // steps at a sample that are looked at
+
+// Whether another face is there, too, at the same sample, after event e.
+function hasRival(run, e) {
+  const { x, y, counter, kept } = run.trace;
+  for (let k = e.k + 1; k < Math.min(kept, e.k + FEW); k++) {
+    if (x[k] !== x[e.k] || y[k] !== y[e.k]) return false;
+    if (counter[k] === counter[e.k] && run.event(k).outcome === "there") return true;
+  }
+  return false;
+}
+
 export const schumacker = {
   idea: "Know the order before the picture",
   text: ["Within a convex cluster the faces have an order that holds from every eye; " +
@@ -36,7 +48,8 @@ export const schumacker = {
       "Is the eye in front of the dashed plane, or behind it?", SIDES],
     ["The first face of the list that is inside wins",
       { of: "priority-search", outcome: "there, with the highest priority", at: 0.5,
-        id: "wins" }],
+        where: hasRival, id: "wins", or: { of: "priority-search", at: 0.5,
+          outcome: "there, with the highest priority" } }],
     ["At this sample the counters of a face say: not inside",
       { of: "priority-search", outcome: "not there", with: ["wins", "place"] }],
     ["Another face is inside, too, but lower in the list",
@@ -62,12 +75,15 @@ const TEST = "P is solid, Q is dashed. Which test shows that P does not obscure 
 export const newell = {
   idea: "The painter’s list, made safe",
   text: ["Sort the pieces by their farthest points, and paint from the back. Before P " +
-    "is painted, six tests ask of each Q that comes after it: may P obscure Q? The " +
-    "cheap tests come first. If no test says no, Q is moved before P and gets a " +
-    "marker.",
+    "is painted, up to six tests ask of each Q that comes after it: may P obscure Q? " +
+    "The cheap tests come first, and the first that says no ends them. If none says " +
+    "no, Q is moved before P, gets a marker, and is the new P.",
   "Three bars, each over the next, have no order. The list notices it when a piece " +
-    "that has a marker is to be moved again. Then the piece is divided by the plane " +
-    "of the other, and the halves find their places."],
+    "that has a marker is to be moved again. Then that piece is divided by the plane " +
+    "of the other, and the halves find their places in the list.",
+  "A piece that is in order is painted row by row: on each row it overwrites what was " +
+    "there before. The picture here shows in pale colours what has been painted so. " +
+    "The rows are shown when all pieces are done."],
   source: "The survey, chapter III, list priority, figures 21 to 23; Newell, Newell " +
     "and Sancha 1972",
   needs: [{ of: "list-move", instead: "cyclic-overlap",
@@ -75,19 +91,19 @@ export const newell = {
   { of: "list-division", instead: "cyclic-overlap",
     why: "No faces of this scene overlap in a circle, so that nothing is divided." }],
   moments: [
-    ["A piece can not be moved again: it is divided by the plane of the other",
-      { of: "list-division", pick: "largest", id: "cut" }],
-    ["Q has a marker already: a circle. Does its plane pass through P?",
+    ["A piece with a marker is not moved again: it is divided by the plane of the other",
+      { of: "list-division", id: "cut" }],
+    ["Q has a marker already: a circle. Does the plane of one pass through the other?",
       { name: "circle search", before: "cut" }],
-    ["Again no test helps, and the other piece was moved before",
+    ["Again no test says no. But this Q was moved before: it has a marker",
       { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
     ["Q is moved before P, with a marker, and is the new P",
       { of: "list-move", before: "again", id: "moved" }],
-    ["No test helps: P may obscure Q",
+    ["P is solid, Q is dashed. No test says no: P may obscure Q",
       { of: "list-test", like: /may obscure/, before: "moved" }, TEST],
     ["A half finds its place in the list", { of: "list-insertion", after: "cut" }],
     ["The Z sort puts pieces in order by their farthest points", { of: "list-sort" }],
-    ["Test 1: P begins where Q ends, in depth", { of: "list-test",
+    ["Test 1: all of Q is nearer than all of P", { of: "list-test",
       outcome: "test 1: apart in Z", pick: "largest" }, TEST],
     ["Test 2: P and Q are apart in X",
       { of: "list-test", outcome: "test 2: apart in X", pick: "apart" }, TEST],
@@ -101,9 +117,9 @@ export const newell = {
       { of: "list-test", like: /^test 6/, pick: "largest" }, TEST],
     ["Another circle, another division", { of: "list-division", after: "cut" }],
     ["P is in order: its rows are generated", { of: "list-segment",
-      pick: "largest" }],
+      pick: "widest" }],
     ["On its row it overwrites what it covers", { name: "X merge", outcome: "covered",
-      pick: "largest" }],
+      pick: "widest" }],
     ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],
   ],
   find: ["Which of the six tests decides most often?", (run) =>

@@ -9,24 +9,29 @@ export const roberts = {
   idea: "Each edge against each volume",
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
-    "nothing, one end, or a part between two pieces that stay. What no volume hides " +
-    "is drawn.",
+    "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
+    "is compared with the volumes that follow. What no volume hides is drawn.",
+  "A point of the edge is hidden if the line of sight to it passes through the volume. " +
+    "At first all of the edge may be hidden. Each front plane of the volume takes away " +
+    "what lies before it, and each edge of its contour what lies beside it, until all " +
+    "have been asked or nothing is left: a linear programme, as the survey says.",
   "Boxes come first: if the box of an edge’s image and that of a volume are apart, or " +
-    "the edge is nearer, the volume can not hide it. Whole bodies are left out so. " +
+    "the edge is nearer, the volume cannot hide it. Whole bodies are left out so. " +
     "Even so the number of box tests grows as edges times bodies."],
   source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   moments: [
-    ["The volume hides the middle: two pieces are left",
+    ["The volume hides the middle, thin and dotted: two pieces are left",
       { of: "edge-volume", outcome: "two pieces left", pick: "largest", id: "two" },
       VOLUME],
     ["The edge starts as one fragment", { name: "fragments", before: "two" }],
+    ["Half of the drawing is done", { of: "interval-drawn", at: 0.5 }],
     ["Its boxes and those of a body are apart: the body is left out",
       { of: "minimax", outcome: "body out of the way", with: ["two", "a"],
         pick: "apart" }, "Solid: the edge. Dashed: the body. Can it hide the edge?",
       { "body out of the way": "no, by its box", "body in the way": "perhaps" }],
     ["The boxes overlap: the volume is in the way, perhaps",
       { of: "minimax", outcome: "volume in the way", before: "two" }],
-    ["A plane of the volume shortens the hidden part",
+    ["A front plane of the volume: of the edge, some lies behind it",
       { name: "conditions", like: /some left/, before: "two" }],
     ["One of the two pieces waits as a fragment of its own",
       { name: "two pieces left", after: "two" }],
@@ -35,14 +40,14 @@ export const roberts = {
     ["The volume hides nothing of the edge",
       { of: "edge-volume", outcome: "untouched", pick: "largest", id: "none" },
       VOLUME],
-    ["A contour edge leaves nothing hidden: the volume is beside the edge",
+    ["An edge of the contour: all of the fragment is beside it, so nothing is hidden",
       { name: "conditions", outcome: "contour: nothing left", before: "none" }],
     ["The volume hides the whole edge: nothing is left to draw",
       { of: "edge-volume", outcome: "hidden whole", pick: "largest" }, VOLUME],
     ["The volume hides one end: one piece is left",
       { of: "edge-volume", outcome: "one piece left", pick: "largest" }, VOLUME],
     ["What is left goes on to the next volume", { of: "one-left", pick: "largest" }],
-    ["The edge lies in the front of this volume, which can not hide it",
+    ["The edge lies in the front of this volume, which cannot hide it",
       { name: "own volumes", pick: "largest" }],
     ["A face that looks away from the eye does not count for its edge",
       { of: "back-edge-cull", outcome: "does not exist", pick: "largest" }],
@@ -61,10 +66,11 @@ const isBeyond = (run, e) => {
   return Boolean(found) && found.a > found.b * 1.01;
 };
 
-const crossings = (other) => [
+// kept: what is kept of an edge, with what is said of it.
+const crossings = (other, kept) => [
   ["A face that looks away from the eye does not count for its edge",
     { name: "edge cull", outcome: "does not exist", pick: "largest" }],
-  ["A face hides the vertex: the number begins at one or more",
+  [`A face hides the vertex: ${kept.begins}`,
     { of: "initial-visibility", outcome: "hides", pick: "largest", id: "hides" },
     "Does the dashed face hide the vertex?"],
   ["A search begins: nothing is known of this vertex", { of: "search",
@@ -73,21 +79,25 @@ const crossings = (other) => [
     { of: "initial-visibility", outcome: "does not hide", with: ["hides", "a"],
       where: isBeyond, pick: "largest" }, "Does the dashed face hide the vertex?"],
   ...other,
-  ["The crossing is noted: the number changes here", { name: "crossings",
+  [`The crossing is noted: the ${kept.what} changes here`, { name: "crossings",
     after: "behind" }],
   ["The crossings are put in order along an edge", { name: "sort along edge",
     after: "behind" }],
   ["The visible part of the edge is drawn", { of: "interval-drawn",
     with: ["behind", "a"], pick: "largest", where: (run, e) => e.part?.[1] === 0 }],
-  ["The hidden part: its number is not zero", { of: "interval-drawn",
+  [`The hidden part: its ${kept.what} is not ${kept.none}`, { of: "interval-drawn",
     with: ["behind", "a"], pick: "largest", where: (run, e) => e.part?.[1] > 0 }],
-  ["The number at this end goes to the neighbors: no new search",
+  [`The ${kept.what} at this end goes to the neighbors: no new search`,
     { of: "promoted", pick: "largest" }],
   ["At a corner, a face of the corner itself may hide the edge",
     { name: "correction", outcome: "hides", pick: "largest" }],
   ["Hidden everywhere: no crossing has to be sorted",
     { name: "sorts to save", pick: "largest" }],
 ];
+
+const NUMBER = { what: "number", none: "zero",
+  begins: "the number begins at one or more" };
+const SET = { what: "set", none: "empty", begins: "it begins the set" };
 
 const QUESTION = "Solid: this edge. Dashed: the other. At the crossing, which is nearer?";
 const WORDS = { farther: "the other is farther", nearer: "the other is nearer" };
@@ -109,7 +119,7 @@ export const appel = {
     ["The edge passes behind a contour edge that is nearer",
       { of: "edge-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
-      WORDS]]),
+      WORDS]], NUMBER),
   find: ["How many pairs of edges are looked at for each crossing that counts?",
     (run) => perEach(run, "edge-intersection", "crossings")],
 };
@@ -124,14 +134,15 @@ export const loutrel = {
     ["The boxes of two edges are apart: done",
       { of: "edge-intersection", outcome: "boxes apart", pick: "apart" }],
     ["The boxes of two edges overlap: a longer question follows",
-      { of: "boxes-overlap", pick: "largest" }],
+      { of: "boxes-overlap", pick: "largest", where: (run, { a, b }) =>
+        a.ids.slice(0, 2).every((v) => !b.ids.slice(0, 2).includes(v)) }],
     ["Their images cross, but the other one is farther",
       { of: "plane-intersection", outcome: "farther", pick: "largest" }, QUESTION,
       WORDS],
     ["Their images cross, and the other one is nearer",
       { of: "plane-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
-      WORDS]]),
+      WORDS]], NUMBER),
   find: ["What share of all pairs is settled by their boxes?", (run) => {
     const all = countOf(run, "edge-intersection");
     const apart = withOutcome(run, "edge-intersection", "boxes apart");
@@ -154,7 +165,7 @@ export const galimberti = {
       { of: "edge-intersection", outcome: "nearer", pick: "largest", id: "behind" },
       QUESTION,
       WORDS],
-    ["The set of hiding faces changes", { of: "nature-change", pick: "largest" }]]),
+    ["The set of hiding faces changes", { of: "nature-change", pick: "largest" }]], SET),
   find: ["How many of the pairs would Appel have looked at?", (run) => {
     const [all, contour] = ["edge-intersection", "contour-pair"].map((name) =>
       countOf(run, name));

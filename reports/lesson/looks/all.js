@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a step looks like over the picture: shapes in samples, which the canvas of
-// the page and a saved drawing both take. A shape is { points, closed, dashed,
+// the page and a saved drawing both take. A shape is { points, closed, dashed, dotted,
 // width, fill, role }: `fill` is a strength from 0 to 1, `role` the colour: of the
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
 import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
-import { cellLook, cubeLook, planeLook, volumeLook } from "./solids.js";
+import { cellLook, cubeLook, isRegion, planeLook, volumeLook } from "./solids.js";
 import { bucketLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
@@ -66,6 +66,7 @@ function isNowhere(run, { kind, ids }) {
     return ids[0] < 0 || !vertices[ids[0]] || !vertices[ids[1]];
   if (kind === "cube")
     return !run.cubes.get(`${ids[0]},${ids[1]}`)?.some(Boolean);
+  if (kind === "cell") return isRegion(run, ids) && !run.regionOf(ids[0]).length;
   if (kind === "implied edge") return ids.slice(0, 2).every((f) =>
     !faces[f]?.[4].length);
   return false;

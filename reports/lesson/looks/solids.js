@@ -19,7 +19,11 @@ export function volumeLook(run, e, { ids: [v] }) {
 }
 
 export function cubeLook(run, e, { ids: [node, instance] }) {
-  const corners = run.cubes.get(`${node},${instance}`) ?? [];
+  return wires(run.cubes.get(`${node},${instance}`) ?? []);
+}
+
+// The edges of a box, by the images of its corners.
+function wires(corners) {
   const shapes = [];
   for (let c = 0; c < 8; c++)
     for (const d of [c | 1, c | 2, c | 4])
@@ -30,16 +34,71 @@ export function cubeLook(run, e, { ids: [node, instance] }) {
 
 // A cell is a node of a tree of planes, or a square of a pyramid.
 export function cellLook(run, e, { ids: [p, q, r] }) {
+  if (run.kind.name === "voxels") return voxelLook(run, p, q);
+  if (isRegion(run, [p, q])) return run.regionOf(p).map((points) => ({ points, closed: true, width: 0,
+    fill: 0.45 }));
   const plane = planeOfCell(run, e.number, p);
   if (plane) return planeLook(run, plane);
+  const texel = texelLook(run, e, p, q, r);
+  if (texel) return texel;
   const level = run.pyramid?.of(e.number)
     ? run.pyramid.levels[run.pyramid.placeOf(p)] : null;
-  if (level && e.window) {
+  if (level) {
     const [x, y, s] = [q * level.size, r * level.size, level.size];
     return [{ points: [[x, y], [x + s, y], [x + s, y + s], [x, y + s]], closed: true,
       width: 1.5, fill: 0.15 }];
   }
-  return roomLook(run, p);
+  return [];
+}
+
+// Whether a cell is a region of a visibility map, not a node of a tree of planes.
+export const isRegion = (run, [, q]) => Boolean(run.regionOf) && q === 0;
+
+// Cell number k of a level of a pyramid of voxels; below the last level, a voxel.
+function voxelLook(run, level, k) {
+  const { n, lo, size } = run.trace.answer;
+  const levels = Math.max(1, ...n.map((x) => Math.ceil(Math.log(x) / Math.log(4) - 1e-9)));
+  const side = 4 ** (levels - level);
+  const [across, down] = n.map((x) => Math.ceil(x / side));
+  const at = [k % across, Math.floor(k / across) % down,
+    Math.floor(k / across / down)];
+  const see = projection(run.header.view);
+  return wires(Array.from({ length: 8 }, (_, c) => see(at.map((x, axis) =>
+    lo[axis] + size * Math.min(n[axis], (x + (c >> axis & 1)) * side)))?.slice(0, 2)));
+}
+
+const INSET = 0.32; // of the picture's width: where a texture is shown
+
+// A texel of a texture that is not on the screen yet: in a small map of its level.
+function texelLook(run, e, level, p, q) {
+  const sizes = e.window ? null : texturesOf(run).get(e.number);
+  const size = sizes?.get(level);
+  if (!size) return null;
+  const unit = INSET * run.width / Math.max(...size);
+  const box = (x, y, w, h, look) => ({ points: [[x, y], [x + w, y], [x + w, y + h],
+    [x, y + h]].map(([u, v]) => [1 + unit * u, 1 + unit * v]), closed: true, ...look });
+  return [box(0, 0, size[0], size[1], { width: 1.2, role: "ink" }),
+    box(p - size[2], q - size[3], 1, 1, { width: 2, fill: 0.7 })];
+}
+
+// Of each counter of cells without a place: level -> how many texels it has along each
+// axis, and the numbers of the first.
+function texturesOf(run) {
+  if (run.textures) return run.textures;
+  const { trace, header } = run;
+  run.textures = new Map();
+  for (let k = 0; k < trace.kept && run.kind.name === "composited"; k++) {
+    const c = trace.counter[k];
+    if (header.counters[c].a !== "cell" || trace.width[k]) continue;
+    if (!run.textures.has(c)) run.textures.set(c, new Map());
+    const levels = run.textures.get(c);
+    const [l, p, q] = [trace.a0[k], trace.a1[k], trace.a2[k]];
+    const [, , p0, q0, p1, q1] = levels.get(l) ?? [0, 0, p, q, p, q];
+    const [pl, ql, ph, qh] = [Math.min(p0, p), Math.min(q0, q), Math.max(p1, p),
+      Math.max(q1, q)];
+    levels.set(l, [ph - pl + 1, qh - ql + 1, pl, ql, ph, qh]);
+  }
+  return run.textures;
 }
 
 // The plane of a node: of a tree between clusters, or of a BSP tree.
@@ -52,12 +111,6 @@ export function planeOfCell(run, counter, node) {
   }
   return nodes && !separators && nodes[node] && !run.cubes.size &&
     !run.pyramid ? { face: nodes[node][0] } : null;
-}
-
-// The boxes of rooms and other cells that are known by number alone.
-function roomLook(run, cell) {
-  const faces = run.trace.structure.cells?.[cell];
-  return faces ? faces.flatMap((f) => faceShapes(run, f, 0.1, 1.2)) : [];
 }
 
 // --- A plane, as far as the scene goes ---

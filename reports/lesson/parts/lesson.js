@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands around a run: the way through the lessons, the idea, the key moments,
 // and something to find out.
+import { firstLine } from "../data/branches.js";
 import { href } from "../../page/data/address.js";
 import { h, link } from "../../page/parts/dom.js";
 import { figureCount } from "../figures/all.js";
@@ -46,10 +47,11 @@ export function lessonText(run, go, slides) {
 }
 
 // Of an algorithm without a lesson: what it sorts, and what it takes to be alike.
-function generalText({ header, trace }) {
+function generalText(run) {
+  const { trace } = run;
   return [[trace.order ? `It sorts ${trace.order.split("").join(", then ")}.` : "",
     trace.coherence ? `It bets on this: ${trace.coherence}.` : "",
-    `Its first step: ${header.outline[0].trim()}.`].filter(Boolean).join(" ")];
+    `Its first step: ${firstLine(run)}.`].filter(Boolean).join(" ")];
 }
 
 const lackWords = (run) => lacks(run).map(({ why, instead }) => h("p",

@@ -6,6 +6,7 @@ import { looksOf } from "../looks/all.js";
 import { wrongSamples } from "../telling/wrong.js";
 
 const DASH = [6, 4];
+const DOTS = [2, 4];
 
 // canvas: where to draw; run. Returns { draw(k, { pixel, faces }), at(event) }.
 export function picture(canvas, run) {
@@ -35,8 +36,8 @@ export function picture(canvas, run) {
   const line = (width) => width / scale * (canvas.width / canvas.clientWidth || 1);
 
   // A stroke with a pale seam, which is seen on every colour.
-  const stroke = (path, colour, width, dashed) => {
-    context.setLineDash(dashed ? DASH.map(line) : []);
+  const stroke = (path, colour, width, dash) => {
+    context.setLineDash(dash ? dash.map(line) : []);
     context.strokeStyle = colourOf("--paper");
     context.lineWidth = line(width + 2.5);
     context.globalAlpha = 0.75;
@@ -82,7 +83,8 @@ export function picture(canvas, run) {
       context.fill(path);
       context.globalAlpha = 1;
     }
-    if (shape.width) stroke(path, own, shape.width, shape.dashed);
+    if (shape.width) stroke(path, own, shape.width, shape.dotted ? DOTS
+      : shape.dashed ? DASH : null);
   };
 
   const markEvent = (e) => {
@@ -99,7 +101,7 @@ export function picture(canvas, run) {
       cross.moveTo(i + 0.5 + dx * r, j + 0.5 + dy * r);
       cross.lineTo(i + 0.5 + dx * 1.9 * r, j + 0.5 + dy * 1.9 * r);
     }
-    stroke(cross, colourOf("--ink"), 1.5, false);
+    stroke(cross, colourOf("--ink"), 1.5, null);
   };
 
   // Crosses at the samples that are wrong in the end.
@@ -112,7 +114,7 @@ export function picture(canvas, run) {
       crosses.moveTo(i + 1, j);
       crosses.lineTo(i, j + 1);
     }
-    stroke(crosses, kindColour("reject"), 1.5, false);
+    stroke(crosses, kindColour("reject"), 1.5, null);
   };
 
   // asked: an event that is asked about, drawn before it is decided.
@@ -122,6 +124,7 @@ export function picture(canvas, run) {
     context.fillStyle = colourOf("--paper");
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.setTransform(scale, 0, 0, scale, 0, 0);
+    if (k < run.n) drawBuffered(run, context, k);
     run.kind.draw(easel, run.painting.at(k), k);
     if (outlines) {
       context.strokeStyle = colourOf("--ink");
@@ -147,6 +150,18 @@ export function picture(canvas, run) {
       j: place(clientY, box.top, box.height, n) };
   };
   return { draw, at };
+}
+
+// Where rows are kept until all is done: the pieces that are in them, pale.
+function drawBuffered(run, context, k) {
+  if (!run.list?.ofPieces || run.counterOf("list-segment") < 0) return;
+  context.globalAlpha = 0.4;
+  for (const { face, piece } of run.list.at(k).painted) {
+    const outline = run.outline(k - 1, piece, face) ?? run.header.faces[face][4];
+    context.fillStyle = run.header.faces[face][2];
+    context.fill(pathOf(outline, true));
+  }
+  context.globalAlpha = 1;
 }
 
 function pathOf(points, closed = points.length > 2) {

@@ -279,5 +279,5 @@ function legend(runs) {
         style: `color: var(--hue-${hue})` }, sign), kind);
     }),
     h("li", { class: "faint" }, "solid: what the step is about; dashed: what it " +
-      "is put to"));
+      "is compared with"));
 }

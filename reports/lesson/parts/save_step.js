@@ -52,7 +52,7 @@ function marks(run, e, unit) {
       cy: round(shape.ring[1] * unit), r: 5, fill: "none", stroke: own,
       "stroke-width": 2.5 })];
     const d = pathOf(scaled(shape.points, unit), !shape.closed);
-    const dash = shape.dashed ? "6 4" : null;
+    const dash = shape.dotted ? "2 4" : shape.dashed ? "6 4" : null;
     return [shape.fill ? s("path", { d, fill: own, "fill-opacity":
       shape.fill * (shape.dashed ? 0.6 : 1) }) : null,
     shape.width ? s("path", { d, fill: "none", stroke: colourOf("--paper"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step in words: where it is, what it tells of the idea, what it does.
+import { firstLine } from "../data/branches.js";
 import { kindLook } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { momentsOf } from "../telling/moments.js";
@@ -8,7 +9,7 @@ import { whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 
 export function sentence(run) {
-  const { trace, header } = run;
+  const { trace } = run;
   const where = h("p", { class: "where" });
   const caption = h("p", { class: "caption" });
   const sign = h("span", { class: "sign", "aria-hidden": "true" });
@@ -35,7 +36,7 @@ export function sentence(run) {
     sign.style.color = look ? `var(--hue-${look.hue})` : "";
     said.textContent = saidOf(run, k, e);
     raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`
-      : k === 0 ? header.outline[0].trim() : "";
+      : k === 0 ? firstLine(run) : "";
   };
   return { element, show };
 }

@@ -32,7 +32,7 @@ function slide(run, { k, say }, { n, of, unused }) {
       h("div", {}, e ? h("p", {}, eventWords(run, e)) : null,
         h("ol", { class: "outline" }, lines),
         h("p", { class: "gloss" }, e ? [`${e.counter.name}: ${e.counter.meaning}. `,
-          glossed(run.header.outline[(line ?? 1) - 1])] : null))),
+          line ? glossed(run.header.outline[line - 1]) : null] : null))),
     h("p", { class: "where" }, `${run.title}, ${n + 1} of ${of}, step ${whole(k)} `,
       h("button", { type: "button", class: "save", onclick: () =>
         saveStep(run, k, { outlines: true }) }, "Save SVG")));

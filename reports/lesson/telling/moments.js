@@ -10,11 +10,12 @@
 // nth        the nth such event, -1 the last (standard: the first)
 // at         the one at that share of all such events
 // pick       "largest": the one with the most to see; "apart": whose subjects are
-//            large, and well apart
+//            large, and well apart; "widest": the one with the largest window
 // id         a name, for rules that follow
 // with       [id, "a" | "place" | "row"]: of the first subject, in the window or on
 //            the row of that moment
 // before     id: before that moment, the last one (or by pick); after: likewise
+// or         another rule, if there is no such event
 import { lessonOf } from "../lessons/all.js";
 import { looksOf } from "../looks/all.js";
 import { counterNamed } from "./figures.js";
@@ -79,6 +80,11 @@ function stepWith(run, share) {
 // The event of a rule that no other rule has taken; null: there is none. named: the
 // events of the moments with an id.
 export function eventBy(run, rule, taken = new Map(), named = {}) {
+  return eventByOne(run, rule, taken, named) ??
+    (rule.or ? eventByOne(run, rule.or, taken, named) : null);
+}
+
+function eventByOne(run, rule, taken, named) {
   const anchor = named[rule.with?.[0] ?? rule.before ?? rule.after];
   if ((rule.with || rule.before || rule.after) && anchor === undefined) return null;
   const found = eventsBy(run, rule, named).filter((k) => !taken.has(k + 1));
@@ -145,6 +151,7 @@ function best(run, found, pick) {
 // How much is to be seen of a step: the size of the smaller subject, and how far the
 // two overlap, or are apart.
 function stake(run, e, pick) {
+  if (pick === "widest") return e.window ? e.window.width * e.window.height : 0;
   const { a, b, where } = looksOf(run, e);
   const boxes = [a, b].map((shapes) => boxOf(run, shapes)).filter(Boolean);
   if (!boxes.length) return sizeOf(boxOf(run, where));
@@ -187,7 +194,7 @@ export function boxOf(run, shapes) {
 
 // --- What the scene lacks ---
 
-// Why the scene can not show some of the idea, and which one does: [{ why, instead }].
+// Why the scene cannot show some of the idea, and which one does: [{ why, instead }].
 export const lacks = (run) => (lessonOf(run)?.needs ?? []).filter(({ of }) => {
   const c = counterNamed(run, of);
   return c >= 0 && !run.trace.counts[c];

@@ -171,8 +171,8 @@ static const struct hsr_counter counters[] = {
      "written by masks, each once; of a filtered "
      "picture, 64 a pixel, or 4096",
      HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW, .key = "sample"},
-    {"unsure samples", "put to the exact predicates", HSR_SAMPLE, HSR_OF_FACE,
-     HSR_OF_WINDOW, "not covered|covered"},
+    {"unsure samples", "decided by the exact predicates", HSR_SAMPLE,
+     HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
     {NULL}};
 
 static const struct hsr_line cube_lines[] = {

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a step is about, over the picture: as looks/ of the page draws it. */
+#include "bench/lesson/frames.h"
+
+#include <string.h>
+
+/* --- Colours and paths ---------------------------------------------------- */
+
+/* Of each kind of step, as on the page. */
+const unsigned frames_colour[HSR_N_STEP_KINDS] = {
+    [HSR_SORT] = 0xa88600,     [HSR_COMPARE] = 0x0663f9,
+    [HSR_SPLIT] = 0xe45cb0,    [HSR_SUBDIVIDE] = 0x5a0aa0,
+    [HSR_ACTIVATE] = 0x0a3040, [HSR_RETIRE] = 0x7a7a7a,
+    [HSR_SPAN] = 0x0a3040,     [HSR_SAMPLE] = 0xa88600,
+    [HSR_REJECT] = 0xb01a00,   [HSR_ACCEPT] = 0x049f52};
+
+void frames_set_colour(cairo_t *cairo, unsigned rgb, double alpha) {
+  cairo_set_source_rgba(cairo, (rgb >> 16) / 255., (rgb >> 8 & 255) / 255.,
+                        (rgb & 255) / 255., alpha);
+}
+
+static void add_point(cairo_t *cairo, const json_t *point, bool first) {
+  double x = json_number_value(json_array_get(point, 0)),
+         y = json_number_value(json_array_get(point, 1));
+  if (first)
+    cairo_move_to(cairo, x, y);
+  else
+    cairo_line_to(cairo, x, y);
+}
+
+static void add_polygon(struct frames *f, const json_t *polygon) {
+  size_t k;
+  const json_t *point;
+  json_array_foreach(polygon, k, point) add_point(f->cairo, point, k == 0);
+  if (json_array_size(polygon))
+    cairo_close_path(f->cairo);
+}
+
+void frames_add_face(struct frames *f, uint32_t face) {
+  add_polygon(
+      f, json_array_get(
+             json_array_get(json_object_get(f->header, "faces"), face), 4));
+}
+
+/* The edges of a box, by the images of its corners; some may have none. */
+static void add_wires(struct frames *f, const json_t *corners) {
+  for (size_t c = 0; c < 8; c++)
+    for (size_t axis = 1; axis < 8; axis *= 2) {
+      const json_t *p = json_array_get(corners, c),
+                   *q = json_array_get(corners, c | axis);
+      if ((c & axis) || !json_is_array(p) || !json_is_array(q))
+        continue;
+      add_point(f->cairo, p, true);
+      add_point(f->cairo, q, false);
+    }
+}
+
+/* Strokes the path, on a pale seam. */
+static void stroke(struct frames *f, unsigned colour, double width,
+                   bool dashed) {
+  double dash = 6 / f->scale;
+  cairo_set_line_width(f->cairo, (width + 2.5) / f->scale);
+  frames_set_colour(f->cairo, 0xffffff, 0.75);
+  cairo_stroke_preserve(f->cairo);
+  cairo_set_dash(f->cairo, &dash, dashed, 0);
+  cairo_set_line_width(f->cairo, width / f->scale);
+  frames_set_colour(f->cairo, colour, 1);
+  cairo_stroke(f->cairo);
+  cairo_set_dash(f->cairo, &dash, 0, 0);
+}
+
+static void mark_vertices(struct frames *f, const struct hsr_subject *subject,
+                          unsigned colour, bool dashed) {
+  const json_t *vertices = json_object_get(f->header, "vertices");
+  const json_t *p = json_array_get(vertices, subject->id[0]),
+               *q = json_array_get(vertices, subject->id[1]);
+  if (subject->kind == HSR_OF_EDGE && json_is_array(p) && json_is_array(q)) {
+    add_point(f->cairo, p, true);
+    add_point(f->cairo, q, false);
+    stroke(f, colour, 3.5, dashed);
+  }
+  if (subject->kind == HSR_OF_VERTEX && json_is_array(p)) {
+    cairo_arc(f->cairo, json_number_value(json_array_get(p, 0)),
+              json_number_value(json_array_get(p, 1)), 5 / f->scale, 0,
+              2 * 3.141592653589793);
+    stroke(f, colour, 2.5, false);
+  }
+}
+
+/* The outline of a piece of a BSP tree; NULL: it is not known. */
+static const json_t *outline_of(const struct frames *f,
+                                const struct hsr_subject *subject) {
+  json_int_t base = 0;
+  size_t k;
+  const json_t *from;
+  if (subject->kind != HSR_OF_PIECE)
+    return NULL;
+  json_array_foreach(json_object_get(f->structure, "bases"), k, from) {
+    if (json_integer_value(json_array_get(from, 0)) <= subject->id[0])
+      base = json_integer_value(json_array_get(from, 1));
+  }
+  const json_t *piece = json_array_get(json_object_get(f->structure, "pieces"),
+                                       (size_t)base + subject->id[1]);
+  const json_t *outline = json_array_get(piece, 1);
+  return json_array_size(outline) &&
+                 json_integer_value(json_array_get(piece, 0)) == subject->id[0]
+             ? outline
+             : NULL;
+}
+
+/* The box of a node, if it is known. */
+static void mark_cube(struct frames *f, const struct hsr_subject *subject,
+                      unsigned colour, bool dashed) {
+  json_int_t instance =
+      subject->id[1] == HSR_NO_ID ? -1 : (json_int_t)subject->id[1];
+  size_t k;
+  const json_t *cube;
+  if (subject->kind != HSR_OF_CELL)
+    return;
+  json_array_foreach(json_object_get(f->structure, "cubes"), k, cube) {
+    if (json_integer_value(json_array_get(cube, 0)) == subject->id[0] &&
+        json_integer_value(json_array_get(cube, 1)) == instance)
+      add_wires(f, json_array_get(cube, 2));
+  }
+  stroke(f, colour, 2, dashed);
+}
+
+/* The faces of a subject, and its edge or vertex. */
+static void mark(struct frames *f, const struct hsr_subject *subject,
+                 unsigned colour, bool dashed) {
+  bool is_edge = subject->kind == HSR_OF_EDGE;
+  uint32_t face = subject->kind == HSR_OF_FACE || subject->kind == HSR_OF_PIECE
+                      ? subject->id[0]
+                  : is_edge ? subject->id[2]
+                            : HSR_NO_ID;
+  if (face != HSR_NO_ID && face < f->run->laid_out.n_faces) {
+    const json_t *left = outline_of(f, subject);
+    if (left)
+      add_polygon(f, left);
+    else
+      frames_add_face(f, face);
+    bool is_line = is_edge || colour == frames_colour[HSR_ACCEPT];
+    frames_set_colour(f->cairo, colour, is_line ? 0 : dashed ? 0.13 : 0.22);
+    cairo_fill_preserve(f->cairo);
+    stroke(f, colour, is_edge ? 1 : 2, dashed);
+  }
+  mark_vertices(f, subject, colour, dashed);
+}
+
+/* Whether a step of an algorithm with volumes is about a whole body. */
+static bool is_of_body(const struct hsr_counter *c, int outcome) {
+  return hsr_has_key(c, "body-rejected") || hsr_has_key(c, "body-apart") ||
+         (hsr_has_key(c, "minimax") && outcome < 2);
+}
+
+/* The faces of a volume, or of a body. */
+static void mark_volume(struct frames *f, const struct hsr_event *event,
+                        unsigned colour) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
+  const struct hsr_subject *s =
+      event->a.kind == HSR_OF_VOLUME ? &event->a : &event->b;
+  if (s->kind != HSR_OF_VOLUME)
+    return;
+  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
+  size_t k;
+  const json_t *face;
+  json_array_foreach(
+      json_array_get(json_object_get(f->structure, list), s->id[0]), k, face) {
+    frames_add_face(f, (uint32_t)json_integer_value(face));
+    frames_set_colour(f->cairo, colour, .1);
+    cairo_fill_preserve(f->cairo);
+    stroke(f, colour, 1.4, true);
+  }
+}
+
+static bool is_part_of_picture(const struct frames *f,
+                               const struct hsr_window *w) {
+  return w->x0 < w->x1 && w->y0 < w->y1 &&
+         (w->x0 > 0 || w->y0 > 0 || w->x1 < f->run->view.m ||
+          w->y1 < f->run->view.n);
+}
+
+/* A cross for four quarters, a stroke for what is rejected. */
+static void add_sign(struct frames *f, const struct hsr_window *w,
+                     enum hsr_step_kind kind) {
+  double x = (w->x0 + w->x1) / 2., y = (w->y0 + w->y1) / 2.;
+  if (kind == HSR_SUBDIVIDE && w->y1 - w->y0 > 1) {
+    cairo_move_to(f->cairo, x, w->y0);
+    cairo_line_to(f->cairo, x, w->y1);
+    cairo_move_to(f->cairo, w->x0, y);
+    cairo_line_to(f->cairo, w->x1, y);
+  } else if (kind == HSR_REJECT) {
+    cairo_move_to(f->cairo, w->x0, w->y0);
+    cairo_line_to(f->cairo, w->x1, w->y1);
+  }
+}
+
+/* The window; of a part of a row, all of the row, pale. Of what is put into a
+ * bucket, the row of that. */
+static void mark_window(struct frames *f, const struct hsr_event *event,
+                        enum hsr_step_kind kind) {
+  unsigned colour = frames_colour[kind];
+  const struct hsr_window *w = &event->window;
+  int m = f->run->view.m;
+  bool is_bucket =
+      kind == HSR_SORT &&
+      strstr(f->run->setup.algorithm->counters[event->counter].name, "Y sort");
+  bool is_row = w->y1 - w->y0 == 1 && w->x1 - w->x0 < m;
+  if (is_bucket || is_row) {
+    cairo_rectangle(f->cairo, 0, w->y0, m, 1);
+    frames_set_colour(f->cairo, colour, is_bucket ? .4 : .13);
+    cairo_fill(f->cairo);
+  }
+  if (is_bucket)
+    return;
+  bool is_sample = is_row && w->x1 - w->x0 == 1;
+  double more = is_sample ? 2 / f->scale : 0;
+  cairo_rectangle(f->cairo, w->x0 - more, w->y0 - more,
+                  w->x1 - w->x0 + 2 * more, w->y1 - w->y0 + 2 * more);
+  add_sign(f, w, kind);
+  stroke(f, colour, kind == HSR_ACCEPT ? 3 : 2, kind == HSR_RETIRE);
+}
+
+/* The two faces that penetrate. */
+static void mark_implied(struct frames *f, const struct hsr_subject *subject,
+                         unsigned colour) {
+  for (int k = 0; subject->kind == HSR_OF_IMPLIED && k < 2; k++)
+    if (subject->id[k] < f->run->laid_out.n_faces) {
+      frames_add_face(f, subject->id[k]);
+      stroke(f, colour, 1, false);
+    }
+}
+
+void frames_mark(struct frames *f, const struct hsr_event *event,
+                 enum hsr_step_kind kind) {
+  unsigned colour = frames_colour[kind];
+  const struct hsr_window *w = &event->window;
+  const struct hsr_subject *both[] = {&event->b, &event->a};
+  mark_volume(f, event, colour);
+  for (int k = 0; k < 2; k++) {
+    mark(f, both[k], colour, k == 0);
+    mark_cube(f, both[k], colour, k == 0);
+    mark_implied(f, both[k], colour);
+  }
+  bool is_of_window =
+      event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;
+  if (is_part_of_picture(f, w) || (is_of_window && w->x0 < w->x1))
+    mark_window(f, event, kind);
+}
