@@ -7,35 +7,36 @@ namespace judge {
 
 template <class T> struct vec { T x, y, z; };
 
-template <class T> vec<T> lift(double x, double y, double z) {
+template <class T> inline vec<T> lift(double x, double y, double z) {
   return {T(x), T(y), T(z)};
 }
 
-template <class T> vec<T> lift(const double v[3]) {
+template <class T> inline vec<T> lift(const double v[3]) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 
-template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
+template <class T> inline vec<T> operator+(const vec<T> &a, const vec<T> &b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
+template <class T> inline vec<T> operator-(const vec<T> &a, const vec<T> &b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
+template <class T> inline vec<T> operator*(const T &s, const vec<T> &a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-template <class T> T dot(const vec<T> &a, const vec<T> &b) {
+template <class T> inline T dot(const vec<T> &a, const vec<T> &b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
+template <class T> inline vec<T> cross(const vec<T> &a, const vec<T> &b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-template <class T> T det(const vec<T> &a, const vec<T> &b, const vec<T> &c) {
+template <class T>
+inline T det(const vec<T> &a, const vec<T> &b, const vec<T> &c) {
   return dot(cross(a, b), c);
 }
 

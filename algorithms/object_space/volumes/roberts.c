@@ -30,6 +30,10 @@
  *             or that is cut, is compared with the edge by itself, by hsr_sight_face.
  *             Edges may pierce volumes, and implied edges are drawn; the
  *             paper's environments have neither.
+ * Once        where a volume hides an edge does not depend on the fragment. The
+ *             build that is timed finds it once an edge, and narrows it to each
+ *             fragment; the counting build solves the programme of each fragment,
+ *             as the paper does, and counts its conditions.
  * Options     boxes=corner: volumes sorted by the upper left corners of their
  *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
  *             An edge is compared with those whose boxes overlap its own; whole bodies
@@ -101,7 +105,8 @@ struct collection {
 
 struct fragment {
   struct hsr_sight_event from, to;
-  uint32_t next; /* volume that it is tested against next */
+  uint32_t next; /* volume that it is tested against next; in the build that is
+                    timed, its place in `hiders` */
 };
 
 /* View-independent. */
@@ -126,8 +131,11 @@ struct frame {
   struct hsr_growing front;   /* struct condition */
 
   struct hsr_growing stack, visible; /* struct fragment, of the current edge */
-  struct hsr_growing kept;           /* memory for the next `visible` */
-  struct hsr_growing events;         /* of a face apart */
+  struct hsr_growing hiders; /* struct fragment: the parts of the current edge
+                                that volumes hide, as far as they are known */
+  uint32_t next_hider;       /* from where on volumes may be others */
+  struct hsr_growing kept;   /* memory for the next `visible` */
+  struct hsr_growing events; /* of a face apart */
 
   struct hsr_near_boxes near;    /* the boxes of the volumes, if not sorted */
   struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
@@ -450,6 +458,21 @@ static int take_out(const struct fragment *fragment,
   return before && after ? TWO_LEFT : before || after ? ONE_LEFT : WHOLE;
 }
 
+/* Takes what is between two events out of a fragment. Returns the outcome. */
+static int cut(const struct frame *frame, uint32_t e,
+               const struct fragment *fragment,
+               const struct hsr_sight_event *from,
+               const struct hsr_sight_event *to, struct fragment left[2]) {
+  struct fragment hidden = *fragment;
+  if (hsr_sight_compare(&frame->sight, e, &hidden.from, from) < 0)
+    hidden.from = *from;
+  if (hsr_sight_compare(&frame->sight, e, to, &hidden.to) < 0)
+    hidden.to = *to;
+  return hsr_sight_compare(&frame->sight, e, &hidden.from, &hidden.to) < 0
+             ? take_out(fragment, &hidden, left)
+             : UNTOUCHED;
+}
+
 /* Narrows the fragment to where a condition holds. False: nowhere. */
 static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
                    const struct condition *condition,
@@ -606,37 +629,92 @@ static uint32_t next_near(const struct frame *frame, uint32_t e,
   return k;
 }
 
+/* The first volume in the way of the edge from number k on, of all or of the
+ * sorted ones that are near; or the end of these. */
+static uint32_t next_volume(const struct frame *frame, uint32_t e,
+                            const struct hsr_extent *extent, uint32_t k) {
+  return (frame->sorted ? next_near : next_in_the_way)(frame, e, extent, k);
+}
+
+static uint32_t end_of_volumes(const struct frame *frame) {
+  return frame->sorted ? frame->n_near : (uint32_t)frame->volume.n - 1;
+}
+
+/* Whether there is a part of number k among those of the edge `all` that volumes
+ * hide, which are looked for as far as that. */
+static enum hsr_status find_hider(struct frame *frame, uint32_t e,
+                                  const struct hsr_extent *extent,
+                                  const struct fragment *all, uint32_t k,
+                                  bool *found) {
+  const struct volume *volume = frame->volume.items;
+  uint32_t n = end_of_volumes(frame);
+  while (frame->hiders.n <= k) {
+    uint32_t v = next_volume(frame, e, extent, frame->next_hider);
+    frame->next_hider = v + (v < n);
+    if (v == n)
+      break;
+    struct fragment hidden = *all;
+    if (solve(frame, e, &volume[frame->sorted ? frame->boxes.near[v] : v],
+              &hidden) &&
+        !push(frame, &frame->hiders, hidden))
+      return HSR_E_NOMEM;
+  }
+  *found = k < frame->hiders.n;
+  return HSR_OK;
+}
+
+/* Puts the next volume that may hide something of the fragment to it, and sets
+ * *outcome; to -1 if there is none. */
+static enum hsr_status test_next(struct frame *frame, uint32_t e,
+                                 const struct hsr_extent *extent,
+                                 const struct fragment *all,
+                                 struct fragment *fragment, int *outcome,
+                                 struct fragment left[2]) {
+  *outcome = -1;
+  if (!HSR_COUNTING) {
+    bool found;
+    if (find_hider(frame, e, extent, all, fragment->next, &found))
+      return HSR_E_NOMEM;
+    if (found) {
+      const struct fragment *hider =
+          (struct fragment *)frame->hiders.items + fragment->next++;
+      *outcome = cut(frame, e, fragment, &hider->from, &hider->to, left);
+    }
+    return HSR_OK;
+  }
+  fragment->next = next_volume(frame, e, extent, fragment->next);
+  if (fragment->next < end_of_volumes(frame)) {
+    uint32_t k = fragment->next++;
+    *outcome = test(frame, e, frame->sorted ? frame->boxes.near[k] : k,
+                    fragment, left);
+  }
+  return HSR_OK;
+}
+
 /* Tests the fragments on the stack, and what is left of them, against the
  * volumes that remain. */
-static bool test_fragments(struct frame *frame, uint32_t e,
-                           const struct hsr_extent *extent) {
-  bool sorted = frame->sorted;
-  uint32_t n = sorted ? frame->n_near : (uint32_t)frame->volume.n - 1;
+static enum hsr_status test_fragments(struct frame *frame, uint32_t e,
+                                      const struct hsr_extent *extent,
+                                      const struct fragment *all) {
+  frame->hiders.n = frame->next_hider = 0;
   while (frame->stack.n) {
     struct fragment fragment =
         ((struct fragment *)frame->stack.items)[--frame->stack.n];
     HSR_STEP(frame->tally, FRAGMENTS, hsr_edge_subject(frame->edges, e),
              HSR_NOTHING, HSR_NOWHERE, 0);
-    int outcome = UNTOUCHED;
-    for (;;) {
+    int outcome;
+    do {
       struct fragment left[2];
-      fragment.next = (sorted ? next_near : next_in_the_way)(frame, e, extent,
-                                                             fragment.next);
-      if (fragment.next == n)
-        break;
-      uint32_t k = fragment.next++, v = sorted ? frame->boxes.near[k] : k;
-      outcome = test(frame, e, v, &fragment, left);
-      if (outcome == WHOLE)
-        break;
-      if (outcome == TWO_LEFT && !push(frame, &frame->stack, left[1]))
-        return false;
-      if (outcome != UNTOUCHED)
+      if (test_next(frame, e, extent, all, &fragment, &outcome, left) ||
+          (outcome == TWO_LEFT && !push(frame, &frame->stack, left[1])))
+        return HSR_E_NOMEM;
+      if (outcome == ONE_LEFT || outcome == TWO_LEFT)
         fragment = left[0];
-    }
+    } while (outcome != WHOLE && outcome != -1);
     if (outcome != WHOLE && !push(frame, &frame->visible, fragment))
-      return false;
+      return HSR_E_NOMEM;
   }
-  return true;
+  return HSR_OK;
 }
 
 /* Takes a part of the edge out of all that is visible. */
@@ -646,15 +724,8 @@ static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
   kept.n = 0;
   const struct fragment *visible = frame->visible.items;
   for (size_t k = 0; k < frame->visible.n; k++) {
-    struct fragment hidden = visible[k], left[2];
-    if (hsr_sight_compare(&frame->sight, e, &hidden.from, &from) < 0)
-      hidden.from = from;
-    if (hsr_sight_compare(&frame->sight, e, &to, &hidden.to) < 0)
-      hidden.to = to;
-    int outcome =
-        hsr_sight_compare(&frame->sight, e, &hidden.from, &hidden.to) < 0
-            ? take_out(&visible[k], &hidden, left)
-            : UNTOUCHED;
+    struct fragment left[2];
+    int outcome = cut(frame, e, &visible[k], &from, &to, left);
     if (outcome == UNTOUCHED)
       left[0] = visible[k];
     if ((outcome != WHOLE && !push(frame, &kept, left[0])) ||
@@ -770,7 +841,8 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
   } else {
     hsr_near_boxes_find(&frame->near, &image);
   }
-  if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
+  if (!push(frame, &frame->stack, all) ||
+      test_fragments(frame, e, &extent, &all) ||
       !hide_apart(frame, e, &image, &all))
     return HSR_E_NOMEM;
   return draw(frame, e, &all);

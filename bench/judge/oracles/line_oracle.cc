@@ -26,8 +26,8 @@
  * Departures  none: there is no paper.
  * Cost        five comparisons for every edge and every face in the cells of the
  *             screen that the edge's box meets; some hundred operations where
- *             boxes overlap, and of a broad face some dozens for each side in the
- *             rows of the edge. Rational numbers where edges meet by place, not by
+ *             boxes overlap, and of a broad face some dozens for each side that
+ *             is by the edge in a row. Rational numbers where edges meet by place, not by
  *             vertex number, and where a vertex lies in the plane of a face
  *             that it is not of.
  *
@@ -43,6 +43,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <exception>
 #include <limits>
@@ -92,7 +93,7 @@ template <class T> int is_zero(const vec<T> &a) {
 
 /* ---- Faces ---- */
 
-template <class T> vec<T> vertex(const hsr_world &world, uint32_t v) {
+template <class T> inline vec<T> vertex(const hsr_world &world, uint32_t v) {
   return {T(world.mesh.x[v]), T(world.mesh.y[v]), T(world.mesh.z[v])};
 }
 
@@ -242,12 +243,13 @@ bool is_astride(const hsr_world &world, uint32_t f, uint32_t g,
   std::optional<vec<Exact>> exact_O;
   std::optional<plane<Exact>> q;
   bool before = false, behind = false;
-  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+  for (uint32_t c = world.mesh.start[f];
+       c < world.mesh.start[f + 1] && !(before && behind); c++) {
     const uint32_t v = world.mesh.vertex[c];
-    if (has_vertex(world, g, v))
-      continue;
     int sign = sign_of(dot(p.kN, vertex<Interval>(world, v) - near_O) - p.c);
     if (sign == UNKNOWN) {
+      if (has_vertex(world, g, v))
+        continue;
       const Nearest to_nearest;
       if (!q) {
         exact_O = vertex<Exact>(world, O);
@@ -353,11 +355,14 @@ void find_implied(const hsr_world &world, shape *made) {
   for (size_t i = 0; i < boxes.size(); i++)
     for (size_t j = i + 1;
          j < boxes.size() && boxes[j].low[0] <= boxes[i].high[0]; j++) {
-      const uint32_t f = std::min(boxes[i].face, boxes[j].face);
-      const uint32_t g = std::max(boxes[i].face, boxes[j].face);
-      if (overlap(boxes[i], boxes[j]) && is_astride(world, f, g, planes[g]) &&
+      if (!overlap(boxes[i], boxes[j]))
+        continue;
+      uint32_t f = boxes[i].face, g = boxes[j].face;
+      if (hsr_face_size(&world, f) > hsr_face_size(&world, g))
+        std::swap(f, g); /* few corners first */
+      if (is_astride(world, f, g, planes[g]) &&
           is_astride(world, g, f, planes[f]))
-        penetrate(world, f, g, made);
+        penetrate(world, std::min(f, g), std::max(f, g), made);
     }
   std::sort(made->implied.begin(), made->implied.end(),
             [](const stretch &a, const stretch &b) {
@@ -435,6 +440,12 @@ constexpr screen_box empty_image = {infinity,  -infinity, infinity,
 constexpr screen_box whole_screen = {-infinity, infinity,  -infinity,
                                      infinity,  -infinity, infinity};
 
+screen_box hull(const screen_box &a, const screen_box &b) {
+  return {std::min(a.left, b.left),       std::max(a.right, b.right),
+          std::min(a.low, b.low),         std::max(a.high, b.high),
+          std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
+}
+
 /* A face that may hide something: its box, or the whole screen if it reaches
  * from before to behind the eye; it is hit nowhere nearer than box.nearest. */
 struct hider {
@@ -445,33 +456,123 @@ struct hider {
 /* The screen in square cells, and in each the hiders whose boxes meet it. A hider
  * with a wide box is in no cell, but looked at for every edge. */
 struct grid {
-  static constexpr int SIDE = 64, MOST_CELLS = 64;
+  static constexpr int SIDE = 64, MOST_CELLS = 256;
   std::vector<std::vector<uint32_t>> cell{SIDE * SIDE}; /* row after row */
   std::vector<uint32_t> wide;
 
-  /* The row or column of a coordinate; what is beyond the screen is put to its
-   * border. It never decreases as x grows. */
-  static int along(double x) {
-    const double k = (x + 1) * (SIDE / 2);
-    return k >= SIDE - 1 ? SIDE - 1 : k >= 0 ? static_cast<int>(k) : 0;
+  /* The row or column, of n, of a coordinate; what is beyond the screen is put to
+   * its border. It never decreases as x grows. */
+  static int along(double x, int n = SIDE) {
+    const double k = (x + 1) * (n / 2);
+    return k >= n - 1 ? n - 1 : k >= 0 ? static_cast<int>(k) : 0;
+  }
+  /* Bounds of the coordinates on the screen in row or column k of n, a power of
+   * two. The two roundings of along() move a coordinate by less than 2^-50. */
+  static Interval within(int k, int n = SIDE) {
+    const double low = k / (n / 2.0) - 1;
+    return {low - 0x1p-40, low + 2.0 / n + 0x1p-40};
   }
   void add(uint32_t number, const screen_box &box);
 };
 
-/* A flat face of many corners, all before the eye. In each of `grid::SIDE` rows of
- * the screen it has its sides, by the corner that they end in, whose y come into
- * that row. Where the y of a ray is in another row, both ends of a side are
- * strictly above the ray or both below, so that the signs of their rows are equal,
- * and the side does not count for the parity. Nor does an edge cross a side whose
- * image is apart from its own.
+/* Bounds of x where the segment from image a to image b has its y in `rows`. */
+Interval span_in(const screen_box &a, const screen_box &b,
+                 const Interval &rows) {
+  const Interval xa(a.left, a.right), ya(a.low, a.high);
+  const Interval run = Interval(b.left, b.right) - xa,
+                 rise = Interval(b.low, b.high) - ya;
+  const screen_box all = hull(a, b);
+  const double low = std::max(rows.inf(), all.low),
+               high = std::min(rows.sup(), all.high);
+  if ((rise.inf() <= 0 && rise.sup() >= 0) || low > high)
+    return {all.left, all.right};
+  const Interval x = xa + (Interval(low, high) - ya) * (run / rise);
+  return {std::max(x.inf(), all.left), std::min(x.sup(), all.right)};
+}
+
+/* A side of a face, by the corner that it ends in, and bounds of its x in a row of
+ * the screen. If it goes through the row, its x is within `off` of the line from
+ * `low` at the row's lower bound to `high` at its upper one. */
+struct reach {
+  double left, right;
+  uint32_t corner;
+  double low, high, off;
+};
+
+/* The exact x is linear in y, and at both bounds of the row in an interval. So it
+ * lies between two lines, and near the one in the middle. */
+void set_line(reach *r, const screen_box &a, const screen_box &b,
+              const Interval &row) {
+  const Interval low = span_in(a, b, row.inf()),
+                 high = span_in(a, b, row.sup());
+  r->low = low.inf() + (low.sup() - low.inf()) / 2;
+  r->high = high.inf() + (high.sup() - high.inf()) / 2;
+  const double off = std::max(low.sup() - low.inf(), high.sup() - high.inf());
+  const bool is_small = std::fabs(r->low) < 0x1p8 && std::fabs(r->high) < 0x1p8;
+  r->off = is_small ? off : infinity;
+}
+
+/* Whether a side that goes through a row is right of a point of the row; UNKNOWN:
+ * doubles do not tell. `part` is how far up in the row the point is. Where `off` is
+ * finite, numbers are below 2^9, so that all roundings are less than 2^-40. */
+int is_right_of(const reach &r, const screen_box &at, const Interval &part) {
+  const double x = r.low + part.inf() * (r.high - r.low);
+  const double off =
+      r.off + (part.sup() - part.inf()) * (r.right - r.left) + 0x1p-40;
+  return x - off > at.right ? 1 : x + off < at.left ? 0 : UNKNOWN;
+}
+
+/* Reaches, by their left ends. */
+struct reaches {
+  std::vector<reach> all;
+  std::vector<double> rightmost; /* of the first k + 1 */
+
+  void sort() {
+    std::sort(all.begin(), all.end(),
+              [](const reach &a, const reach &b) { return a.left < b.left; });
+    double most = -infinity;
+    for (const reach &r : all)
+      rightmost.push_back(most = std::max(most, r.right));
+  }
+  /* Those from number `first` on, and before number `end`, may have a point in
+   * common with an interval of x. Those before are left of it, those after right
+   * of it. */
+  size_t first(double left) const {
+    return static_cast<size_t>(
+        std::lower_bound(rightmost.begin(), rightmost.end(), left) -
+        rightmost.begin());
+  }
+  size_t end(double right) const {
+    return static_cast<size_t>(
+        std::upper_bound(all.begin(), all.end(), right,
+                         [](double x, const reach &r) { return x < r.left; }) -
+        all.begin());
+  }
+};
+
+/* A flat face of many corners, all before the eye. In each of n_rows rows of the
+ * screen it has its sides whose y come into that row. Where the y of a ray is
+ * in another row, both ends of a side are strictly above the ray or both below, so
+ * that the signs of their rows are equal, and the side does not count for the
+ * parity. Nor does an edge cross a side whose image is apart from its own in all
+ * rows. If one end of a side is above its row and the other below, the side goes
+ * through: it crosses the height of every ray whose y is in that row.
  * Let a side's ends a and b have rows of opposite signs, a above the ray. With o =
  * det(F, R, U), row(a) has the sign of o, and edge(a, b) that of o times the turn
  * from a to b to the ray. It counts if these are opposite, and so if the turn is
  * to the right: if the side crosses the ray's height to the right of the ray. */
 struct broad {
-  static constexpr uint32_t FEWEST = 64; /* corners */
-  std::vector<std::vector<uint32_t>> row{grid::SIDE};
-  std::vector<screen_box> image; /* a corner of the face */
+  static constexpr uint32_t FEWEST = 64, MANY = 1024; /* corners */
+  struct row {
+    reaches through, other;
+  };
+  const int n_rows;
+  std::vector<row> rows;
+  std::vector<screen_box> corner; /* the images of its corners */
+
+  explicit broad(uint32_t n)
+      : n_rows(n < MANY ? grid::SIDE : 4 * grid::SIDE),
+        rows(static_cast<size_t>(n_rows)) {}
 };
 
 struct edge {
@@ -513,6 +614,7 @@ private:
   /* The picture. */
   template <class T> const frame<T> &eye() const;
   template <class T> vec<T> vertex_from_eye(uint32_t v) const;
+  template <class T> vec<T> side_from_to(const recipe &which) const;
   template <class T> const plane<T> &plane_of(uint32_t f);
   template <class T> form<T> make_form(const recipe &which);
   template <class T> form<T> make_parallel_form(const recipe &which);
@@ -525,6 +627,7 @@ private:
 
   /* An edge. */
   enum hsr_status draw_edge();
+  Interval columns_in(const Interval &row) const;
   void look_at(uint32_t number);
   bool begin_edge();
   const vec<Exact> &exact_end(int end);
@@ -546,7 +649,7 @@ private:
   bool is_beside(uint32_t f);
   bool may_hide(uint32_t f);
   void hide(uint32_t f);
-  void add_candidate(const recipe &which);
+  int add_candidate(const recipe &which);
   point between(place *p, place *q);
   const vec<Exact> &exact_point(point *p);
   int decide(const recipe &which, const Interval &guess, point *p);
@@ -555,6 +658,7 @@ private:
   bool is_parity_odd(uint32_t f, point *p);
   bool is_broad_parity_odd(uint32_t f, point *p, const screen_box &at);
   bool crosses_right(uint32_t a, uint32_t b, point *p);
+  bool is_side_right(uint32_t f, uint32_t i, point *p, const screen_box &at);
   void add_sides(uint32_t f);
   void add_sides_of_broad(uint32_t f);
   bool hides(uint32_t f, point *p);
@@ -579,10 +683,14 @@ private:
   edge e;
   form<Interval> across; /* of the plane through the eye and the edge */
   place *lo, *hi;        /* what is in the picture */
-  screen_box image;
+  screen_box image, image_end[2];
+  bool is_straight; /* the image is from one of these to the other */
   std::deque<place> places;
   std::vector<event> events;
   std::vector<place *> candidates; /* of one face */
+  int plane_between,
+      near_between; /* the signs of its PLANE and NEAR between the
+                                      ends of the edge; UNKNOWN: not one */
   std::vector<signed char> beside; /* of one face, a corner */
 };
 
@@ -609,6 +717,12 @@ template <> const plane<Exact> &artist::plane_of(uint32_t f) {
   return *exact_planes[f];
 }
 
+/* From one end of a side to the other. With a the first, det(a, b, u) is
+ * det(a, b - a, u), which intervals hold more closely. */
+template <class T> vec<T> artist::side_from_to(const recipe &which) const {
+  return vertex<T>(world, which.b) - vertex<T>(world, which.a);
+}
+
 /* With P0 = u - w F, where the ray starts: SIDE is det(a - P0, b - P0, F), ROW
  * is det(F, R, v - P0), and NEAR is c t - near c = e - kN·P0 - near c, e being
  * the c of PLANE. */
@@ -618,9 +732,9 @@ template <class T> form<T> artist::make_parallel_form(const recipe &which) {
   const vec<T> none = {zero, zero, zero};
   switch (which.of) {
   case SIDE: {
-    const vec<T> a = vertex_from_eye<T>(which.a),
-                 b = vertex_from_eye<T>(which.b);
-    return {cross(i.F, b - a), dot(cross(a, b), i.F)};
+    const vec<T> a = vertex_from_eye<T>(which.a);
+    const vec<T> n = cross(i.F, side_from_to<T>(which));
+    return {n, T(0) - dot(n, a)};
   }
   case ROW:
     return {none - cross(i.F, i.R),
@@ -656,8 +770,7 @@ template <class T> form<T> artist::make_form(const recipe &which) {
     return make_parallel_form<T>(which);
   switch (which.of) {
   case SIDE:
-    return {cross(vertex_from_eye<T>(which.a), vertex_from_eye<T>(which.b)),
-            zero};
+    return {cross(vertex_from_eye<T>(which.a), side_from_to<T>(which)), zero};
   case ROW:
     return {cross(i.R, vertex_from_eye<T>(which.a)), zero};
   case PLANE:
@@ -782,24 +895,32 @@ void artist::add_hider(uint32_t f) {
     add_broad(f);
 }
 
-screen_box hull(const screen_box &a, const screen_box &b) {
-  return {std::min(a.left, b.left),       std::max(a.right, b.right),
-          std::min(a.low, b.low),         std::max(a.high, b.high),
-          std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
-}
-
 void artist::add_broad(uint32_t f) {
-  broads[f] = std::make_unique<broad>();
-  broad &made = *broads[f];
   const uint32_t n = hsr_face_size(&world, f), first = world.mesh.start[f];
-  for (uint32_t i = 0; i < n; i++) {
-    made.image.push_back(empty_image);
-    extend(&made.image.back(), v[world.mesh.vertex[first + i]]);
-  }
+  broads[f] = std::make_unique<broad>(n);
+  broad &made = *broads[f];
+  made.corner.assign(n, empty_image);
+  for (uint32_t i = 0; i < n; i++)
+    extend(&made.corner[i], v[world.mesh.vertex[first + i]]);
   for (uint32_t l = n - 1, i = 0; i < n; l = i++) {
-    const screen_box side = hull(made.image[l], made.image[i]);
-    for (int y = grid::along(side.low); y <= grid::along(side.high); y++)
-      made.row[static_cast<size_t>(y)].push_back(i);
+    const screen_box &a = made.corner[l], &b = made.corner[i],
+                     side = hull(a, b);
+    for (int y = grid::along(side.low, made.n_rows);
+         y <= grid::along(side.high, made.n_rows); y++) {
+      const Interval here = grid::within(y, made.n_rows),
+                     x = span_in(a, b, here);
+      const bool through = (a.high < here.inf() && b.low > here.sup()) ||
+                           (b.high < here.inf() && a.low > here.sup());
+      broad::row &row = made.rows[static_cast<size_t>(y)];
+      reach r = {x.inf(), x.sup(), i, 0, 0, 0};
+      if (through)
+        set_line(&r, a, b, here);
+      (through ? row.through : row.other).all.push_back(r);
+    }
+  }
+  for (broad::row &row : made.rows) {
+    row.through.sort();
+    row.other.sort();
   }
 }
 
@@ -839,7 +960,15 @@ int artist::sign_at_end(const recipe &which, const Interval &guess, int end) {
  * it is zero, else NULL. */
 place *artist::cross_zero(const recipe &which, int signs[2]) {
   const form<Interval> l = make_form<Interval>(which);
-  const Interval a = at(l, e.u[0]), b = at(l, e.u[1]);
+  Interval a, b;
+  if (which.of == SIDE && !e.implied) { /* zero at the side's first end */
+    const vec<Interval> first = vertex<Interval>(world, which.a);
+    a = dot(l.n, vertex<Interval>(world, e.name.a) - first);
+    b = dot(l.n, vertex<Interval>(world, e.name.b) - first);
+  } else {
+    a = at(l, e.u[0]);
+    b = at(l, e.u[1]);
+  }
   signs[0] = sign_at_end(which, a, 0);
   signs[1] = sign_at_end(which, b, 1);
   if (signs[0] * signs[1] >= 0)
@@ -972,26 +1101,46 @@ bool artist::crosses_right(uint32_t a, uint32_t b, point *p) {
   return sign_at(which, p) * (a < b ? 1 : -1) == -row_a;
 }
 
+/* Whether the side of a broad face that ends in corner i crosses to the right of
+ * the point, whose image is in the box `at`: by the images of its ends, if they
+ * are certainly above and below the point and it is beside the side. */
+bool artist::is_side_right(uint32_t f, uint32_t i, point *p,
+                           const screen_box &at) {
+  const uint32_t l = i ? i - 1 : hsr_face_size(&world, f) - 1,
+                 *corner = world.mesh.vertex + world.mesh.start[f];
+  const screen_box &a = broads[f]->corner[l], &b = broads[f]->corner[i];
+  if ((a.low > at.high && b.low > at.high) ||
+      (a.high < at.low && b.high < at.low))
+    return false;
+  if ((a.low > at.high && b.high < at.low) ||
+      (a.high < at.low && b.low > at.high)) {
+    const Interval x = span_in(a, b, {at.low, at.high});
+    if (x.inf() > at.right || x.sup() < at.left)
+      return x.inf() > at.right;
+  }
+  return crosses_right(corner[l], corner[i], p);
+}
+
 /* The parity of a broad face at a point, by the sides in the row that the point
  * is in, which must be one. */
 bool artist::is_broad_parity_odd(uint32_t f, point *p, const screen_box &at) {
-  const broad &face = *broads[f];
-  const uint32_t n = hsr_face_size(&world, f),
-                 *corner = world.mesh.vertex + world.mesh.start[f];
-  bool odd = false;
-  for (uint32_t i : face.row[static_cast<size_t>(grid::along(at.low))]) {
-    const uint32_t l = i ? i - 1 : n - 1;
-    const screen_box &a = face.image[l], &b = face.image[i];
-    if ((a.low > at.high && b.low > at.high) ||
-        (a.high < at.low && b.high < at.low) ||
-        (a.right < at.left && b.right < at.left))
-      continue;
-    const bool is_right = a.left > at.right && b.left > at.right,
-               is_across = (a.low > at.high && b.high < at.low) ||
-                           (a.high < at.low && b.low > at.high);
-    if ((is_right && is_across) || crosses_right(corner[l], corner[i], p))
+  const int y = grid::along(at.low, broads[f]->n_rows);
+  const broad::row &row = broads[f]->rows[static_cast<size_t>(y)];
+  const Interval here = grid::within(y, broads[f]->n_rows);
+  const Interval part = (Interval(at.low, at.high) - Interval(here.inf())) /
+                        (Interval(here.sup()) - Interval(here.inf()));
+  const size_t right_of = row.through.end(at.right);
+  bool odd = (row.through.all.size() - right_of) % 2;
+  for (size_t k = row.through.first(at.left); k < right_of; k++) {
+    const reach &r = row.through.all[k];
+    const int guess = is_right_of(r, at, part);
+    if (guess == UNKNOWN ? is_side_right(f, r.corner, p, at) : guess)
       odd = !odd;
   }
+  for (size_t k = row.other.first(at.left); k < row.other.all.size(); k++)
+    if (row.other.all[k].right >= at.left &&
+        is_side_right(f, row.other.all[k].corner, p, at))
+      odd = !odd;
   return odd;
 }
 
@@ -1000,7 +1149,8 @@ bool artist::is_parity_odd(uint32_t f, point *p) {
   if (broads[f]) {
     screen_box at = empty_image;
     extend(&at, p->u);
-    if (grid::along(at.low) == grid::along(at.high))
+    if (grid::along(at.low, broads[f]->n_rows) ==
+        grid::along(at.high, broads[f]->n_rows))
       return is_broad_parity_odd(f, p, at);
   }
   uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
@@ -1025,8 +1175,11 @@ bool artist::is_parity_odd(uint32_t f, point *p) {
 bool artist::hides(uint32_t f, point *p) {
   HSR_STEP(job.tally, LINE_POINT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const int side = c[f];
-  return sign_at({PLANE, f, 0}, p) == side && is_parity_odd(f, p) &&
-         sign_at({NEAR, f, 0}, p) == side;
+  const auto is_side = [&](int between, what of) {
+    return (between == UNKNOWN ? sign_at({of, f, 0}, p) : between) == side;
+  };
+  return is_side(plane_between, PLANE) && is_parity_odd(f, p) &&
+         is_side(near_between, NEAR);
 }
 
 bool artist::is_own(uint32_t f) const {
@@ -1064,6 +1217,14 @@ bool artist::is_beside(uint32_t f) {
   return !open && n_ends <= 1 && left_of != right_of;
 }
 
+/* The sign of a form between the ends of an edge, where it has these signs. It is
+ * linear; if it is zero at both ends, the displacement decides. */
+int sign_between(const int signs[2]) {
+  if (signs[0] * signs[1] < 0 || (signs[0] == 0 && signs[1] == 0))
+    return UNKNOWN;
+  return signs[0] ? signs[0] : signs[1];
+}
+
 /* False if the face is not before the edge, which only its plane tells; or if
  * its plane contains both ends. What is strictly hit before P has, where c is
  * positive, kN·u - c > 0: if that is so at neither end, it is so nowhere
@@ -1073,13 +1234,16 @@ bool artist::may_hide(uint32_t f) {
   place *there = cross_zero({PLANE, f, 0}, signs);
   if (there)
     candidates.push_back(there);
+  plane_between = sign_between(signs);
   return signs[0] * c[f] > 0 || signs[1] * c[f] > 0;
 }
 
-void artist::add_candidate(const recipe &which) {
+/* Returns the sign of the form between the ends of the edge. */
+int artist::add_candidate(const recipe &which) {
   int signs[2];
   if (place *there = cross_zero(which, signs))
     candidates.push_back(there);
+  return sign_between(signs);
 }
 
 /* The places where the edge crosses sides of a face: both ends of such a side
@@ -1098,23 +1262,28 @@ void artist::add_sides(uint32_t f) {
 
 /* The same, of sides in the rows of the edge. */
 void artist::add_sides_of_broad(uint32_t f) {
-  const broad &face = *broads[f];
   const uint32_t n = hsr_face_size(&world, f), first = world.mesh.start[f],
                  *corner = world.mesh.vertex + first;
-  for (int y = grid::along(image.low); y <= grid::along(image.high); y++)
-    for (uint32_t i : face.row[static_cast<size_t>(y)]) {
-      const uint32_t l = i ? i - 1 : n - 1, a = corner[l], b = corner[i];
-      if (looked_side[first + i] == n_edges)
+  const auto look = [&](const reaches &in, const Interval &x) {
+    for (size_t k = in.first(x.inf()), end = in.end(x.sup()); k < end; k++) {
+      const uint32_t i = in.all[k].corner, a = corner[i ? i - 1 : n - 1],
+                     b = corner[i];
+      if (in.all[k].right < x.inf() || looked_side[first + i] == n_edges)
         continue;
       looked_side[first + i] = n_edges;
-      const screen_box side = hull(face.image[l], face.image[i]);
-      if (side.left > image.right || side.right < image.left ||
-          side.low > image.high || side.high < image.low)
-        continue;
       const int sign = sign_of(at(across, v[a]));
       if (sign == UNKNOWN || sign == 0 || sign != sign_of(at(across, v[b])))
         add_candidate({SIDE, std::min(a, b), std::max(a, b)});
     }
+  };
+  const int n_rows = broads[f]->n_rows;
+  for (int y = grid::along(image.low, n_rows);
+       y <= grid::along(image.high, n_rows); y++) {
+    const broad::row &row = broads[f]->rows[static_cast<size_t>(y)];
+    const Interval x = columns_in(grid::within(y, n_rows));
+    look(row.through, x);
+    look(row.other, x);
+  }
 }
 
 /* The events of one face. The parity changes only where the ray crosses a side:
@@ -1126,8 +1295,11 @@ void artist::hide(uint32_t f) {
   candidates.clear();
   if ((!broads[f] && is_beside(f)) || !may_hide(f))
     return;
+  near_between = UNKNOWN;
   if (job.view->near > 0 || about.parallel)
-    add_candidate({NEAR, f, 0});
+    near_between = add_candidate({NEAR, f, 0});
+  if (near_between != UNKNOWN && near_between != c[f])
+    return;
   if (broads[f])
     add_sides_of_broad(f);
   else
@@ -1206,9 +1378,12 @@ bool artist::begin_edge() {
   if (no_image || !clip())
     return false;
 
-  image = empty_image;
-  for (const vec<Interval> &u : e.u)
-    extend(&image, u);
+  for (int end : {0, 1}) {
+    image_end[end] = empty_image;
+    extend(&image_end[end], e.u[end]);
+  }
+  image = hull(image_end[0], image_end[1]);
+  is_straight = (image.nearest > 0 || about.parallel) && image.left > -infinity;
   if (!(image.nearest > 0 || about.parallel)) {
     const double farthest = image.farthest;
     image = whole_screen;
@@ -1295,18 +1470,30 @@ void artist::look_at(uint32_t number) {
     hide(h.face);
 }
 
+/* Bounds of x where the edge is in the picture and in a row of the screen. */
+Interval artist::columns_in(const Interval &row) const {
+  if (!is_straight)
+    return {image.left, image.right};
+  const Interval x = span_in(image_end[0], image_end[1], row);
+  return {std::min(std::max(x.inf(), image.left), image.right),
+          std::max(std::min(x.sup(), image.right), image.left)};
+}
+
 enum hsr_status artist::draw_edge() {
   if (!begin_edge())
     return HSR_OK;
   n_edges++;
   for (uint32_t number : cells.wide)
     look_at(number);
-  const int x1 = grid::along(image.right), y1 = grid::along(image.high);
-  for (int y = grid::along(image.low); y <= y1; y++)
-    for (int x = grid::along(image.left); x <= x1; x++)
+  const int y1 = grid::along(image.high);
+  for (int y = grid::along(image.low); y <= y1; y++) {
+    const Interval columns = columns_in(grid::within(y));
+    for (int x = grid::along(columns.inf()); x <= grid::along(columns.sup());
+         x++)
       for (uint32_t number :
            cells.cell[static_cast<size_t>(y * grid::SIDE + x)])
         look_at(number);
+  }
   return emit();
 }
 

@@ -76,7 +76,8 @@ private:
   hsr_line_class class_of(const Edges &edges);
 
   void draw_alone(uint32_t e);
-  std::vector<uint32_t> find_nodes(uint32_t e);
+  std::vector<uint32_t> find_nodes(uint32_t e,
+                                   const std::vector<uint32_t> &pen);
   bool is_near(const double p[3], const double q[3]) const;
 
   void lay_over(const Edges &edges);
@@ -164,8 +165,10 @@ static double bound_of(double t) {
   return t == 1 ? 0 : CHANGE_ERROR * t;
 }
 
-// The nodes of the ends of an edge's intervals, two for each.
-std::vector<uint32_t> Finder::find_nodes(uint32_t e) {
+// The nodes of the ends of an edge's intervals, two for each. NONE where no
+// interval has a pen.
+std::vector<uint32_t> Finder::find_nodes(uint32_t e,
+                                         const std::vector<uint32_t> &pen) {
   const Edge &edge = edges_.edge[e];
   const hsr_segment *s = drawing_->segment + edge.first;
   const auto t_of = [s](size_t k) { return k % 2 ? s[k / 2].t1 : s[k / 2].t0; };
@@ -177,10 +180,12 @@ std::vector<uint32_t> Finder::find_nodes(uint32_t e) {
   };
   std::vector<uint32_t> node;
   for (size_t k = 0, n; k < 2 * edge.n; k += n) {
-    for (n = 1; k + n < 2 * edge.n && is_one(k + n - 1);)
-      n++;
+    bool drawn = pen[k / 2] != HSR_NO_PEN;
+    for (n = 1; k + n < 2 * edge.n && is_one(k + n - 1); n++)
+      drawn |= pen[(k + n) / 2] != HSR_NO_PEN;
     node.insert(node.end(), n,
-                t_of(k) == 0 ? nodes_.of_named(edge.a)
+                !drawn         ? NONE
+                : t_of(k) == 0 ? nodes_.of_named(edge.a)
                 : t_of(k + n - 1) == 1
                     ? nodes_.of_named(edge.b)
                     : nodes_.of_change(e, t_of(k), point(k)));
@@ -190,14 +195,20 @@ std::vector<uint32_t> Finder::find_nodes(uint32_t e) {
 
 void Finder::draw_alone(uint32_t e) {
   const Edge &edge = edges_.edge[e];
-  const std::vector<uint32_t> node = find_nodes(e);
   hsr_paper_line line{};
   line.line_class = class_of({e});
   line.object = object_of(world_, sides_, edge.name);
+  const auto invisibility = [&](size_t k) {
+    return drawing_->segment[edge.first + k].invisibility;
+  };
+  std::vector<uint32_t> pen;
+  for (size_t k = 0; k < edge.n; k++)
+    pen.push_back(
+        hsr_line_pen_of(pens_, line.object, line.line_class, invisibility(k)));
+  const std::vector<uint32_t> node = find_nodes(e, pen);
   for (size_t k = 0; k < edge.n; k++) {
-    line.invisibility = drawing_->segment[edge.first + k].invisibility;
-    line.pen =
-        hsr_line_pen_of(pens_, line.object, line.line_class, line.invisibility);
+    line.invisibility = invisibility(k);
+    line.pen = pen[k];
     emit(line, node[2 * k], node[2 * k + 1]);
   }
 }
