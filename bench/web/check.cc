@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whether arithmetic is what exactness rests on: it is asked once, when the core
  * starts. WebAssembly rounds to nearest and has denormal numbers; but intervals
- * have to be widened by hand, and GMP has to know how doubles are stored. */
+ * have to round upwards by hand, and GMP has to know how doubles are stored. */
 #include "bench/judge/rounding.h"
 #include "bench/web/check.h"
 #include "common/base/exact.h"
@@ -22,12 +22,16 @@ bool rounds_to_nearest() {
          large + large > large;
 }
 
-/* Intervals of a third, and of products and sums that are not exact. */
-bool widens() {
+/* Intervals of what is exact are a point; those of a third, and of products and sums
+ * that are not exact, are as narrow as can be. */
+bool rounds_upwards() {
   using I = hsr::Safe_interval;
+  const I four = I(one) + I(three), nine = I(three) * I(three);
+  if (four.inf() != 4 || four.sup() != 4 || nine.inf() != 9 || nine.sup() != 9)
+    return false;
   const I third = I(one) / I(three), sum = I(one) + I(tiny);
   return judge::is_rounding_honoured() && third.inf() < third.sup() &&
-         third.inf() * 3 <= 1 && sum.inf() <= 1 && sum.sup() > 1 &&
+         third.inf() * 3 <= 1 && sum.inf() == 1 && sum.sup() == 1 + 0x1p-52 &&
          (I(tiny) * I(tiny)).sup() > 0 && (-I(tiny) * I(tiny)).inf() < 0;
 }
 
@@ -57,7 +61,7 @@ bool reads_numbers() {
 
 extern "C" const char *check_numbers() {
   return !rounds_to_nearest() ? "doubles are not rounded to nearest"
-         : !widens()          ? "intervals do not hold their results"
+         : !rounds_upwards()  ? "intervals are not rounded upwards"
          : !is_exact()        ? "exact numbers are not exact"
          : !reads_numbers()   ? "texts are not read to the nearest double"
                               : nullptr;
