@@ -130,16 +130,22 @@ static void append_words(char *text, size_t size, const char *before,
   snprintf(text + n, size - n, "%s%s%s", before, words, after);
 }
 
+/* Before a window. */
+static const char *place_word(const struct hsr_window *w) {
+  if (w->y1 - w->y0 != 1)
+    return " in ";
+  return w->x1 - w->x0 == 1 ? " at " : " on ";
+}
+
 /* Between the two subjects. */
 static const char *between(const struct hsr_event *event,
-                           enum hsr_step_kind kind, bool has_outcome) {
-  bool at_window = event->b.kind == HSR_OF_WINDOW;
+                           enum hsr_step_kind kind) {
   if (kind == HSR_COMPARE)
     return " against ";
   if (kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE)
     return " is divided by the plane of ";
-  if (at_window)
-    return has_outcome ? " in " : " in ";
+  if (event->b.kind == HSR_OF_WINDOW)
+    return place_word(&event->window);
   return kind == HSR_ACCEPT ? ", not " : ", with ";
 }
 
@@ -167,7 +173,7 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
   if (!*outcome && kind != HSR_COMPARE && !is_divided)
     append_words(text, size, " is ", verb[kind], "");
   if (*a && *b && !is_shown)
-    append_words(text, size, between(event, kind, *outcome), b, "");
+    append_words(text, size, between(event, kind), b, "");
   if (*outcome)
     append_words(text, size, ": ", outcome, "");
   if (w->x0 < w->x1 && (!of_window || is_shown) && *a)
