@@ -130,6 +130,10 @@ static void append_words(char *text, size_t size, const char *before,
   snprintf(text + n, size - n, "%s%s%s", before, words, after);
 }
 
+static bool is_of_lines(const struct frames *f) {
+  return !strcmp(f->run->answer.painted.form.type->name, "segments");
+}
+
 /* Before a window. */
 static const char *place_word(const struct hsr_window *w) {
   if (w->y1 - w->y0 != 1)
@@ -169,14 +173,16 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
     snprintf(b, sizeof b, "%s", where);
   *text = '\0';
   append_words(text, size, "", *a ? a : *b ? b : where, "");
+  const char *done =
+      kind == HSR_ACCEPT && is_of_lines(f) ? "drawn" : verb[kind];
   bool is_divided = kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE && *b;
   if (!*outcome && kind != HSR_COMPARE && !is_divided)
-    append_words(text, size, " is ", verb[kind], "");
+    append_words(text, size, " is ", done, "");
   if (*a && *b && !is_shown)
     append_words(text, size, between(event, kind), b, "");
   if (*outcome)
     append_words(text, size, ": ", outcome, "");
-  if (w->x0 < w->x1 && (!of_window || is_shown) && *a)
+  if (frames_is_part(f, w) && (!of_window || is_shown) && *a)
     append_words(text, size, " (", where, ")");
   *text = (char)toupper((unsigned char)*text);
 }
