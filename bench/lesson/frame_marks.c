@@ -174,8 +174,7 @@ static void mark_volume(struct frames *f, const struct hsr_event *event,
   }
 }
 
-static bool is_part_of_picture(const struct frames *f,
-                               const struct hsr_window *w) {
+bool frames_is_part(const struct frames *f, const struct hsr_window *w) {
   return w->x0 < w->x1 && w->y0 < w->y1 &&
          (w->x0 > 0 || w->y0 > 0 || w->x1 < f->run->view.m ||
           w->y1 < f->run->view.n);
@@ -245,6 +244,6 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   }
   bool is_of_window =
       event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;
-  if (is_part_of_picture(f, w) || (is_of_window && w->x0 < w->x1))
+  if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
 }

@@ -130,16 +130,26 @@ static void append_words(char *text, size_t size, const char *before,
   snprintf(text + n, size - n, "%s%s%s", before, words, after);
 }
 
+static bool is_of_lines(const struct frames *f) {
+  return !strcmp(f->run->answer.painted.form.type->name, "segments");
+}
+
+/* Before a window. */
+static const char *place_word(const struct hsr_window *w) {
+  if (w->y1 - w->y0 != 1)
+    return " in ";
+  return w->x1 - w->x0 == 1 ? " at " : " on ";
+}
+
 /* Between the two subjects. */
 static const char *between(const struct hsr_event *event,
-                           enum hsr_step_kind kind, bool has_outcome) {
-  bool at_window = event->b.kind == HSR_OF_WINDOW;
+                           enum hsr_step_kind kind) {
   if (kind == HSR_COMPARE)
     return " against ";
   if (kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE)
     return " is divided by the plane of ";
-  if (at_window)
-    return has_outcome ? " in " : " in ";
+  if (event->b.kind == HSR_OF_WINDOW)
+    return place_word(&event->window);
   return kind == HSR_ACCEPT ? ", not " : ", with ";
 }
 
@@ -163,14 +173,16 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
     snprintf(b, sizeof b, "%s", where);
   *text = '\0';
   append_words(text, size, "", *a ? a : *b ? b : where, "");
+  const char *done =
+      kind == HSR_ACCEPT && is_of_lines(f) ? "drawn" : verb[kind];
   bool is_divided = kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE && *b;
   if (!*outcome && kind != HSR_COMPARE && !is_divided)
-    append_words(text, size, " is ", verb[kind], "");
+    append_words(text, size, " is ", done, "");
   if (*a && *b && !is_shown)
-    append_words(text, size, between(event, kind, *outcome), b, "");
+    append_words(text, size, between(event, kind), b, "");
   if (*outcome)
     append_words(text, size, ": ", outcome, "");
-  if (w->x0 < w->x1 && (!of_window || is_shown) && *a)
+  if (frames_is_part(f, w) && (!of_window || is_shown) && *a)
     append_words(text, size, " (", where, ")");
   *text = (char)toupper((unsigned char)*text);
 }

@@ -95,7 +95,8 @@ static void draw_picture(struct frames *f, const struct hsr_event *event,
   draw_lines(f);
   draw_squares(f);
   draw_outlines(f);
-  frames_mark(f, event, kind);
+  if (event->number + 1 < f->steps) /* at the end, nothing lies over it */
+    frames_mark(f, event, kind);
   cairo_rectangle(f->cairo, 0, 0, view->m, view->n);
   cairo_set_line_width(f->cairo, 2 / f->scale);
   frames_set_colour(f->cairo, 0xd4d5d2, 1);

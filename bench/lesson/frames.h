@@ -53,6 +53,9 @@ void frames_set_colour(cairo_t *cairo, unsigned rgb, double alpha);
 /* Adds the image of a face to the path. */
 void frames_add_face(struct frames *f, uint32_t face);
 
+/* Whether a window is some of the picture, not all of it. */
+bool frames_is_part(const struct frames *f, const struct hsr_window *w);
+
 /* Marks what the step is about. */
 void frames_mark(struct frames *f, const struct hsr_event *event,
                  enum hsr_step_kind kind);

@@ -666,7 +666,7 @@ static const struct hsr_line lines_after[] = {
     {"    promote visibility to the vertex at its other end",
      HSR_RAISES(HSR_PROMOTED)},
     {"      with what hides it there", HSR_RAISES(HSR_HIDING)},
-    {"    put faces to it whose plane holds it, and loose ones",
+    {"    compare it with loose faces, and with those whose plane holds it",
      HSR_RAISES(HSR_APART)},
     {"    can it be visible anywhere?", HSR_RAISES(HSR_SAVED)},
     {"    sort the crossings along the edge", HSR_RAISES(HSR_SORT_ALONG)},

@@ -116,10 +116,10 @@ export const newell = {
     ["Test 6: their images do not overlap",
       { of: "list-test", like: /^test 6/, pick: "largest" }, TEST],
     ["Another circle, another division", { of: "list-division", after: "cut" }],
-    ["P is in order: its rows are generated", { of: "list-segment",
-      pick: "widest" }],
+    ["P is in order: its rows are generated", { of: "list-segment", pick: "widest",
+      id: "rows" }],
     ["On its row it overwrites what it covers", { name: "X merge", outcome: "covered",
-      pick: "widest" }],
+      after: "rows", pick: "widest", or: { name: "X merge", outcome: "covered" } }],
     ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],
   ],
   find: ["Which of the six tests decides most often?", (run) =>
