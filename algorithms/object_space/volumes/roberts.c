@@ -32,8 +32,9 @@
  *             paper's environments have neither.
  * Once        where a volume hides an edge does not depend on the fragment. The
  *             build that is timed finds it once an edge, and narrows it to each
- *             fragment; the counting build solves the programme of each fragment,
- *             as the paper does, and counts its conditions.
+ *             fragment; the counting build puts the conditions to each fragment,
+ *             as the paper does, and counts them. Those that do the same to every
+ *             fragment it looks up.
  * Options     boxes=corner: volumes sorted by the upper left corners of their
  *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
  *             An edge is compared with those whose boxes overlap its own; whole bodies
@@ -103,6 +104,13 @@ struct collection {
   uint32_t first;
 };
 
+/* What doubles tell of an edge and a volume, in the counting build. */
+struct outlook {
+  uint32_t edge; /* 1 + its number */
+  uint32_t n; /* the volume's condition number n - 1 leaves nothing of the edge,
+                    and those before it leave all; 0: not known */
+};
+
 struct fragment {
   struct hsr_sight_event from, to;
   uint32_t next; /* volume that it is tested against next; in the build that is
@@ -134,6 +142,7 @@ struct frame {
   struct hsr_growing hiders; /* struct fragment: the parts of the current edge
                                 that volumes hide, as far as they are known */
   uint32_t next_hider;       /* from where on volumes may be others */
+  struct outlook *outlook;   /* by volume */
   struct hsr_growing kept;   /* memory for the next `visible` */
   struct hsr_growing events; /* of a face apart */
 
@@ -419,6 +428,9 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->sorted = job->option[BOXES] == HSR_BY_CORNER;
   if (!begin_volume(frame, &nowhere, image_box(&nowhere)))
     return HSR_E_NOMEM;
+  if (HSR_COUNTING && !(frame->outlook = HSR_NEW_ZEROED(
+                            job->scratch, struct outlook, frame->volume.n)))
+    return HSR_E_NOMEM;
   return make_boxes(frame);
 }
 
@@ -473,22 +485,28 @@ static int cut(const struct frame *frame, uint32_t e,
              : UNTOUCHED;
 }
 
+/* Counts a condition, after which some of the fragment is left, or nothing. */
+static void count_condition(const struct frame *frame, uint32_t e,
+                            enum hsr_event_at at,
+                            const struct condition *condition, bool some) {
+  uint32_t f = condition->subject;
+  if (at == HSR_AT_LINE) { /* the front plane of the two that meet there */
+    const struct hsr_rim *rim = &frame->volumes->rim[f];
+    uint32_t plane = condition->side < 0 ? rim->plane : rim->other;
+    f = frame->volumes->plane[plane].face;
+  }
+  HSR_STEP(frame->tally, CONDITIONS, hsr_edge_subject(frame->edges, e),
+           HSR_FACE(f), HSR_NOWHERE, 2 * (at == HSR_AT_PLANE) + some);
+}
+
 /* Narrows the fragment to where a condition holds. False: nowhere. */
 static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
                    const struct condition *condition,
                    struct fragment *fragment) {
   bool some = hsr_sight_narrow(&frame->sight, e, at, condition->subject,
                                condition->side, &fragment->from, &fragment->to);
-  if (HSR_COUNTING) {
-    uint32_t f = condition->subject;
-    if (at == HSR_AT_LINE) { /* the front plane of the two that meet there */
-      const struct hsr_rim *rim = &frame->volumes->rim[f];
-      uint32_t plane = condition->side < 0 ? rim->plane : rim->other;
-      f = frame->volumes->plane[plane].face;
-    }
-    HSR_STEP(frame->tally, CONDITIONS, hsr_edge_subject(frame->edges, e),
-             HSR_FACE(f), HSR_NOWHERE, 2 * (at == HSR_AT_PLANE) + some);
-  }
+  if (HSR_COUNTING)
+    count_condition(frame, e, at, condition, some);
   return some;
 }
 
@@ -531,13 +549,56 @@ static bool is_outside(const struct frame *frame, uint32_t e,
   return is_beside(frame, e, volume);
 }
 
+/* The conditions of a volume in their order, contour first: number k. */
+static const struct condition *condition_of(const struct frame *frame,
+                                            const struct volume *volume,
+                                            uint32_t k, enum hsr_event_at *at) {
+  uint32_t n_lines = volume[1].first_line - volume->first_line;
+  *at = k < n_lines ? HSR_AT_LINE : HSR_AT_PLANE;
+  return k < n_lines ? (const struct condition *)frame->contour.items +
+                           volume->first_line + k
+                     : (const struct condition *)frame->front.items +
+                           volume->first_plane + (k - n_lines);
+}
+
+static uint32_t look_ahead(const struct frame *frame, uint32_t e,
+                           const struct volume *volume) {
+  uint32_t n = volume[1].first_line - volume->first_line +
+               volume[1].first_plane - volume->first_plane;
+  for (uint32_t k = 0; k < n; k++) {
+    enum hsr_event_at at;
+    const struct condition *c = condition_of(frame, volume, k, &at);
+    if (hsr_sight_excludes(&frame->sight, e, at, c->subject, c->side))
+      return k + 1;
+    if (!hsr_sight_excludes(&frame->sight, e, at, c->subject, -c->side))
+      break;
+  }
+  return 0;
+}
+
+/* In the counting build: whether doubles show that the conditions up to one that
+ * leaves nothing do the same to every fragment of the edge. Counts them if so. */
+static bool is_outlook_bad(const struct frame *frame, uint32_t e,
+                           const struct volume *volume) {
+  struct outlook *known =
+      &frame->outlook[volume - (const struct volume *)frame->volume.items];
+  if (known->edge != e + 1)
+    *known = (struct outlook){e + 1, look_ahead(frame, e, volume)};
+  for (uint32_t k = 0; k < known->n; k++) {
+    enum hsr_event_at at;
+    const struct condition *c = condition_of(frame, volume, k, &at);
+    count_condition(frame, e, at, c, k + 1 < known->n);
+  }
+  return known->n > 0;
+}
+
 /* Narrows the fragment to where all conditions hold. False: nowhere. */
 static bool solve(const struct frame *frame, uint32_t e,
                   const struct volume *volume, struct fragment *fragment) {
   const struct condition *contour = frame->contour.items;
   const struct condition *front = frame->front.items;
-  if (!HSR_COUNTING && is_outside(frame, e, volume))
-    return false; /* the counting build narrows, and counts each condition */
+  if ((HSR_COUNTING ? is_outlook_bad : is_outside)(frame, e, volume))
+    return false;
   for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
     if (!narrow(frame, e, HSR_AT_LINE, &contour[k], fragment))
       return false;

@@ -29,7 +29,9 @@
  *             faces about one vertex may then be divided without end: clips=N
  *             refuses a picture that divides too much.
  * Cost        every polygon is examined once at least, and once more for each
- *             clip polygon that is taken before it and does not remove it. */
+ *             clip polygon that is taken before it and does not remove it. So n
+ *             polygons that overlap one another, and do not hide each other
+ *             whole, are clipped n^2 / 2 times at least, and their pieces too. */
 #include "algorithms/image_space/area/sorting/area_slots.h"
 #include "common/answers/kinds/polygons.h"
 
@@ -362,7 +364,8 @@ static enum hsr_status render(const struct hsr_job *job,
   if (s.refused)
     return hsr_fail(err, HSR_E_REFUSED,
                     "weiler-atherton: more than %ld million polygons to be "
-                    "clipped; clips=N allows N million",
+                    "clipped, each to every one before it; clips=N allows N "
+                    "million",
                     job->option[CLIPS]);
   if (failed)
     return hsr_fail_nomem(err);
