@@ -692,7 +692,7 @@ int main(void) {
   test_sides(&tap, "house", 0, "all");
   test_sides(&tap, "house", 1, "none");
   test_sides(&tap, "one-sided", 0, "some");
-  test_sides(&tap, "cyclic-overlap", 0, "none");
+  test_sides(&tap, "soup:9", 0, "none");
   test_opacity(&tap);
   test_instances(&tap);
   test_grids(&tap);
