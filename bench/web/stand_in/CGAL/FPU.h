@@ -45,7 +45,9 @@ inline double beyond(double result, bool is_finite) {
   return is_finite && result == -infinity ? -largest : result;
 }
 
-inline bool is_finite(double x) { return std::fabs(x) <= largest; }
+inline bool is_finite(double x) {
+  return std::fabs(x) <= largest;
+}
 
 inline double sum(double a, double b) {
   const double s = a + b;
@@ -115,7 +117,9 @@ inline double quotient(double a, double b) {
 }
 
 // How far a root that was rounded is off: a number of the sign of x - s s.
-inline double root_rest(double x, double s) { return sign(-s, s, x); }
+inline double root_rest(double x, double s) {
+  return sign(-s, s, x);
+}
 
 inline double root(double x) {
   const double s = std::sqrt(x);
