@@ -350,10 +350,12 @@ void Convex_pieces::locate(const Convex &piece, size_t k,
                            Corner &corner) const {
   corner.error = TINY;
   corner.exact.reset();
-  const auto set = [&](size_t c, double lo, double hi) {
-    corner.at[c] = lo + (hi - lo) / 2;
-    corner.error = std::fmax(corner.error,
-                             std::fmax(corner.at[c] - lo, hi - corner.at[c]));
+  // In intervals: a sum of doubles would depend on the mode of rounding.
+  const auto set = [&](size_t c, const Interval &lo, const Interval &hi) {
+    const Interval at = (lo + Interval((hi - lo).sup() / 2)).sup();
+    corner.at[c] = at.sup();
+    corner.error =
+        std::fmax(corner.error, std::fmax((at - lo).sup(), (hi - at).sup()));
   };
   {
     CGAL::Protect_FPU_rounding<true> upwards;

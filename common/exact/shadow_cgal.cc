@@ -96,8 +96,10 @@ void round_vector(const Vector<Interval> &v, double rounded[3], double *error) {
   const Interval part[3] = {v.x, v.y, v.z};
   *error = 0;
   for (int k = 0; k < 3; k++) {
-    const double width = part[k].sup() - part[k].inf();
-    rounded[k] = part[k].inf() + width / 2;
+    /* In intervals: a sum of doubles would depend on the mode of rounding. */
+    const Interval low = part[k].inf(), high = part[k].sup();
+    const double width = (high - low).sup();
+    rounded[k] = (low + Interval(width / 2)).sup();
     *error = std::fmax(*error, 2 * width);
   }
 }
