@@ -9,8 +9,8 @@
 #   bench     the library hsr.h, and the rooms of bench/ that serve it
 #   own       bench/web
 EMXX = em++
-# emcc begins slowly. So what it would call compiles, with the flags that it would
-# give.
+# emcc takes long to start. So files are compiled by the clang that emcc would call,
+# with the flags that emcc would give it. Only the linker is started through emcc.
 CLANG := $(shell em-config LLVM_ROOT)/clang
 CLANGCC := $(CLANG) $(shell emcc --cflags)
 CLANGXX := $(CLANG)++ $(shell em++ -fwasm-exceptions --cflags)
@@ -101,12 +101,13 @@ $(WEB)/%.flags: always
 # The algorithms in C need none of the libraries. They compile meanwhile.
 $(core_objects) $(filter %.cc.o,$(every_object)): | $(WEB)/made
 $(filter %.c.o,$(every_object)): $(WEB)/C.flags
-# What a file of the system includes is not among its dependencies.
+# -MMD leaves out headers that a system header includes, as CGAL includes this one.
 $(filter %.cc.o,$(every_object)): $(WEB)/CXX.flags \
   $(srcdir)/bench/web/stand_in/CGAL/FPU.h
-# over.cc shares inline functions with the oracles.
+# over.cc has inline functions of the oracles, and the linker keeps one of each: all
+# must count alike.
 as_judges = $(judges) bench/web/over.cc
-# What no frame waits for is small.
+# These files do no work within a frame: they are compiled for size, not for speed.
 $(OBJECTS)/once/%.c.o: $(srcdir)/%.c
 	$(call compile_c,-DHSR_COUNTING=$(if $(filter $*.c,$(judges)),1,0) \
 	  $(if $(filter bench/% scenes/% common/files/%,$*),-Os))
@@ -116,6 +117,7 @@ $(OBJECTS)/plain/%.c.o: $(srcdir)/%.c
 	$(call compile_c,-DHSR_COUNTING=0)
 $(OBJECTS)/plain/%.cc.o: $(srcdir)/%.cc
 	$(call compile_cxx,-DHSR_COUNTING=0)
+# Nobody times the counting build, so it is compiled for size.
 again = -Os -include $(WEB)/counting-names.h -DHSR_COUNTING=1
 $(OBJECTS)/counting/%.c.o: $(srcdir)/%.c $(WEB)/counting-names.h
 	$(call compile_c,$(again))
