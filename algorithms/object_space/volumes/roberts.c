@@ -31,10 +31,11 @@
  *             Edges may pierce volumes, and implied edges are drawn; the
  *             paper's environments have neither.
  * Once        where a volume hides an edge does not depend on the fragment. The
- *             build that is timed finds it once an edge, and narrows it to each
- *             fragment; the counting build puts the conditions to each fragment,
- *             as the paper does, and counts them. Those that do the same to every
- *             fragment it looks up.
+ *             build that is timed finds that once for each edge and volume, and
+ *             cuts it to each fragment. The counting build counts each condition
+ *             for each fragment, as the paper has it. Where doubles show that a
+ *             volume hides nothing of the edge, it counts the conditions again for
+ *             each fragment, but does not evaluate them again.
  * Options     boxes=corner: volumes sorted by the upper left corners of their
  *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
  *             An edge is compared with those whose boxes overlap its own; whole bodies
