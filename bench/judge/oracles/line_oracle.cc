@@ -1011,8 +1011,9 @@ int artist::compare(place *p, place *q) {
   return int(CGAL::compare(a, b));
 }
 
-/* The point between a and b, at t from 0 to 1, rounded to nearest also while
- * intervals round upwards. Opaque numbers stay on this side of the change. */
+/* The point between a and b, at t from 0 to 1. It is rounded to nearest, also where
+ * intervals round upwards. The compiler does not move arithmetic on opaque numbers
+ * out of this function, where the mode of rounding is another. */
 double between_at(double a, double b, double t) {
   const Nearest to_nearest;
   const double x = CGAL::IA_opacify(a), y = CGAL::IA_opacify(b);
