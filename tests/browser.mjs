@@ -31,7 +31,7 @@ export async function begin(modules, executablePath) {
     const context = await browser.newContext({
       viewport: { width: 1280, height: 900 }, ...options });
     const page = await context.newPage();
-    page.setDefaultTimeout(20000);
+    page.setDefaultTimeout(60000); // a busy machine is slow, not wrong
     const faults = [];
     page.on("console", (m) => m.type() === "error" && faults.push(m.text()));
     page.on("pageerror", (error) => faults.push(error.message));
