@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace {
 
@@ -228,7 +229,8 @@ void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
               Gap &best) {
   std::sort(extents.begin(), extents.end(),
             [](const Extent &a, const Extent &b) {
-              return a.lo != b.lo ? a.lo < b.lo : a.hi < b.hi;
+              return std::tie(a.lo, a.hi, a.owner) <
+                     std::tie(b.lo, b.hi, b.owner);
             });
   if (extents.empty())
     return;
