@@ -8,4 +8,5 @@ check_PROGRAMS += %D%/hashes %D%/upward_test
 %C%_upward_test_LDADD = $(CGAL_LIBS)
 dist_check_SCRIPTS += %D%/web.test
 TESTS += %D%/upward_test %D%/web.test
-EXTRA_DIST += %D%/core.mjs %D%/equal.mjs %D%/times.mjs %D%/worker.mjs
+EXTRA_DIST += %D%/core.mjs %D%/differing.mjs %D%/equal.mjs \
+  %D%/firefox.mjs %D%/times.mjs %D%/worker.mjs
