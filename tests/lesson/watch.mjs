@@ -630,7 +630,7 @@ async function lessons(file) {
     assert.match(readFileSync(await file25.path(), "utf8"), /is divided by the plane/);
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
-  const figures = { "bsp-painter": 1, roberts: 1, appel: 1, loutrel: 1, schumacker: 3,
+  const figures = { painter: 1, zbuffer: 1, raycast: 1, galimberti: 1, "bsp-painter": 1, roberts: 1, appel: 1, loutrel: 1, schumacker: 3,
     newell: 1, warnock: 2, romney: 1, bouknight: 1, watkins: 2, hzbuffer: 2, tiling: 1 };
   for (const name of names)
     await test(`${name}: its figures`, async () => {
