@@ -17,10 +17,10 @@ const FIGURES = {
     "are painted on a common sample while their depths overlap: there the order by " +
     "farthest corners may be wrong. It is dashed where the run paints a face over a " +
     "nearer one.", depthOrder]],
-  zbuffer: [["What is kept at a sample", "Samples that are written most often. Each dot " +
-    "is a face that covers the sample, in the order in which they come. Filled: nearer " +
-    "than what is kept, and written. Hollow: farther, and refused. What is kept, the " +
-    "line, only comes nearer.", keptDepths]],
+  zbuffer: [["What is kept at a sample", "Samples with different histories; the first " +
+    "is one that is written most often. Each dot is a face that covers the sample, in " +
+    "the order in which they come. Filled: nearer than what is kept, and written. " +
+    "Hollow: farther, and refused. What is kept, the line, only comes nearer.", keptDepths]],
   raycast: [["A ray from the side", "The faces on one column, with the eye at the left, " +
     "and the ray of one of its samples. The hits are numbered in the order in which the " +
     "faces are asked, which is not the order along the ray. The depth is stretched where " +

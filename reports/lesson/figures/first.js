@@ -50,17 +50,18 @@ export function depthOrder(run) {
   });
   const few = rows.length < all.length
     ? `; ${rows.length} of ${all.length} painted faces` : "";
-  return board(WIDE, foot + 44, `The depths of ${rows.length} faces in the order of ` +
+  return board(WIDE, foot + 50, `The depths of ${rows.length} faces in the order of ` +
     `painting; ${marked.length} pairs are marked, ${marked.filter((p) =>
       p.wrong).length} of them wrong`,
   text(70, 16, "◂ the eye", { ...left, "font-size": 13 }),
   text(8, 30, "painted first", { ...left, fill: "var(--faint)" }),
+  text(8, foot + 1, "painted last", { ...left, fill: "var(--faint)" }),
   ...bars, ...brackets,
-  line(px(low), foot, px(high), foot), text(px(low), foot + 16,
+  line(px(low), foot + 6, px(high), foot + 6), text(px(low), foot + 22,
     `${low.toFixed(1)} deep`, { ...left, "font-size": 12 }),
-  text(px(high), foot + 16, high.toFixed(1), { "text-anchor": "end",
+  text(px(high), foot + 22, high.toFixed(1), { "text-anchor": "end",
     "font-size": 12 }),
-  text(8, foot + 36, wordsOf(marked) + few, { ...left, "font-size": 12.5 }));
+  text(8, foot + 42, wordsOf(marked) + few, { ...left, "font-size": 12.5 }));
 }
 
 function wordsOf(pairs) {

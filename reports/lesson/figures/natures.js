@@ -51,7 +51,7 @@ const isSame = ([p, q], [r, t]) => p === r && q === t;
 // compared.
 function setsAlong(run, { ids, crossed, parts }) {
   const see = projection(run.header.view);
-  const imageOf = (v) => see(run.trace.points[v]);
+  const imageOf = (v) => run.trace.points[v] ? see(run.trace.points[v]) : null;
   const [a, b] = ids.slice(0, 2).map(imageOf);
   if (!a || !b) return null;
   const shareOf = ([x, y]) => ((x - a[0]) * (b[0] - a[0]) + (y - a[1]) * (b[1] - a[1])) /
@@ -142,12 +142,12 @@ function drawn(run, best) {
   const rows = [...new Set(pieces.flatMap(({ faces }) => faces))];
   const px = (share) => FROM + (share - best.low) / (best.high - best.low) * (TO - FROM);
   const [top, high] = [226, 24], foot = top + high * rows.length;
-  const chart = rows.map((f, r) => [text(FROM - 8, top + high * (r + 0.5) + 4,
+  const chart = rows.flatMap((f, r) => [text(FROM - 8, top + high * (r + 0.5) + 4,
     `face ${f}`, { "text-anchor": "end", "font-size": 13 }),
-  pieces.map(({ from, to, faces }) => faces.includes(f) ? s("rect",
+  pieces.filter(({ faces }) => faces.includes(f)).map(({ from, to }) => s("rect",
     { class: "hiding", "data-face": f, x: round(px(from)), y: top + high * r + 4,
       width: round(px(to) - px(from)), height: high - 8, fill: colourOf(run, f),
-      stroke: "var(--ink)" }) : null)]);
+      stroke: "var(--ink)" }))]);
   const numbers = pieces.map(({ from, to, many }) => [
     line(px(from), foot + 12, px(to), foot + 12, { stroke: many ? "var(--hue-1)"
       : "var(--hue-2)", "stroke-width": 4, "stroke-dasharray": many ? "4 3" : null }),
