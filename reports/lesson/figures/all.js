@@ -17,13 +17,13 @@ const FIGURES = {
     "are painted on a common sample while their depths overlap: there the order by " +
     "farthest corners may be wrong. It is dashed where the run paints a face over a " +
     "nearer one.", depthOrder]],
-  zbuffer: [["What is kept at a sample", "Samples with different histories; the first " +
-    "is one that is written most often. Each dot is a face that covers the sample, in " +
+  zbuffer: [["What is kept at a sample", "The first sample is one that is written most " +
+    "often; those beside it have other histories. Each dot is a face that covers the sample, in " +
     "the order in which they come. Filled: nearer than what is kept, and written. " +
     "Hollow: farther, and refused. What is kept, the line, only comes nearer.", keptDepths]],
   raycast: [["A ray from the side", "The faces on one column, with the eye at the left, " +
     "and the ray of one of its samples. The hits are numbered in the order in which the " +
-    "faces are asked, which is not the order along the ray. The depth is stretched where " +
+    "faces are asked, which need not be the order along the ray. The depth is stretched where " +
     "it is near, so that faces stay straight.", raySide]],
   galimberti: [["The set along an edge", "The faces that hide an edge, from its one end " +
     "to the other. Where the edge passes behind a nearer edge, a face is entered or left. " +

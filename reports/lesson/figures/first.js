@@ -48,9 +48,7 @@ export function depthOrder(run) {
     return [s("g", { class: wrong ? "pair wrong" : "pair" }, line(x, y0, x, y1, look),
       line(x - 5, y0, x, y0, look), line(x - 5, y1, x, y1, look))];
   });
-  const few = rows.length < all.length
-    ? `; ${rows.length} of ${all.length} painted faces` : "";
-  return board(WIDE, foot + 50, `The depths of ${rows.length} faces in the order of ` +
+  return board(WIDE, foot + 66, `The depths of ${rows.length} faces in the order of ` +
     `painting; ${marked.length} pairs are marked, ${marked.filter((p) =>
       p.wrong).length} of them wrong`,
   text(70, 16, "◂ the eye", { ...left, "font-size": 13 }),
@@ -61,15 +59,18 @@ export function depthOrder(run) {
     `${low.toFixed(1)} deep`, { ...left, "font-size": 12 }),
   text(px(high), foot + 22, high.toFixed(1), { "text-anchor": "end",
     "font-size": 12 }),
-  text(8, foot + 42, wordsOf(marked) + few, { ...left, "font-size": 12.5 }));
+  text(8, foot + 42, wordsOf(marked), { ...left, "font-size": 12.5 }),
+  text(8, foot + 60, rows.length < all.length
+    ? `Shown: ${rows.length} of ${all.length} painted faces` : "", { ...left,
+    "font-size": 12.5 }));
 }
 
 function wordsOf(pairs) {
   const wrong = pairs.filter((p) => p.wrong);
-  const sum = wrong.reduce((all, p) => all + p.wrong, 0);
   if (!wrong.length) return "No pair is painted in a wrong order";
-  return `Dashed: ${wrong.map(({ two: [f, g] }) => `${g} over ${f}`).slice(0, 3)
-    .join(", ")}, wrong at ${sum} samples`;
+  const [{ two: [f, g], wrong: many }] = wrong;
+  return `Wrong: face ${g} over face ${f} at ${many} samples${wrong.length > 1
+    ? `, and ${wrong.length - 1} other pairs` : ""}`;
 }
 
 // Face -> how many samples it painted, in the order of painting.
