@@ -54,8 +54,10 @@ lesson_sources = \
   %D%/lesson/data/words.js \
   %D%/lesson/figures/all.js \
   %D%/lesson/figures/drawing.js \
+  %D%/lesson/figures/first.js \
   %D%/lesson/figures/image.js \
   %D%/lesson/figures/lists.js \
+  %D%/lesson/figures/natures.js \
   %D%/lesson/figures/steps.js \
   %D%/lesson/figures/survivors.js \
   %D%/lesson/figures/taxonomy.js \

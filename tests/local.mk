@@ -420,6 +420,7 @@ EXTRA_DIST += \
   %D%/lab/edits.mjs \
   %D%/lab/links.mjs \
   %D%/lab/visit.mjs \
+  %D%/lesson/figures.mjs \
   %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \
   %D%/module \

@@ -28,7 +28,7 @@ static void add_point(cairo_t *cairo, const json_t *point, bool first) {
     cairo_line_to(cairo, x, y);
 }
 
-static void add_polygon(struct frames *f, const json_t *polygon) {
+void frames_add_polygon(struct frames *f, const json_t *polygon) {
   size_t k;
   const json_t *point;
   json_array_foreach(polygon, k, point) add_point(f->cairo, point, k == 0);
@@ -36,10 +36,20 @@ static void add_polygon(struct frames *f, const json_t *polygon) {
     cairo_close_path(f->cairo);
 }
 
+void frames_add_line(struct frames *f, const json_t *from, const json_t *to) {
+  if (!json_is_array(from) || !json_is_array(to))
+    return;
+  add_point(f->cairo, from, true);
+  add_point(f->cairo, to, false);
+}
+
+const json_t *frames_image(const struct frames *f, uint32_t face) {
+  return json_array_get(
+      json_array_get(json_object_get(f->header, "faces"), face), 4);
+}
+
 void frames_add_face(struct frames *f, uint32_t face) {
-  add_polygon(
-      f, json_array_get(
-             json_array_get(json_object_get(f->header, "faces"), face), 4));
+  frames_add_polygon(f, frames_image(f, face));
 }
 
 /* The edges of a box, by the images of its corners; some may have none. */
@@ -48,25 +58,28 @@ static void add_wires(struct frames *f, const json_t *corners) {
     for (size_t axis = 1; axis < 8; axis *= 2) {
       const json_t *p = json_array_get(corners, c),
                    *q = json_array_get(corners, c | axis);
-      if ((c & axis) || !json_is_array(p) || !json_is_array(q))
-        continue;
-      add_point(f->cairo, p, true);
-      add_point(f->cairo, q, false);
+      if (!(c & axis))
+        frames_add_line(f, p, q);
     }
 }
 
-/* Strokes the path, on a pale seam. */
-static void stroke(struct frames *f, unsigned colour, double width,
-                   bool dashed) {
-  double dash = 6 / f->scale;
+void frames_stroke(struct frames *f, unsigned colour, double width,
+                   enum frame_dash dash) {
+  const double dashes[2] = {(dash == FRAME_DOTTED ? 2 : 6) / f->scale,
+                            (dash == FRAME_DOTTED ? 4 : 6) / f->scale};
   cairo_set_line_width(f->cairo, (width + 2.5) / f->scale);
   frames_set_colour(f->cairo, 0xffffff, 0.75);
   cairo_stroke_preserve(f->cairo);
-  cairo_set_dash(f->cairo, &dash, dashed, 0);
+  cairo_set_dash(f->cairo, dashes, dash == FRAME_SOLID ? 0 : 2, 0);
   cairo_set_line_width(f->cairo, width / f->scale);
   frames_set_colour(f->cairo, colour, 1);
   cairo_stroke(f->cairo);
-  cairo_set_dash(f->cairo, &dash, 0, 0);
+  cairo_set_dash(f->cairo, dashes, 0, 0);
+}
+
+static void stroke(struct frames *f, unsigned colour, double width,
+                   bool dashed) {
+  frames_stroke(f, colour, width, dashed ? FRAME_DASHED : FRAME_SOLID);
 }
 
 static void mark_vertices(struct frames *f, const struct hsr_subject *subject,
@@ -75,8 +88,7 @@ static void mark_vertices(struct frames *f, const struct hsr_subject *subject,
   const json_t *p = json_array_get(vertices, subject->id[0]),
                *q = json_array_get(vertices, subject->id[1]);
   if (subject->kind == HSR_OF_EDGE && json_is_array(p) && json_is_array(q)) {
-    add_point(f->cairo, p, true);
-    add_point(f->cairo, q, false);
+    frames_add_line(f, p, q);
     stroke(f, colour, 3.5, dashed);
   }
   if (subject->kind == HSR_OF_VERTEX && json_is_array(p)) {
@@ -87,21 +99,43 @@ static void mark_vertices(struct frames *f, const struct hsr_subject *subject,
   }
 }
 
-/* The outline of a piece of a BSP tree; NULL: it is not known. */
-static const json_t *outline_of(const struct frames *f,
-                                const struct hsr_subject *subject) {
+json_int_t frames_place_of_piece(const struct frames *f,
+                                 const struct hsr_subject *piece) {
   json_int_t base = 0;
   size_t k;
   const json_t *from;
-  if (subject->kind != HSR_OF_PIECE)
-    return NULL;
   json_array_foreach(json_object_get(f->structure, "bases"), k, from) {
-    if (json_integer_value(json_array_get(from, 0)) <= subject->id[0])
+    if (json_integer_value(json_array_get(from, 0)) <= piece->id[0])
       base = json_integer_value(json_array_get(from, 1));
   }
-  const json_t *piece = json_array_get(json_object_get(f->structure, "pieces"),
-                                       (size_t)base + subject->id[1]);
-  const json_t *outline = json_array_get(piece, 1);
+  return base + piece->id[1];
+}
+
+/* The pieces of the priority list that is at hand; NULL: there is none. */
+static const json_t *list_at(const struct frames *f,
+                             const struct hsr_event *event) {
+  const json_t *list, *found = NULL;
+  size_t k;
+  json_array_foreach(f->lists, k, list) {
+    if (json_integer_value(json_object_get(list, "from")) <=
+        (json_int_t)event->number)
+      found = json_object_get(list, "pieces");
+  }
+  return found;
+}
+
+const json_t *frames_outline(const struct frames *f,
+                             const struct hsr_event *event,
+                             const struct hsr_subject *subject) {
+  const json_t *of_trees = json_object_get(f->structure, "pieces"),
+               *list = list_at(f, event);
+  if (subject->kind != HSR_OF_PIECE)
+    return NULL;
+  const json_t *piece =
+      of_trees ? json_array_get(of_trees,
+                                (size_t)frames_place_of_piece(f, subject))
+               : json_array_get(list, subject->id[1]);
+  const json_t *outline = json_array_get(piece, of_trees ? 1 : 3);
   return json_array_size(outline) &&
                  json_integer_value(json_array_get(piece, 0)) == subject->id[0]
              ? outline
@@ -125,18 +159,38 @@ static void mark_cube(struct frames *f, const struct hsr_subject *subject,
   stroke(f, colour, 2, dashed);
 }
 
+/* The halves of a piece that a step divides. */
+static void mark_halves(struct frames *f, const struct hsr_event *event,
+                        unsigned colour) {
+  size_t k;
+  const json_t *piece;
+  double fill = .5;
+  if (event->a.kind != HSR_OF_PIECE)
+    return;
+  json_array_foreach(list_at(f, event), k, piece) {
+    if (json_integer_value(json_array_get(piece, 1)) != event->a.id[1])
+      continue;
+    frames_add_polygon(f, json_array_get(piece, 3));
+    frames_set_colour(f->cairo, colour, fill);
+    cairo_fill_preserve(f->cairo);
+    stroke(f, colour, 2.5, false);
+    fill = .15;
+  }
+}
+
 /* The faces of a subject, and its edge or vertex. */
-static void mark(struct frames *f, const struct hsr_subject *subject,
-                 unsigned colour, bool dashed) {
+static void mark(struct frames *f, const struct hsr_event *event,
+                 const struct hsr_subject *subject, unsigned colour,
+                 bool dashed) {
   bool is_edge = subject->kind == HSR_OF_EDGE;
   uint32_t face = subject->kind == HSR_OF_FACE || subject->kind == HSR_OF_PIECE
                       ? subject->id[0]
                   : is_edge ? subject->id[2]
                             : HSR_NO_ID;
   if (face != HSR_NO_ID && face < f->run->laid_out.n_faces) {
-    const json_t *left = outline_of(f, subject);
+    const json_t *left = frames_outline(f, event, subject);
     if (left)
-      add_polygon(f, left);
+      frames_add_polygon(f, left);
     else
       frames_add_face(f, face);
     bool is_line = is_edge || colour == frames_colour[HSR_ACCEPT];
@@ -153,20 +207,25 @@ static bool is_of_body(const struct hsr_counter *c, int outcome) {
          (hsr_has_key(c, "minimax") && outcome < 2);
 }
 
+const json_t *frames_faces_of_volume(const struct frames *f,
+                                     const struct hsr_event *event,
+                                     const struct hsr_subject *volume) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
+  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
+  return json_array_get(json_object_get(f->structure, list), volume->id[0]);
+}
+
 /* The faces of a volume, or of a body. */
 static void mark_volume(struct frames *f, const struct hsr_event *event,
                         unsigned colour) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
   const struct hsr_subject *s =
       event->a.kind == HSR_OF_VOLUME ? &event->a : &event->b;
   if (s->kind != HSR_OF_VOLUME)
     return;
-  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
   size_t k;
   const json_t *face;
-  json_array_foreach(
-      json_array_get(json_object_get(f->structure, list), s->id[0]), k, face) {
+  json_array_foreach(frames_faces_of_volume(f, event, s), k, face) {
     frames_add_face(f, (uint32_t)json_integer_value(face));
     frames_set_colour(f->cairo, colour, .1);
     cairo_fill_preserve(f->cairo);
@@ -238,7 +297,8 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   const struct hsr_subject *both[] = {&event->b, &event->a};
   mark_volume(f, event, colour);
   for (int k = 0; k < 2; k++) {
-    mark(f, both[k], colour, k == 0);
+    if (!k || !frames_mark_fragment(f, event, colour))
+      mark(f, event, both[k], colour, k == 0);
     mark_cube(f, both[k], colour, k == 0);
     mark_implied(f, both[k], colour);
   }
@@ -246,4 +306,8 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
       event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;
   if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
+  frames_mark_planes(f, event, colour);
+  frames_mark_boxes(f, event);
+  if (kind == HSR_SPLIT)
+    mark_halves(f, event, colour);
 }

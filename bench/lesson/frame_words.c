@@ -47,8 +47,7 @@ static void say(const struct frames *f, const struct hsr_subject *subject,
     snprintf(text, size, "%s %u", hsr_subject_kind_name[subject->kind], p);
 }
 
-/* The outcome's word. */
-static void say_outcome(const struct hsr_counter *counter, int outcome,
+void frames_say_outcome(const struct hsr_counter *counter, int outcome,
                         char *text, size_t size) {
   const char *at = counter->outcomes;
   for (int k = 0; at && k < outcome; k++) {
@@ -162,7 +161,7 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
   char a[96], b[96], outcome[96], where[96];
   say(f, &event->a, a, sizeof a);
   say(f, &event->b, b, sizeof b);
-  say_outcome(counter, event->outcome, outcome, sizeof outcome);
+  frames_say_outcome(counter, event->outcome, outcome, sizeof outcome);
   say_window(f, w, where, sizeof where);
   bool of_window =
       event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;

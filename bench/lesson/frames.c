@@ -195,6 +195,11 @@ static void count_step(void *context, const struct hsr_event *event) {
   f->steps++;
   if (event->counter < HSR_MAX_COUNTERS)
     f->total[event->counter]++;
+  if (f->has_list &&
+      event->counter < trace_n_counters(f->run->setup.algorithm))
+    lesson_note_list(&f->notes,
+                     &f->run->setup.algorithm->counters[event->counter],
+                     event);
 }
 
 static void fill(void *on, const struct hsr_window *w, uint32_t rgb) {
@@ -272,6 +277,7 @@ static void listen(void *context, const struct hsr_event *event) {
   if (f->status || event->counter >= trace_n_counters(a))
     return;
   f->count[event->counter]++;
+  frames_follow_fragments(f, event);
   sketch(f, event, a->counters[event->counter].kind);
   bool wanted = false;
   for (; f->done < f->n && event->number + 1 >= step_of(f, f->done);
@@ -289,6 +295,7 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   struct hsr_tally tally = {.trace = &counts};
   static const struct trace_filter all = {.every = 1, .keyframe = 1};
   struct trace_header header = {.run = run, .filter = &all};
+  f->has_list = lesson_has_list(&run->setup);
   enum hsr_status status =
       trace_answer_draw(&run->answer, &run->setup, &tally, err);
   if (!status && f->step && f->step[f->n - 1] > f->steps)
@@ -302,7 +309,8 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   f->touches =
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->touches);
   f->structure = lesson_structure_json(run);
-  if (!f->header || !f->structure || !f->colour || !f->touches)
+  f->lists = lesson_lists_json(run, &f->notes);
+  if (!f->header || !f->structure || !f->lists || !f->colour || !f->touches)
     return hsr_fail_nomem(err);
   trace_answer_free(&run->answer);
   status = trace_answer_init(&run->answer, &run->setup, &run->view, err);
@@ -334,6 +342,8 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
     status = draw_run(&f, err);
   json_decref(f.header);
   json_decref(f.structure);
+  json_decref(f.lists);
+  lesson_bytes_free(&f.notes);
   free(f.colour);
   free(f.touches);
   hsr_arena_free(&f.arena);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Steps of a run as pictures for slides: what the files of this share.
  *
- * frames.c       the run, the picture, the files
- * frame_marks.c  what a step is about, over the picture
- * frame_words.c  the outline, the step in words, the counters */
+ * frames.c           the run, the picture, the files
+ * frame_marks.c      what a step is about, over the picture
+ * frame_shapes.c     boxes that are compared, and planes
+ * frame_fragments.c  what a volume hides of an edge
+ * frame_words.c      the outline, the step in words, the counters */
 #ifndef HSR_BENCH_LESSON_FRAMES_H
 #define HSR_BENCH_LESSON_FRAMES_H
 
@@ -23,6 +25,31 @@ enum {
   FRAME_LINE = 15
 };
 
+/* A line is drawn like this. */
+enum frame_dash { FRAME_SOLID, FRAME_DASHED, FRAME_DOTTED };
+
+enum { FRAME_INK = 0x1d1f22 };
+
+struct frame_look {
+  unsigned colour;
+  double fill, width; /* a strength from 0 to 1; points */
+  enum frame_dash dash;
+};
+
+enum { FRAME_MOST_FRAGMENTS = 64 };
+
+/* The fragments of the edge that is at hand, as shares of it. All zero at the
+ * start. */
+struct frame_fragments {
+  uint32_t edge[2];
+  int n; /* waiting */
+  double waiting[FRAME_MOST_FRAGMENTS][2];
+  double at[2], hidden[2]; /* at this step */
+  double next[2];          /* what is left after it */
+  bool hides;              /* something of it */
+  bool is_begun, is_known, is_shown, is_after_test;
+};
+
 struct frames {
   struct trace_run *run;
   const char *folder; /* or the PDF */
@@ -35,6 +62,10 @@ struct frames {
   uint64_t count[HSR_MAX_COUNTERS];
   json_t *header;    /* as of hsr trace: where the faces are */
   json_t *structure; /* as of lesson_structure_json */
+  bool has_list;     /* the algorithm makes lists of priority */
+  json_t *lists;     /* as of lesson_lists_json */
+  struct lesson_bytes notes; /* of them */
+  struct frame_fragments fragments;
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
   uint32_t *touches; /* of the samples: how often a step looked at them */
   struct hsr_arena arena;
@@ -50,8 +81,42 @@ struct frames {
 extern const unsigned frames_colour[HSR_N_STEP_KINDS];
 void frames_set_colour(cairo_t *cairo, unsigned rgb, double alpha);
 
-/* Adds the image of a face to the path. */
+/* Add to the path: the image of a face, a polygon, a line between two points;
+ * what is no list of points is left out. */
 void frames_add_face(struct frames *f, uint32_t face);
+void frames_add_polygon(struct frames *f, const json_t *polygon);
+void frames_add_line(struct frames *f, const json_t *from, const json_t *to);
+
+/* Strokes the path, on a pale seam. */
+void frames_stroke(struct frames *f, unsigned colour, double width,
+                   enum frame_dash dash);
+
+/* Borrowed: the image of a face; the outline of a piece at this event, NULL if it
+ * is all of its face or not known; the faces of a volume, or of a body where the
+ * step is about bodies. */
+const json_t *frames_image(const struct frames *f, uint32_t face);
+const json_t *frames_outline(const struct frames *f,
+                             const struct hsr_event *event,
+                             const struct hsr_subject *piece);
+const json_t *frames_faces_of_volume(const struct frames *f,
+                                     const struct hsr_event *event,
+                                     const struct hsr_subject *volume);
+
+/* The place of a piece of a BSP tree among those of all trees. */
+json_int_t frames_place_of_piece(const struct frames *f,
+                                 const struct hsr_subject *piece);
+
+/* Mark the boxes that the step compares, and the planes that it asks about. */
+void frames_mark_boxes(struct frames *f, const struct hsr_event *event);
+void frames_mark_planes(struct frames *f, const struct hsr_event *event,
+                        unsigned colour);
+
+/* Notes a step of an edge and a volume: to be called for each event in order.
+ * frames_mark_fragment marks the fragment of the last one, and what the volume
+ * hides of it; false: the step has none. */
+void frames_follow_fragments(struct frames *f, const struct hsr_event *event);
+bool frames_mark_fragment(struct frames *f, const struct hsr_event *event,
+                          unsigned colour);
 
 /* Whether a window is some of the picture, not all of it. */
 bool frames_is_part(const struct frames *f, const struct hsr_window *w);
@@ -63,6 +128,10 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
 /* The step as a sentence: at most `size` bytes. */
 void frames_say(const struct frames *f, const struct hsr_event *event,
                 char *text, size_t size);
+
+/* The word of an outcome; empty if it has none. */
+void frames_say_outcome(const struct hsr_counter *counter, int outcome,
+                        char *text, size_t size);
 
 /* Draws all words of a slide. */
 void frames_draw_words(struct frames *f, const struct hsr_event *event);

@@ -4,7 +4,9 @@ libbench_a_SOURCES += \
   %D%/command.c \
   %D%/describe.c \
   %D%/draw.c \
+  %D%/frame_fragments.c \
   %D%/frame_marks.c \
+  %D%/frame_shapes.c \
   %D%/frame_words.c \
   %D%/frames.c \
   %D%/frames.h \

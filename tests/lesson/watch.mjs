@@ -9,6 +9,7 @@ import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { kindNamed } from "../../reports/lesson/kinds/all.js";
 import { addressOf, begin, blemishes } from "../browser.mjs";
+import { figuresShow } from "./figures.mjs";
 import { fits, fitsBeside, telling } from "./telling.mjs";
 
 const [modules, executablePath, stories, ...files] = process.argv.slice(2);
@@ -630,8 +631,9 @@ async function lessons(file) {
     assert.match(readFileSync(await file25.path(), "utf8"), /is divided by the plane/);
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
-  const figures = { "bsp-painter": 1, roberts: 1, appel: 1, loutrel: 1, schumacker: 3,
-    newell: 1, warnock: 2, romney: 1, bouknight: 1, watkins: 2, hzbuffer: 2, tiling: 1 };
+  const figures = { painter: 1, zbuffer: 1, raycast: 1, "bsp-painter": 1, roberts: 1,
+    appel: 1, galimberti: 1, loutrel: 1, schumacker: 3, newell: 1, warnock: 2, romney: 1,
+    bouknight: 1, watkins: 2, hzbuffer: 2, tiling: 1 };
   for (const name of names)
     await test(`${name}: its figures`, async () => {
       await go(`#/?a=${name}`);
@@ -645,6 +647,7 @@ async function lessons(file) {
         assert.doesNotMatch(html, /NaN|undefined|Infinity/);
       }
     });
+  await figuresShow({ test, page, go });
   for (const name of names)
     await test(`${name}: its key moments and its answer`, async () => {
       await go(`#/?a=${name}`);

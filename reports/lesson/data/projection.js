@@ -72,3 +72,40 @@ export function segmentsOn(run, j, near = closeness(run)) {
     return segments;
   });
 }
+
+// The segments of faces on column i: [{ face, y0, y1, q0, q1 }], within the picture; q
+// as of closeness.
+export function columnSegments(run, i, near = closeness(run)) {
+  const x = i + 0.5;
+  return run.header.faces.flatMap(([face, , , , polygon]) => {
+    const plane = near(face);
+    const crossings = polygon.flatMap(([xa, ya], k) => {
+      const [xb, yb] = polygon[(k + 1) % polygon.length];
+      return (xa > x) === (xb > x) ? []
+        : [ya + (x - xa) / (xb - xa) * (yb - ya)];
+    }).map((y) => Math.min(run.height, Math.max(0, y))).sort((a, b) => a - b);
+    const segments = [];
+    for (let k = 0; plane && k + 1 < crossings.length; k += 2)
+      if (crossings[k] < crossings[k + 1])
+        segments.push({ face, y0: crossings[k], y1: crossings[k + 1],
+          q0: plane(x, crossings[k]), q1: plane(x, crossings[k + 1]) });
+    return segments;
+  });
+}
+
+// Of faces: closeness(f) as above; deep(f, x, y), how deep its plane is there, or null;
+// reach(f), its nearest and its farthest corner before the eye, or null.
+export function depths(run) {
+  const near = closeness(run), { parallel } = run.header.view;
+  const see = projection(run.header.view);
+  const deep = (f, x, y) => {
+    const q = near(f)?.(x, y) ?? null;
+    return q === null || (q <= 0 && !parallel) ? null : parallel ? -q : 1 / q;
+  };
+  const reach = (f) => {
+    const own = run.header.faces[f][3].map((v) => see(run.trace.points[v])?.[2])
+      .filter((d) => d !== undefined);
+    return own.length ? [Math.min(...own), Math.max(...own)] : null;
+  };
+  return { closeness: near, deep, reach };
+}

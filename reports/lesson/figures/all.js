@@ -2,14 +2,33 @@
 // The figures of the lessons: [what it is after, its text, draw(run, others), the
 // other runs that it wants]. Each is drawn from the events of the lesson's run.
 import { h } from "../../page/parts/dom.js";
+import { depthOrder, keptDepths, raySide } from "./first.js";
 import { alongAnEdge, cubesVisited, logarithmic, masks, pyramid, spans,
   windows } from "./image.js";
 import { clusterPriority, division, facePriority, intercepts,
   wrongOrder } from "./lists.js";
+import { natures } from "./natures.js";
 import { appearances, faceAndWindow, fourResults, repeatedLine, walk } from "./steps.js";
 import { segmentsOn } from "../data/projection.js";
 
 const FIGURES = {
+  painter: [["The order in depth", "Each bar goes from the nearest corner of a face to " +
+    "its farthest one, the dot, which is what is sorted. A bracket joins two faces that " +
+    "are painted on a common sample while their depths overlap: there the order by " +
+    "farthest corners may be wrong. It is dashed where the run paints a face over a " +
+    "nearer one.", depthOrder]],
+  zbuffer: [["What is kept at a sample", "The first sample is one that is written most " +
+    "often; those beside it have other histories. Each dot is a face that covers the sample, in " +
+    "the order in which they come. Filled: nearer than what is kept, and written. " +
+    "Hollow: farther, and refused. What is kept, the line, only comes nearer.", keptDepths]],
+  raycast: [["A ray from the side", "The faces on one column, with the eye at the left, " +
+    "and the ray of one of its samples. The hits are numbered in the order in which the " +
+    "faces are asked, which need not be the order along the ray. The depth is stretched where " +
+    "it is near, so that faces stay straight.", raySide]],
+  galimberti: [["The set along an edge", "The faces that hide an edge, from its one end " +
+    "to the other. Where the edge passes behind a nearer edge, a face is entered or left. " +
+    "The steps name these edges, and how many faces hide each part; which faces these " +
+    "are is found from the scene.", natures]],
   "bsp-painter": [["The walk", "The pieces in the order of the walk, the farthest first. " +
     "Bars that lie over one another in a circle have an order, too, since the planes of " +
     "the tree have cut them.", walk]],
