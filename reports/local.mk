@@ -238,17 +238,28 @@ CLEANFILES += %D%/page/lesson.js
 
 lab: web
 	@$(MAKE) %D%/page/lab.html
-all-local:
+all-local: lab-of-tarball
 	@test ! -f web/hsr.wasm || $(MAKE) %D%/page/lab.html
-CLEANFILES += %D%/page/lab.js %D%/page/lab.html
+CLEANFILES += %D%/page/lab.js
 
 distclean-local:
 	rm -rf %D%/npm
+else
+all-local: lab-of-tarball
 endif
+
+# A tarball that is made where the page is carries it, for builds without emscripten.
+dist-hook:
+	@test ! -f %D%/page/lab.html || { $(MKDIR_P) "$(distdir)/%D%/built" && \
+	  cp %D%/page/lab.html "$(distdir)/%D%/built"; }
+lab-of-tarball:
+	@test -f web/hsr.wasm || test ! -f $(srcdir)/%D%/built/lab.html || { \
+	  $(MKDIR_P) %D%/page && cp $(srcdir)/%D%/built/lab.html %D%/page; }
+CLEANFILES += %D%/page/lab.html
 
 # As part of install-data-local of bench/.
 install-lab:
 	@test ! -f %D%/page/lab.html || { \
 	  $(MKDIR_P) "$(DESTDIR)$(pkgdatadir)/report" && \
 	  $(INSTALL_DATA) %D%/page/lab.html "$(DESTDIR)$(pkgdatadir)/report"; }
-.PHONY: lab install-lab
+.PHONY: lab install-lab lab-of-tarball
