@@ -89,8 +89,8 @@ static bool cut_by_face(const struct frames *f, size_t face,
 static bool hidden_by(const struct frames *f, const struct hsr_event *event,
                       double hidden[2]) {
   const struct hsr_mesh *mesh = &f->run->laid_out.mesh;
-  const json_t *faces = json_array_get(json_object_get(f->structure, "volumes"),
-                                       event->b.id[0]);
+  const json_t *faces =
+      json_array_get(json_object_get(f->structure, "volumes"), event->b.id[0]);
   double end[2][3], middle[3];
   struct cut cut = {3, {{0, 0}, {1, 0}, {1, 1}}};
   size_t k;
@@ -152,8 +152,8 @@ static void put_to(struct frames *f, const struct hsr_event *event,
   all->hides = false;
   if (!strcmp(outcome, "untouched"))
     return;
-  bool found = hidden_by(f, event, hidden), whole = !strcmp(outcome,
-                                                            "hidden whole");
+  bool found = hidden_by(f, event, hidden),
+       whole = !strcmp(outcome, "hidden whole");
   hidden[0] = whole ? at[0] : fmax(at[0], hidden[0]);
   hidden[1] = whole ? at[1] : fmin(at[1], hidden[1]);
   if ((!found && !whole) || hidden[1] - hidden[0] < -NEAR) {

@@ -132,9 +132,9 @@ const json_t *frames_outline(const struct frames *f,
   if (subject->kind != HSR_OF_PIECE)
     return NULL;
   const json_t *piece =
-      of_trees ? json_array_get(of_trees,
-                                (size_t)frames_place_of_piece(f, subject))
-               : json_array_get(list, subject->id[1]);
+      of_trees
+          ? json_array_get(of_trees, (size_t)frames_place_of_piece(f, subject))
+          : json_array_get(list, subject->id[1]);
   const json_t *outline = json_array_get(piece, of_trees ? 1 : 3);
   return json_array_size(outline) &&
                  json_integer_value(json_array_get(piece, 0)) == subject->id[0]

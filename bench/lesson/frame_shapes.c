@@ -46,8 +46,7 @@ static struct box box_of(const struct frames *f, const struct hsr_event *event,
     widen_by_all(&box, left ? left : frames_image(f, s->id[0]));
   } else if (s->kind == HSR_OF_VOLUME) {
     json_array_foreach(frames_faces_of_volume(f, event, s), k, face)
-        widen_by_all(&box,
-                     frames_image(f, (uint32_t)json_integer_value(face)));
+        widen_by_all(&box, frames_image(f, (uint32_t)json_integer_value(face)));
   }
   return box;
 }
@@ -63,15 +62,14 @@ static bool compares_boxes(const struct hsr_counter *c, int outcome) {
 
 void frames_mark_boxes(struct frames *f, const struct hsr_event *event) {
   const struct hsr_subject *both[] = {&event->a, &event->b};
-  if (!compares_boxes(
-          &f->run->setup.algorithm->counters[event->counter], event->outcome))
+  if (!compares_boxes(&f->run->setup.algorithm->counters[event->counter],
+                      event->outcome))
     return;
   for (int k = 0; k < 2; k++) {
     struct box box = box_of(f, event, both[k]);
     if (box.x0 > box.x1)
       continue;
-    cairo_rectangle(f->cairo, box.x0, box.y0, box.x1 - box.x0,
-                    box.y1 - box.y0);
+    cairo_rectangle(f->cairo, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0);
     frames_stroke(f, FRAME_INK, 1.2, k ? FRAME_DASHED : FRAME_SOLID);
   }
 }
@@ -90,8 +88,7 @@ static struct plane plane_of_face(const struct hsr_mesh *mesh, uint32_t face) {
 }
 
 /* Around all points of the scene, a little wider. */
-static void scene_box(const struct hsr_mesh *mesh, double lo[3],
-                      double hi[3]) {
+static void scene_box(const struct hsr_mesh *mesh, double lo[3], double hi[3]) {
   const double *at[3] = {mesh->x, mesh->y, mesh->z};
   for (int k = 0; k < 3; k++) {
     lo[k] = INFINITY;
@@ -168,8 +165,8 @@ static void mark_plane(struct frames *f, const struct plane *plane,
     return;
   for (int k = 0; k < n; k++)
     hsr_view_project(&f->run->view, at[k], in[k]);
-  json_t *image = trace_polygon_json(&f->run->view, (const double(*)[3])in, n,
-                                     out);
+  json_t *image =
+      trace_polygon_json(&f->run->view, (const double(*)[3])in, n, out);
   frames_add_polygon(f, image);
   frames_set_colour(f->cairo, look->colour, look->fill);
   cairo_fill_preserve(f->cairo);
@@ -181,8 +178,7 @@ static void mark_plane_of(struct frames *f, json_int_t face,
                           const struct frame_look *look) {
   if (face < 0 || face >= f->run->laid_out.n_faces)
     return;
-  struct plane plane =
-      plane_of_face(&f->run->laid_out.mesh, (uint32_t)face);
+  struct plane plane = plane_of_face(&f->run->laid_out.mesh, (uint32_t)face);
   mark_plane(f, &plane, look);
 }
 

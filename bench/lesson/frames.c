@@ -195,11 +195,9 @@ static void count_step(void *context, const struct hsr_event *event) {
   f->steps++;
   if (event->counter < HSR_MAX_COUNTERS)
     f->total[event->counter]++;
-  if (f->has_list &&
-      event->counter < trace_n_counters(f->run->setup.algorithm))
+  if (f->has_list && event->counter < trace_n_counters(f->run->setup.algorithm))
     lesson_note_list(&f->notes,
-                     &f->run->setup.algorithm->counters[event->counter],
-                     event);
+                     &f->run->setup.algorithm->counters[event->counter], event);
 }
 
 static void fill(void *on, const struct hsr_window *w, uint32_t rgb) {

@@ -60,10 +60,10 @@ struct frames {
   uint64_t steps;       /* of the whole run */
   uint64_t total[HSR_MAX_COUNTERS]; /* in the whole run */
   uint64_t count[HSR_MAX_COUNTERS];
-  json_t *header;    /* as of hsr trace: where the faces are */
-  json_t *structure; /* as of lesson_structure_json */
-  bool has_list;     /* the algorithm makes lists of priority */
-  json_t *lists;     /* as of lesson_lists_json */
+  json_t *header;            /* as of hsr trace: where the faces are */
+  json_t *structure;         /* as of lesson_structure_json */
+  bool has_list;             /* the algorithm makes lists of priority */
+  json_t *lists;             /* as of lesson_lists_json */
   struct lesson_bytes notes; /* of them */
   struct frame_fragments fragments;
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */

@@ -621,6 +621,19 @@ async function lessons(file) {
     await page.click("text=Back");
     await page.waitForSelector(".panel .words");
   });
+  await test("a slide has what its sentence names", async () => {
+    await go("#/?a=roberts");
+    await page.click("text=All of these as slides");
+    const drawn = (words, path) => page.$$eval(".slide", (all, [w, p]) => all.filter((e) =>
+      e.textContent.includes(w)).map((e) => e.querySelectorAll(`svg ${p}`).length),
+    [words, path]);
+    const dotted = 'path[stroke-dasharray="2 4"]';
+    assert.deepEqual(await drawn(": two pieces left", dotted), [2]); // and its seam
+    assert.deepEqual(await drawn("The edge starts as one fragment", dotted), [0]);
+    const boxes = 'path[stroke-width="1.2"]';
+    assert.deepEqual(await drawn("body out of the way, rows", boxes), [2]);
+    assert.deepEqual(await drawn("The edge starts as one fragment", boxes), [0]);
+  });
   await test("a step is saved as SVG", async () => {
     await go("#/?a=newell&k=25");
     await page.click(".more summary");
