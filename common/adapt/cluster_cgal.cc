@@ -227,11 +227,10 @@ struct Gap {
 // The gap among these extents that divides them best, if better than `best`.
 void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
               Gap &best) {
-  std::sort(extents.begin(), extents.end(),
-            [](const Extent &a, const Extent &b) {
-              return std::tie(a.lo, a.hi, a.owner) <
-                     std::tie(b.lo, b.hi, b.owner);
-            });
+  std::sort(
+      extents.begin(), extents.end(), [](const Extent &a, const Extent &b) {
+        return std::tie(a.lo, a.hi, a.owner) < std::tie(b.lo, b.hi, b.owner);
+      });
   if (extents.empty())
     return;
   size_t best_end = 0;
