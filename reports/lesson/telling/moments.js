@@ -8,6 +8,7 @@
 // real       its faces are faces, not the background
 // covers     the step writes over what another face has written
 // nth        the nth such event, -1 the last (standard: the first)
+// among      only the first so many such events: a long run is told early
 // at         the one at that share of all such events
 // pick       "largest": the one with the most to see; "apart": whose subjects are
 //            large, and well apart; "widest": the one with the largest window
@@ -87,7 +88,8 @@ export function eventBy(run, rule, taken = new Map(), named = {}) {
 function eventByOne(run, rule, taken, named) {
   const anchor = named[rule.with?.[0] ?? rule.before ?? rule.after];
   if ((rule.with || rule.before || rule.after) && anchor === undefined) return null;
-  const found = eventsBy(run, rule, named).filter((k) => !taken.has(k + 1));
+  const found = eventsBy(run, rule, named).filter((k) => !taken.has(k + 1))
+    .slice(0, rule.among);
   if (!found.length) return null;
   if (rule.pick) return best(run, found, rule.pick);
   if (rule.at !== undefined) return found[Math.floor(rule.at * (found.length - 1))];
