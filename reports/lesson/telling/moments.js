@@ -45,7 +45,7 @@ function chosen(run) {
 }
 
 // What lessons leave out, and all of a run without a lesson: the first step of each
-// line of the outline, and quarters of the picture.
+// line of the outline, quarters of the picture, and in a small run quarters of its steps.
 function addGeneral(run, taken) {
   const { header, trace } = run;
   const known = new Set([...taken.keys()].map((k) => trace.counter[k - 1]));
@@ -59,6 +59,12 @@ function addGeneral(run, taken) {
     [0.5, "Half of the answer"], [0.75, "Three quarters of the answer"]]) {
     const k = stepWith(run, share);
     if (!taken.has(k) && k > 0 && k < run.n && taken.size < MOST)
+      taken.set(k, { k, say });
+  }
+  for (const [share, say] of [[0.25, "A quarter of the steps"],
+    [0.5, "Half of the steps"], [0.75, "Three quarters of the steps"]]) {
+    const k = Math.round(share * trace.kept);
+    if (!taken.has(k) && k > 0 && k < run.n && taken.size < LEAST)
       taken.set(k, { k, say });
   }
 }
