@@ -96,6 +96,7 @@ function chooser() {
     if (e.target.value) a[p] = e.target.value;
     else a.splice(p, 1);
     state.a = [...new Set(a)];
+    if (!p) state.k = []; // another run is seen from its beginning
     keepToOneScene();
     state.lead = 0;
     begin().catch(fail);

@@ -17,7 +17,9 @@ export function chart(rows, { x, of, what, height }) {
   return figure({ caption: caption.charAt(0).toUpperCase() + caption.slice(1),
     draw: (width) => growthPlot(shown, `${x} →`, { label: `↑ ${labelOf(what)}`, show },
       width, height),
-    keys: names.map((name) => ({ looks: looks(plainName(name)), label: name })),
+    keys: names.map((name) => ({ looks: looks(plainName(name)), label: name +
+      (rows.some((r) => r.algorithm === name && r.predicted > 0) ? "; broad and pale: " +
+        "what the survey predicts" : "") })),
     numbers: numbers(rows, ["algorithm", x, labelOf(what), "predicted by the survey"],
       show, caption) });
 }
@@ -28,6 +30,7 @@ function numbers(rows, heads, show, caption) {
     h("td", { class: "number" }, whole(x)),
     values.map((y) => h("td", { class: "number" }, show(y))));
   return h("details", { class: "numbers" }, h("summary", {}, "The numbers"),
+    h("p", {}, "– where the survey has no formula."),
     saveCsv(caption, () => [heads, ...cells]),
     h("table", {}, h("thead", {}, h("tr", {}, heads.map((text) =>
       h("th", { scope: "col" }, text)))), h("tbody", {}, cells.map(row))));

@@ -18,13 +18,13 @@ export function measure(lab, core, source) {
     onsubmit: (e) => e.preventDefault() });
   const slider = h("input", { type: "range", name: "n", min: 0, max: 200,
     "aria-label": "N", oninput: () => drag(valueAt(Number(slider.value))) });
-  const at = h("output", {});
+  const at = h("output", {}), unit = h("span", {});
   const all = h("button", { type: "button", class: "main-act",
     onclick: () => sweep() }, "Measure all");
   const told = h("p", { class: "facts-of", role: "status" });
   const place = h("div", { class: "chart" });
   const element = h("div", { class: "measure" }, top,
-    h("div", { class: "measure-line" }, slider, at, all, h("button", { type: "button",
+    h("div", { class: "measure-line" }, slider, at, unit, all, h("button", { type: "button",
       class: "quiet", onclick: () => clear() }, "Clear")), told, place);
   let isOpen = false, experiment = null, points = [];
   let turn = 0; // of what measures; what has an older one ends
@@ -144,6 +144,8 @@ export function measure(lab, core, source) {
     experiment ??= varied("size", state, core, source);
     told.textContent = "";
     slider.value = BEGIN;
+    unit.textContent = experiment.label;
+    slider.setAttribute("aria-label", experiment.label);
     at.textContent = whole(valueAt(BEGIN));
     showTop();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reader paints faces one over another, the farthest first, as the painter's
 // algorithm does.
-import { number, whole } from "../../page/data/format.js";
+import { digits, number, whole } from "../../page/data/format.js";
 import { h, link } from "../../page/parts/dom.js";
 import { board, hue } from "./board.js";
 import { depths, whyWords } from "./seen.js";
@@ -10,9 +10,21 @@ import { chance, circleIn, M, N, shuffled } from "./over.js";
 const MANY = 16; // faces that can be put in order by hand
 const NONE = 0xffffffff;
 
+// From where to where each face is deep, at the samples it covers.
+function rangesOf(over) {
+  const ranges = new Map();
+  for (const list of over)
+    for (const { face, depth } of list) {
+      const [least, most] = ranges.get(face) ?? [depth, depth];
+      ranges.set(face, [Math.min(least, depth), Math.max(most, depth)]);
+    }
+  return ranges;
+}
+
 export function order({ over, polygons, camera, name, seed, judge, again }) {
   const faces = shuffled([...new Set(over.flatMap((list) => list.map((x) => x.face)))]
     .sort((a, b) => a - b), chance(seed));
+  const ranges = rangesOf(over);
   const colours = new Map(faces.map((face, k) => [face, hue(k)]));
   const drawing = board(polygons, camera, "What is painted so far");
   const side = h("div", { class: "decide-side" });
@@ -42,7 +54,8 @@ export function order({ over, polygons, camera, name, seed, judge, again }) {
       h("div", { class: "answers" }, left.map((face) => h("button", { type: "button",
         style: `--own: var(${colours.get(face)})`, onclick: () => paint(face),
         onpointerenter: () => { under = face; draw(); },
-        onfocus: () => { under = face; draw(); } }, name(face)))),
+        onfocus: () => { under = face; draw(); } }, name(face), h("small", {},
+        ` depth ${ranges.get(face).map(digits).join(" to ")}`)))),
       h("div", { class: "row" },
         h("button", { type: "button", disabled: !painted.length, onclick: () => {
           painted = painted.slice(0, -1);
@@ -90,8 +103,10 @@ export function order({ over, polygons, camera, name, seed, judge, again }) {
   if (!faces.length || faces.length > MANY)
     return { show: () => {}, open: () => {}, element: h("p", {}, `${number(faces.length,
       "faces")} lie in this picture. Up to ${MANY} can be put in order by hand: try `,
+    link("#/?s=soup:6&a=painter&mode=decide&task=order", "six triangles"),
+    ", which have an order, or ",
     link("#/?s=cyclic-overlap&a=painter&mode=decide&task=order", "cyclic-overlap"),
-    ".") };
+    ", which has none.") };
   return { element, open: show, show: draw, faces: () => faces, paint,
     right: () => over.map((list) => list[0]?.face ?? NONE) };
 }

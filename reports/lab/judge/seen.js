@@ -40,7 +40,8 @@ export function seen({ over, polygons, camera, name, seed, again }) {
       h("p", {}, `${number(list.length, "faces")} lie over this sample. `,
         "Point at an answer to see its face, or click another sample."),
       h("div", { class: "answers" }, offered.map(({ face }) => h("button",
-        { type: "button", style: `--own: var(${colours.get(face)})`,
+        { type: "button", "data-face": face,
+          style: `--own: var(${colours.get(face)})`,
           onclick: () => reply(face, list, colours),
           onpointerenter: () => draw({ filled: new Set([face]) }),
           onfocus: () => draw({ filled: new Set([face]) }) }, name(face)))));
@@ -54,7 +55,11 @@ export function seen({ over, polygons, camera, name, seed, again }) {
     at += 1;
     const on = h("button", { type: "button", class: "main-act", onclick: ask },
       at < places.length ? "Next" : "See the result");
-    side.querySelectorAll(".answers button").forEach((b) => { b.disabled = true; });
+    side.querySelectorAll(".answers button").forEach((b) => {
+      b.disabled = true;
+      if (b.dataset.face === String(face)) b.append(isRight ? " ✓" : " ✕ your answer");
+      else if (b.dataset.face === String(list[0].face)) b.append(" ✓ the nearest");
+    });
     side.append(h("div", { role: "status" }, h("p", {}, h("b", { class: isRight
       ? "good" : "bad" }, isRight ? "✓ Yes. " : "✕ No. "), whyWords(list, name)),
     depths(list, name)), h("p", {}, `${right} of ${at} right. `, on));

@@ -12,12 +12,13 @@ const TRIES = [
     note: "Two triangles penetrate. Press › for the next division. Which plane " +
       "divides which piece?" }],
   ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",
-    note: "Warnock divides each window that is not simple yet. Turn the house, edit " +
-      "it or add to it, until there are twice as many subdivisions." }],
+    note: "Warnock divides each window that is not simple yet. Write down how many " +
+      "subdivisions there are. Then edit the house, add to it, come nearer, or choose " +
+      "another size, until there are twice as many." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
     mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of " +
-      "the two shows fewer spans? Then count something else: where does the " +
-      "other one win?" }],
+      "the two shows fewer spans? Then count all comparisons: which makes fewer? In " +
+      "the scene deep-stack, in Look, it is the other way round. Why?" }],
 ];
 
 const LONGEST = 400; // letters of a note
@@ -29,13 +30,15 @@ export function welcome(lab) {
     placeholder: "A note or a task, which is in the link",
     onchange: () => lab.set({ note: field.value.trim() }),
     onkeydown: (e) => e.key === "Enter" && edit(false) });
-  const said = h("p", { class: "task" });
+  const words = h("span", {});
+  const said = h("p", { class: "task" }, words, " ", h("button", { type: "button",
+    class: "quiet", onclick: () => lab.set({ note: "" }) }, "Done with it"));
   const edit = (is) => {
     field.hidden = !is;
     if (is) field.focus();
   };
   const show = () => {
-    said.textContent = state.note;
+    words.textContent = state.note;
     said.hidden = !state.note;
     field.value = state.note;
   };

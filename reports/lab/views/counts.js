@@ -40,7 +40,7 @@ const comparisons = (counters, counts) => counters.reduce((sum, c, k) =>
 // costs: [{ label, measured, predicted, formula }]
 function costTable(costs) {
   return h("table", { class: "costs", "aria-label": "Steps of Table III" },
-    h("thead", {}, h("tr", {}, ["step of Table III", "counted", "predicted"]
+    h("thead", {}, h("tr", {}, ["step of Table III", "counted, weighed", "predicted"]
       .map((text, k) => h("th", { scope: "col", class: k ? "number" : null }, text)))),
     h("tbody", {}, costs.map((c) => h("tr", { title: c.formula ?? "" },
       h("th", { scope: "row" }, c.label, c.formula

@@ -209,8 +209,9 @@ export function raySide(run) {
     (WIDE - 140);
   const rows = segments.flatMap(({ y0, y1 }) => [y0, y1]).concat(j - 4, j + 5);
   const [top, foot] = [Math.min(...rows), Math.max(...rows)];
-  const py = (y) => 20 + (y - top) / (foot - top) * 150, y = py(j + 0.5);
+  const py = (y) => 34 + (y - top) / (foot - top) * 136, y = py(j + 0.5);
   const nearest = found.reduce((p, x) => x.q > p.q ? x : p);
+  const lanes = lanesOf(found, (x) => px(x.q));
   return board(WIDE, 200 + 18 * found.length, `Column ${i} from the side, and the ray ` +
     `of sample ${i}, ${j}: ${found.length} hits, the nearest is face ${nearest.face}`,
   segments.map((g) => line(px(g.q0), py(g.y0), px(g.q1), py(g.y1),
@@ -218,17 +219,27 @@ export function raySide(run) {
   line(14, y, px(nearest.q), y, { "stroke-width": 2 }),
   line(px(nearest.q), y, WIDE - 8, y, { "stroke-dasharray": "3 4" }),
   s("circle", { cx: 12, cy: round(y), r: 4, fill: "var(--ink)" }),
-  text(8, y - 10, "to the eye", left),
+  text(8, y + 18, "to the eye", left),
   found.map((x, k) => {
     const isNearest = x === nearest;
     return [s("circle", { class: isNearest ? "hit nearest" : "hit", "data-q": x.q,
-      cx: round(px(x.q)), cy: round(y), r: 9, fill: "var(--paper)",
-      stroke: isNearest ? RIGHT : "var(--ink)", "stroke-width": isNearest ? 3.5 : 1.2 }),
-    text(px(x.q), y + 4.5, k + 1, { "font-size": 13 }),
+      cx: round(px(x.q)), cy: round(y), r: 4.5, fill: isNearest ? RIGHT
+        : "var(--paper)", stroke: isNearest ? RIGHT : "var(--ink)", "stroke-width": 2 }),
+    text(px(x.q), y - 10 - 14 * lanes.get(x), k + 1, { "font-size": 13,
+      stroke: "var(--paper)", "stroke-width": 4, "paint-order": "stroke", "font-weight": isNearest ? "bold" : null }),
     text(8, 204 + 18 * k, `${k + 1}: face ${x.face}, ${x.depth.toFixed(2)} deep${
       isNearest ? ": the nearest, shown" : ""}`, { ...left, "font-size": 13,
       "font-weight": isNearest ? "bold" : null })];
   }));
+}
+
+// How far up the number of each stands, so that none lies over another.
+function lanesOf(found, at) {
+  const lanes = new Map();
+  const sorted = found.slice().sort((p, q) => at(p) - at(q));
+  sorted.forEach((x, k) => lanes.set(x, k && at(x) - at(sorted[k - 1]) < 12
+    ? lanes.get(sorted[k - 1]) + 1 : 0));
+  return lanes;
 }
 
 // A ray with most hits, of which not the first is the nearest: { i, j, hits }, in the

@@ -65,17 +65,20 @@ const NEARER = "Is the solid one nearer or farther than the dashed one, at this 
 
 export const romney = {
   idea: "Buckets along the line, and lines that repeat",
-  text: ["Triangles go into a bucket for the line where each begins. On a line, their " +
+  text: ["Faces are triangles, or are cut into triangles, and go into a bucket for the " +
+    "line where each begins. On a line, their " +
     "left and right ends go into a bucket for each sample. Going along the buckets, " +
     "it is known at each place which triangles are there. Where that changes, the " +
     "nearest is searched.",
   "If the ends come in the same order as on the line before, the same faces are " +
-    "visible. Then no depth is compared."],
+    "visible, since no faces penetrate each other: Romney's scenes have none that do, " +
+    "and hsr divides such faces first. Then no depth is compared. This holds for the " +
+    "left part of a line, too, up to the first change."],
   source: "The survey, chapter III, scan lines; Wylie, Romney, Evans and Erdahl 1967",
   needs: [{ of: "line-reused", instead: "color-cube:2",
     why: "No line of this picture repeats the order of the line before." }],
   moments: [
-    ["Each triangle goes into the bucket of the line where it begins",
+    ["Each face goes into the bucket of the line where it begins",
       { name: "Y sort", pick: "largest" }],
     ["Two triangles are here, and the new one is nearer",
       { of: "depth-search", outcome: "nearer", pick: "largest", real: true,

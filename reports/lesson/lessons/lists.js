@@ -77,10 +77,12 @@ export const newell = {
   text: ["Sort the pieces by their farthest points, and paint from the back. Before P " +
     "is painted, up to six tests ask of each Q that comes after it: may P obscure Q? " +
     "The cheap tests come first, and the first that says no ends them. If none says " +
-    "no, Q is moved before P, gets a marker, and is the new P.",
+    "no, Q is moved to the place before P in the list: it will be painted first. It gets " +
+    "a marker, and is the new P.",
   "Three bars, each over the next, have no order. The list notices it when a piece " +
     "that has a marker is to be moved again. Then that piece is divided by the plane " +
-    "of the other, and the halves find their places in the list.",
+    "of the other, and the halves find their places in the list. Two faces that " +
+    "penetrate each other have no order either, and are divided in the same way.",
   "A piece that is in order is painted row by row: on each row it overwrites what was " +
     "there before. The picture here shows in pale colours what has been painted so. " +
     "The rows are shown when all pieces are done."],
@@ -97,7 +99,7 @@ export const newell = {
       { name: "circle search", before: "cut" }],
     ["Again no test says no. But this Q was moved before: it has a marker",
       { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
-    ["Q is moved before P, with a marker, and is the new P",
+    ["Q is moved before P in the list, to be painted first; it has a marker now",
       { of: "list-move", before: "again", id: "moved" }],
     ["P is solid, Q is dashed. No test says no: P may obscure Q",
       { of: "list-test", like: /may obscure/, before: "moved" }, TEST],

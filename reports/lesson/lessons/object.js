@@ -5,6 +5,8 @@ import { countOf, perEach, share, times, withOutcome } from "../telling/figures.
 
 const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does it hide?";
 
+const EARLY = 12; // Roberts' runs are long: the first so many of a kind will do
+
 export const roberts = {
   idea: "Each edge against each volume",
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
@@ -14,17 +16,18 @@ export const roberts = {
   "A point of the edge is hidden if the line of sight to it passes through the volume. " +
     "At first all of the edge may be hidden. Each front plane of the volume takes away " +
     "what lies before it, and each edge of its contour what lies beside it, until all " +
-    "have been asked or nothing is left: a linear programme, as the survey says.",
+    "have been asked or nothing is left: a linear programme, as the survey says. Its two " +
+    "unknowns are a place along the edge and a place along the line of sight.",
   "Boxes come first: if the box of an edge’s image and that of a volume are apart, or " +
     "the edge is nearer, the volume cannot hide it. Whole bodies are left out so. " +
     "Even so the number of box tests grows as edges times bodies."],
   source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   moments: [
     ["The volume hides the middle, thin and dotted: two pieces are left",
-      { of: "edge-volume", outcome: "two pieces left", pick: "largest", id: "two" },
+      { of: "edge-volume", outcome: "two pieces left", pick: "largest", among: EARLY,
+        id: "two" },
       VOLUME],
     ["The edge starts as one fragment", { name: "fragments", before: "two" }],
-    ["Half of the drawing is done", { of: "interval-drawn", at: 0.5 }],
     ["Its boxes and those of a body are apart: the body is left out",
       { of: "minimax", outcome: "body out of the way", with: ["two", "a"],
         pick: "apart" }, "Solid: the edge. Dashed: the body. Can it hide the edge?",
@@ -38,19 +41,24 @@ export const roberts = {
     ["What all volumes left is drawn", { of: "interval-drawn", with: ["two", "a"],
       where: (run, e) => e.part?.[1] === 0 }],
     ["The volume hides nothing of the fragment",
-      { of: "edge-volume", outcome: "untouched", pick: "largest", id: "none" },
+      { of: "edge-volume", outcome: "untouched", pick: "largest", among: EARLY,
+        id: "none" },
       VOLUME],
     ["An edge of the contour: all of the fragment is beside it, so nothing is hidden",
       { name: "conditions", outcome: "contour: nothing left", before: "none" }],
     ["The volume hides the whole fragment: nothing of it is left to draw",
-      { of: "edge-volume", outcome: "hidden whole", pick: "largest" }, VOLUME],
+      { of: "edge-volume", outcome: "hidden whole", pick: "largest", among: EARLY },
+      VOLUME],
     ["The volume hides one end: one piece is left",
-      { of: "edge-volume", outcome: "one piece left", pick: "largest" }, VOLUME],
-    ["What is left goes on to the next volume", { of: "one-left", pick: "largest" }],
+      { of: "edge-volume", outcome: "one piece left", pick: "largest", among: EARLY },
+      VOLUME],
+    ["What is left goes on to the next volume", { of: "one-left", pick: "largest",
+      among: EARLY }],
     ["The edge lies in the front of this volume, which cannot hide it",
-      { name: "own volumes", pick: "largest" }],
+      { name: "own volumes", pick: "largest", among: EARLY }],
     ["A face that looks away from the eye does not count for its edge",
-      { of: "back-edge-cull", outcome: "does not exist", pick: "largest" }],
+      { of: "back-edge-cull", outcome: "does not exist", pick: "largest",
+        among: EARLY }],
     ["A face that looks at the eye: its edge is kept",
       { of: "back-edge-cull", outcome: "exists", pick: "largest" }],
     ["Outside of the picture: the edge is left out",

@@ -32,7 +32,7 @@ export function sentence(run) {
     where.textContent = placeWords(k);
     caption.textContent = momentsOf(run).find((m) => m.k === k)?.say ?? "";
     const look = e ? kindLook(e.kind) : null;
-    sign.textContent = look?.sign ?? "";
+    sign.textContent = wrongAtEnd(run, k) ? "✕" : look?.sign ?? "";
     sign.style.color = look ? `var(--hue-${look.hue})` : "";
     said.textContent = saidOf(run, k, e);
     raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`
@@ -41,8 +41,10 @@ export function sentence(run) {
   return { element, show };
 }
 
+const wrongAtEnd = (run, k) => k >= run.n ? wrongSamples(run).size : 0;
+
 function saidOf(run, k, e) {
-  const wrong = k >= run.n ? wrongSamples(run).size : 0;
+  const wrong = wrongAtEnd(run, k);
   if (wrong) return `${whole(wrong)} samples are wrong, marked by crosses: a farther ` +
     "face was painted over a nearer one.";
   if (e) return eventWords(run, e);

@@ -43,8 +43,9 @@ export const GLOSSARY = [
   ["nature", "the set of faces that hide the edge", /\bnature\b/],
   ["octree", "a cube divided into eight cubes, and these again", /octree|octant/i],
   ["penetrate", "two faces penetrate where they pass through each other", /penetrate/],
-  ["piece", "a face, or a part of a face that was divided", /\bpieces?\b/],
-  ["{Q}", "all pieces after P in the list, up to the first that is wholly before P",
+  ["piece", "a face or an edge, or what is left of one that was divided",
+    /\bpieces?\b/],
+  ["{Q}", "all pieces after P in the list, up to the first that is wholly nearer than P",
     /\{Q\}|each Q/],
   ["priority", "what hides what: of two faces, the one with the higher priority is " +
     "shown", /priority/],
@@ -56,7 +57,8 @@ export const GLOSSARY = [
   ["segment", "the part of a scan line that a face covers", /\bsegments?\b/],
   ["span", "a stretch of a scan line that is looked at as a whole", /\bspans?\b/],
   ["surrounder", "a face that covers all of the window", /surround(er)?\b/],
-  ["visible bit", "a bit of each face: is the place between its two edges?",
+  ["visible bit", "a bit of each face: is the place between its two edges? It is set " +
+    "for hidden faces, too",
     /visible bit/],
   ["vertex", "a corner of a face", /\bvert(ex|ices)\b/],
   ["volume", "a convex solid: all that is inside of its planes", /\bvolumes?\b/],

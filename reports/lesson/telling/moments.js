@@ -8,6 +8,7 @@
 // real       its faces are faces, not the background
 // covers     the step writes over what another face has written
 // nth        the nth such event, -1 the last (standard: the first)
+// among      only the first so many such events: a long run is told early
 // at         the one at that share of all such events
 // pick       "largest": the one with the most to see; "apart": whose subjects are
 //            large, and well apart; "widest": the one with the largest window
@@ -44,7 +45,7 @@ function chosen(run) {
 }
 
 // What lessons leave out, and all of a run without a lesson: the first step of each
-// line of the outline, and quarters of the picture.
+// line of the outline, quarters of the picture, and in a small run quarters of its steps.
 function addGeneral(run, taken) {
   const { header, trace } = run;
   const known = new Set([...taken.keys()].map((k) => trace.counter[k - 1]));
@@ -58,6 +59,12 @@ function addGeneral(run, taken) {
     [0.5, "Half of the answer"], [0.75, "Three quarters of the answer"]]) {
     const k = stepWith(run, share);
     if (!taken.has(k) && k > 0 && k < run.n && taken.size < MOST)
+      taken.set(k, { k, say });
+  }
+  for (const [share, say] of [[0.25, "A quarter of the steps"],
+    [0.5, "Half of the steps"], [0.75, "Three quarters of the steps"]]) {
+    const k = Math.round(share * trace.kept);
+    if (!taken.has(k) && k > 0 && k < run.n && taken.size < LEAST)
       taken.set(k, { k, say });
   }
 }
@@ -87,7 +94,8 @@ export function eventBy(run, rule, taken = new Map(), named = {}) {
 function eventByOne(run, rule, taken, named) {
   const anchor = named[rule.with?.[0] ?? rule.before ?? rule.after];
   if ((rule.with || rule.before || rule.after) && anchor === undefined) return null;
-  const found = eventsBy(run, rule, named).filter((k) => !taken.has(k + 1));
+  const found = eventsBy(run, rule, named).filter((k) => !taken.has(k + 1))
+    .slice(0, rule.among);
   if (!found.length) return null;
   if (rule.pick) return best(run, found, rule.pick);
   if (rule.at !== undefined) return found[Math.floor(rule.at * (found.length - 1))];
