@@ -205,7 +205,7 @@ static bool add_bsp(json_t **to, const struct trace_run *run,
                     const struct hsr_bsp *bsp) {
   struct forest f = forest_new(&run->view);
   bool good = add_tree(&f, &(struct tree){.bsp = bsp, .instance = -1});
-  add_forest(to, &f, bsp->n_cubes > 1);
+  add_forest(to, &f, bsp->is_octree);
   return good;
 }
 

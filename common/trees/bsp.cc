@@ -570,6 +570,7 @@ hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
                         struct hsr_error *err) {
   *bsp = {};
   bsp->world = world;
+  bsp->is_octree = rule->most > 0;
   return guarded(err, [&]() -> hsr_status {
     Maker maker(*world, *rule);
     try {

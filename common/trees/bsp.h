@@ -117,6 +117,8 @@ struct hsr_bsp {
   uint32_t n_cubes, n_nodes, n_pieces, n_corners, n_cuts, n_points, n_medians,
       n_loose;
   uint32_t most_depth; /* nodes on the longest path down a tree */
+  bool is_octree; /* cubes of too many pieces were to be divided: see the rule.
+                     There may be one cube even so */
   struct hsr_arena arena;
 };
 
