@@ -30,7 +30,7 @@ function numbers(rows, heads, show, caption) {
     h("td", { class: "number" }, whole(x)),
     values.map((y) => h("td", { class: "number" }, show(y))));
   return h("details", { class: "numbers" }, h("summary", {}, "The numbers"),
-    h("p", {}, "– where the survey has no formula."),
+    h("p", {}, "A dash: the survey has no formula for it."),
     saveCsv(caption, () => [heads, ...cells]),
     h("table", {}, h("thead", {}, h("tr", {}, heads.map((text) =>
       h("th", { scope: "col" }, text)))), h("tbody", {}, cells.map(row))));

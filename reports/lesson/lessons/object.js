@@ -5,7 +5,9 @@ import { countOf, perEach, share, times, withOutcome } from "../telling/figures.
 
 const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does it hide?";
 
-const EARLY = 12; // Roberts' runs are long: the first so many of a kind will do
+// A run of Roberts is long. To tell its idea early, rules look at the first so many
+// events of a kind.
+const EARLY = 12;
 
 export const roberts = {
   idea: "Each edge against each volume",

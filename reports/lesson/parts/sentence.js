@@ -31,8 +31,9 @@ export function sentence(run) {
   const show = (k, e) => {
     where.textContent = placeWords(k);
     caption.textContent = momentsOf(run).find((m) => m.k === k)?.say ?? "";
-    const look = e ? kindLook(e.kind) : null;
-    sign.textContent = wrongAtEnd(run, k) ? "✕" : look?.sign ?? "";
+    const kind = wrongAtEnd(run, k) ? "reject" : e?.kind;
+    const look = kind ? kindLook(kind) : null;
+    sign.textContent = look?.sign ?? "";
     sign.style.color = look ? `var(--hue-${look.hue})` : "";
     said.textContent = saidOf(run, k, e);
     raised.textContent = e ? `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`

@@ -22,6 +22,7 @@ import { looksOf } from "../looks/all.js";
 import { counterNamed } from "./figures.js";
 
 const LEAST = 6, MOST = 20; // moments of a run
+const QUARTERS = [[0.25, "A quarter"], [0.5, "Half"], [0.75, "Three quarters"]];
 const LOOKED_AT = 1500; // events at most, to find the largest
 
 // [{ k, say, ask, words }], by k: the moment is step k, event k - 1.
@@ -55,18 +56,14 @@ function addGeneral(run, taken) {
     const e = eventBy(run, { name: c.key ?? c.name, pick: "largest" }, taken);
     if (e !== null) taken.set(e + 1, { k: e + 1, say: sentence(c.meaning) });
   });
-  for (const [share, say] of [[0.25, "A quarter of the answer"],
-    [0.5, "Half of the answer"], [0.75, "Three quarters of the answer"]]) {
-    const k = stepWith(run, share);
-    if (!taken.has(k) && k > 0 && k < run.n && taken.size < MOST)
+  const add = (k, say, most) => {
+    if (!taken.has(k) && k > 0 && k < run.n && taken.size < most)
       taken.set(k, { k, say });
-  }
-  for (const [share, say] of [[0.25, "A quarter of the steps"],
-    [0.5, "Half of the steps"], [0.75, "Three quarters of the steps"]]) {
-    const k = Math.round(share * trace.kept);
-    if (!taken.has(k) && k > 0 && k < run.n && taken.size < LEAST)
-      taken.set(k, { k, say });
-  }
+  };
+  for (const [share, words] of QUARTERS)
+    add(stepWith(run, share), `${words} of the answer`, MOST);
+  for (const [share, words] of QUARTERS)
+    add(Math.round(share * trace.kept), `${words} of the steps`, LEAST);
 }
 
 const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
