@@ -55,43 +55,36 @@ function planeOf(corners, parallel) {
     at[0][2] + best[0] * (x - at[0][0]) + best[1] * (y - at[0][1]));
 }
 
-// The segments of faces on row j: [{ face, x0, x1, z0, z1 }], z as of closeness.
-export function segmentsOn(run, j, near = closeness(run)) {
-  const y = j + 0.5;
+// Where faces lie on the line on which coordinate c is at: [{ face, from, to, q0, q1 }],
+// by the other coordinate, and q as of closeness. held(u): the ends as they are wanted.
+function stretchesOn(run, c, at, near, held = (u) => u) {
   return run.header.faces.flatMap(([face, , , , polygon]) => {
     const plane = near(face);
-    const crossings = polygon.flatMap(([xa, ya], k) => {
-      const [xb, yb] = polygon[(k + 1) % polygon.length];
-      return (ya > y) === (yb > y) ? []
-        : [xa + (y - ya) / (yb - ya) * (xb - xa)];
-    }).sort((a, b) => a - b);
-    const segments = [];
-    for (let k = 0; plane && k + 1 < crossings.length; k += 2)
-      segments.push({ face, x0: crossings[k], x1: crossings[k + 1],
-        z0: plane(crossings[k], y), z1: plane(crossings[k + 1], y) });
-    return segments;
+    const q = (u) => c ? plane(u, at) : plane(at, u);
+    const ends = polygon.flatMap((p, k) => {
+      const r = polygon[(k + 1) % polygon.length];
+      return (p[c] > at) === (r[c] > at) ? []
+        : [p[1 - c] + (at - p[c]) / (r[c] - p[c]) * (r[1 - c] - p[1 - c])];
+    }).map(held).sort((u, v) => u - v);
+    const stretches = [];
+    for (let k = 0; plane && k + 1 < ends.length; k += 2)
+      stretches.push({ face, from: ends[k], to: ends[k + 1], q0: q(ends[k]),
+        q1: q(ends[k + 1]) });
+    return stretches;
   });
 }
 
+// The segments of faces on row j: [{ face, x0, x1, z0, z1 }], z as of closeness.
+export const segmentsOn = (run, j, near = closeness(run)) =>
+  stretchesOn(run, 1, j + 0.5, near).map(({ face, from, to, q0, q1 }) =>
+    ({ face, x0: from, x1: to, z0: q0, z1: q1 }));
+
 // The segments of faces on column i: [{ face, y0, y1, q0, q1 }], within the picture; q
 // as of closeness.
-export function columnSegments(run, i, near = closeness(run)) {
-  const x = i + 0.5;
-  return run.header.faces.flatMap(([face, , , , polygon]) => {
-    const plane = near(face);
-    const crossings = polygon.flatMap(([xa, ya], k) => {
-      const [xb, yb] = polygon[(k + 1) % polygon.length];
-      return (xa > x) === (xb > x) ? []
-        : [ya + (x - xa) / (xb - xa) * (yb - ya)];
-    }).map((y) => Math.min(run.height, Math.max(0, y))).sort((a, b) => a - b);
-    const segments = [];
-    for (let k = 0; plane && k + 1 < crossings.length; k += 2)
-      if (crossings[k] < crossings[k + 1])
-        segments.push({ face, y0: crossings[k], y1: crossings[k + 1],
-          q0: plane(x, crossings[k]), q1: plane(x, crossings[k + 1]) });
-    return segments;
-  });
-}
+export const columnSegments = (run, i, near = closeness(run)) =>
+  stretchesOn(run, 0, i + 0.5, near, (y) => Math.min(run.height, Math.max(0, y)))
+    .filter(({ from, to }) => from < to)
+    .map(({ face, from, to, q0, q1 }) => ({ face, y0: from, y1: to, q0, q1 }));
 
 // Of faces: closeness(f) as above; deep(f, x, y), how deep its plane is there, or null;
 // reach(f), its nearest and its farthest corner before the eye, or null.
