@@ -226,7 +226,8 @@ export function raySide(run) {
       cx: round(px(x.q)), cy: round(y), r: 4.5, fill: isNearest ? RIGHT
         : "var(--paper)", stroke: isNearest ? RIGHT : "var(--ink)", "stroke-width": 2 }),
     text(px(x.q), y - 10 - 14 * lanes.get(x), k + 1, { "font-size": 13,
-      stroke: "var(--paper)", "stroke-width": 4, "paint-order": "stroke", "font-weight": isNearest ? "bold" : null }),
+      stroke: "var(--paper)", "stroke-width": 4, "paint-order": "stroke",
+      "font-weight": isNearest ? "bold" : null }),
     text(8, 204 + 18 * k, `${k + 1}: face ${x.face}, ${x.depth.toFixed(2)} deep${
       isNearest ? ": the nearest, shown" : ""}`, { ...left, "font-size": 13,
       "font-weight": isNearest ? "bold" : null })];

@@ -154,8 +154,9 @@ function drawn(run, best) {
     text((px(from) + px(to)) / 2, foot + 31, many, { class: "many", "font-size": 13 })]);
   const words = cuts.map(({ edges }, k) => `${letter(k)}: edge ${edges.map(([p, q]) =>
     `${p}–${q}`).join(" and ")}`);
-  return board(WIDE, foot + 48 + 16 * words.length, `Edge ${ids[0]}–${ids[1]}: the faces ` +
-    `that hide it, which change at ${cuts.length} places`, map(run, best),
+  return board(WIDE, foot + 48 + 16 * words.length,
+    `Edge ${ids[0]}–${ids[1]}: the faces that hide it, which change at ${
+      cuts.length} places`, map(run, best),
   cuts.map(({ at }, k) => [line(px(at), top - 4, px(at), foot + 18,
     { "stroke-dasharray": "2 3" }), text(px(at), top - 9 - 13 * isTight(cuts, k, px),
     letter(k), { "font-size": 13 })]),

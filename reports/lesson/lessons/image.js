@@ -16,11 +16,14 @@ export const warnock = {
     "a single sample shows the face that is nearest there. Large areas cost little; " +
     "the work gathers along edges.",
   "A face is disjoint from a window, surrounds it, or intersects it. A face that " +
-    "surrounds a window, or is disjoint from it, is so for its quarters, too, and is " +
-    "not tested again. Of all surrounds the nearest one is the critical one: it is " +
-    "compared with the planes of the other faces at the corners of the window. The " +
-    "faces come in order of depth, so that the search ends at the first one that is " +
-    "behind a surround."],
+    "surrounds a window is called its surrounder. It surrounds the quarters, too; and " +
+    "what is disjoint from a window is disjoint from its quarters. Neither is tested " +
+    "again. Of all surrounders the nearest one is the critical one: it is compared " +
+    "with the planes of the other faces at the corners of the window. The faces come " +
+    "in order of depth, so that the search ends at the first one that is behind a " +
+    "surrounder.",
+  "There are no scan lines. A window is done with all its quarters before the next " +
+    "window of its size begins, so that the picture fills in square by square."],
   source: "The survey, chapter III, area sampling, figures 25 and 26; Warnock 1969",
   moments: [
     ["The first window is the whole picture", { name: "windows" }],
@@ -30,19 +33,21 @@ export const warnock = {
     ["A quarter is divided again", { of: "subdivision", nth: 2 }],
     ["A face covers the window and hides all else there: it is shown",
       { of: "homogeneous-window", pick: "largest", id: "shown" }],
-    ["A face surrounds this window: it covers all of it", { of: "window-test", outcome: "surrounder",
-      where: (run, e) => e.window?.width > 1, pick: "largest" }, WINDOW, KINDS],
+    ["A face surrounds this window: it covers all of it",
+      { of: "window-test", outcome: "surrounder", pick: "largest",
+        where: (run, e) => e.window?.width > 1 }, WINDOW, KINDS],
     ["A face is disjoint from this window: it is left out, here and in its quarters",
       { of: "window-test", outcome: "disjoint", pick: "largest",
         where: isLarge }, WINDOW, KINDS],
-    ["A face intersects this window: it covers a part of it", { of: "window-test", outcome: "intersecter",
-      pick: "largest", where: isSmall }, WINDOW, KINDS],
+    ["A face intersects this window: it covers a part of it",
+      { of: "window-test", outcome: "intersecter", pick: "largest",
+        where: isSmall }, WINDOW, KINDS],
     ["This face surrounds the larger window: its quarter inherits that, without a test",
       { name: "inherited surrounders", pick: "largest" }],
-    ["The dashed face is a surround. The solid one is behind it at all four corners",
+    ["The dashed face is a surrounder. The solid one is behind it at all four corners",
       { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One face is left before the surround: where it is not, the surround is shown",
+    ["One face is left before the surrounder, which is shown where that face is not",
       { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
     ["Half of the windows are done", { name: "windows", at: 0.5 }],
@@ -192,9 +197,12 @@ export const watkins = {
     "another one comes to be nearer. So there are few spans.",
   "Two segments are compared by the depths of their ends: if the nearest end of one " +
     "is deeper than the farthest end of the other, all is known. If these do not " +
-    "tell, one segment is divided at its midpoint, and the half in question is " +
-    "compared again: a logarithmic search. Where two faces penetrate, it finds the " +
-    "sample from which on the other one is nearer."],
+    "tell, the longer segment is divided at its midpoint. A half that lies outside of " +
+    "the span is dropped, and the other one is compared again: a logarithmic search, " +
+    "for which the survey reckons with 30 operations. If both halves reach into the " +
+    "span, the span is divided there: the left part is searched first, and the right " +
+    "part only if one face is nearer in all of the left part. Where two faces " +
+    "penetrate, this finds the sample from which on the other one is nearer."],
   source: "The survey, chapter III, scan lines, figures 12, 27b and 28; Watkins 1970",
   needs: [{ of: "depth-division", instead: "penetration",
     why: "In this scene the ends of segments always tell: nothing is divided." }],

@@ -14,7 +14,8 @@ export const roberts = {
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
     "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
-    "is compared with the volumes that follow. What no volume hides is drawn.",
+    "is compared with the volumes that follow. What no volume hides is drawn. A concave " +
+    "solid is first divided into convex ones along the planes of its faces.",
   "A point of the edge is hidden if the line of sight to it passes through the volume. " +
     "At first all of the edge may be hidden. Each front plane of the volume takes away " +
     "what lies before it, and each edge of its contour what lies beside it, until all " +

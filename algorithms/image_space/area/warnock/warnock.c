@@ -9,8 +9,8 @@
  *             theirs too, under "Sorting".
  * Notation    window -> struct hsr_area; surrounder, intersecter, disjoint ->
  *             enum hsr_relation, which area.c proves; ancestral information ->
- *             struct listed, and the window's part of list[]; critical surround
- *             -> struct hsr_area_depths
+ *             struct listed, and the window's part of list[]; depths of
+ *             the critical surrounder -> struct hsr_area_depths
  * Invariants  when examine() begins, and when it ends, list[0, n) holds in Z
  *             order the faces that the enclosing window leaves open: they are
  *             neither disjoint from it nor hidden by one of its surrounders. A
@@ -309,7 +309,7 @@ static void touch(struct state *s, const struct hsr_area *w, uint32_t n) {
 }
 
 /* Paints the window if it is homogeneous, or if one intersecter is left, alone
- * or in front of the critical surround. A window of one sample has no
+ * or in front of the critical surrounder. A window of one sample has no
  * intersecters and so is always homogeneous. */
 static bool decide(struct state *s, const struct hsr_area *w,
                    const struct remains *remains) {
@@ -684,11 +684,11 @@ static const struct hsr_counter warnock_counters[] = {
      HSR_REJECT, HSR_OF_FACE, HSR_OF_WINDOW, NULL, true},
     {"empty windows", "decided: no face in them", HSR_ACCEPT, HSR_OF_FACE,
      HSR_OF_WINDOW, .key = "empty-window"},
-    {"homogeneous windows", "decided: a critical surround", HSR_ACCEPT,
+    {"homogeneous windows", "decided: a critical surrounder", HSR_ACCEPT,
      HSR_OF_FACE, HSR_OF_WINDOW, .key = "homogeneous-window"},
     {"one face", "decided: no surrounder and one intersecter", HSR_ACCEPT,
      HSR_OF_FACE, HSR_OF_FACE},
-    {"one in front", "decided: one intersecter before the critical surround",
+    {"one in front", "decided: one intersecter before the critical surrounder",
      HSR_ACCEPT, HSR_OF_FACE, HSR_OF_FACE},
     {"samples", "decided: windows of a single sample", HSR_ACCEPT, HSR_OF_FACE,
      HSR_OF_WINDOW, .key = "sample"},
@@ -734,9 +734,9 @@ static const struct hsr_line window_lines[] = {
      HSR_RAISES(HSR_WARNOCK_OLD_SURROUNDERS, HSR_WARNOCK_OLD_DISJOINTS)},
     {"    stop at the first face that is behind all of a surrounder",
      HSR_RAISES(HSR_WARNOCK_HIDDEN_FACES)},
-    {"  find the critical surround; which faces are behind it?",
+    {"  find the critical surrounder; which faces are behind it?",
      HSR_RAISES(HSR_WARNOCK_DEPTH_SEARCH)},
-    {"  if the window is homogeneous, show the surround or the background",
+    {"  if the window is homogeneous, show the surrounder or the background",
      HSR_RAISES(HSR_WARNOCK_EMPTY, HSR_WARNOCK_HOMOGENEOUS)},
     {"  if it is a single sample, show the face that is nearest there",
      HSR_RAISES(HSR_WARNOCK_SAMPLES)},
