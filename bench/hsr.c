@@ -26,6 +26,8 @@ static const struct hsr_command commands[] = {
     {"view", "look around in a scene, as algorithms draw it", command_view},
     {"export", "a scene, or what an algorithm works with, for other programs",
      command_export},
+    {"generate", "a scene with the statistics of Table I that are asked for",
+     command_generate},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
     {"judge", "anybody's picture against the oracle, and what is wrong",

@@ -51,6 +51,7 @@ libbench_a_SOURCES = \
   %D%/client/client.c \
   %D%/client/client.h \
   %D%/export/command.c \
+  %D%/generate/command.c \
   %D%/judge/differences.c \
   %D%/judge/differences.h \
   %D%/judge/folded.def \

@@ -18,6 +18,12 @@ libcore_a_SOURCES += \
   %D%/parts/module.h \
   %D%/parts/shapes.c \
   %D%/parts/shapes.h \
+  %D%/sheets/crossings.c \
+  %D%/sheets/crossings.h \
+  %D%/sheets/outline.c \
+  %D%/sheets/outline.h \
+  %D%/sheets/sheets.c \
+  %D%/sheets/sheets.h \
   %D%/worlds/cells.c \
   %D%/worlds/greenhouse.c \
   %D%/worlds/house.c \

@@ -115,6 +115,7 @@ tap_programs = \
   %D%/unit/core/screen_test \
   %D%/unit/core/shadow_test \
   %D%/unit/core/share_test \
+  %D%/unit/core/sheets_test \
   %D%/unit/core/standard_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/surfaces_test \
@@ -151,6 +152,7 @@ tap_scripts = \
   %D%/command/drawings_page.test \
   %D%/command/examples.test \
   %D%/command/full.test \
+  %D%/command/generate.test \
   %D%/command/gltf.test \
   %D%/command/import.test \
   %D%/command/judge.test \

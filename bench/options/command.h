@@ -23,6 +23,7 @@ enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_export(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_generate(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_judge(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err);
