@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice: counting and not counting.
-libcore_a_SOURCES += %D%/algorithm.h %D%/part.h %D%/setup.h
-libcore_a_SOURCES += %D%/choice.c %D%/registry.c %D%/setup.c \
-  %D%/list.def %D%/proposals.def
+libcore_a_SOURCES += %D%/algorithm.h %D%/part.h %D%/prices.h %D%/setup.h
+libcore_a_SOURCES += %D%/choice.c %D%/prices.c %D%/registry.c \
+  %D%/setup.c %D%/list.def %D%/prices.def %D%/proposals.def
 
 algorithm_files =
 include %D%/engines/local.mk

@@ -14,6 +14,7 @@
 #ifndef HSR_ALGORITHMS_PART_H
 #define HSR_ALGORITHMS_PART_H
 
+#include "algorithms/prices.h"
 #include "common/base/count.h"
 #include "common/statistics/statistics.h"
 
@@ -72,27 +73,47 @@ struct hsr_sort {
   const struct hsr_part *part; /* not NULL: its sorts stand here */
 };
 
-/* What a count costs: factor * count; factor is the complexity factor of
- * appendix B. */
+/* What a count costs: its price * count. The price is that of its kind of
+ * comparison, the complexity factor of appendix B. */
 struct hsr_term {
   int counter;
-  double factor;
+  enum hsr_kind kind;
+  bool less; /* the cost is taken off: the count is of those comparisons among
+                another counter's that were not made after all */
 };
 
-/* A cost step, as in Table III: cost = factor * count, and likewise for `more`; or
+/* A cost step, as in Table III: cost = price * count, and likewise for `more`; or
  * all those of a part. A step that has the label of one before adds its terms to
  * that one. */
 #define HSR_MORE_TERMS 7
 struct hsr_step {
   const char *label; /* "X merge" */
   int counter;
-  double factor;
+  enum hsr_kind kind;
   const char *formula; /* the paper's prediction of the cost, or NULL */
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
-  struct hsr_term more[HSR_MORE_TERMS];         /* ended by .factor == 0 */
+  struct hsr_term more[HSR_MORE_TERMS];         /* ended by .kind == 0 */
   const struct hsr_part *part; /* not NULL: its steps stand here. Those of parts
                                   that stand nowhere come first */
 };
+
+/* Gives term k of a step, from 0 on. Returns false if it has no more. */
+static inline bool hsr_step_term(const struct hsr_step *step, int k,
+                                 struct hsr_term *term) {
+  if (k > HSR_MORE_TERMS)
+    return false;
+  term->counter = k ? step->more[k - 1].counter : step->counter;
+  term->kind = k ? step->more[k - 1].kind : step->kind;
+  term->less = k && step->more[k - 1].less;
+  return term->kind != HSR_NO_KIND;
+}
+
+/* What one of a term's counts adds to the cost. */
+static inline double hsr_term_price(const struct hsr_term *term,
+                                    const struct hsr_prices *prices) {
+  double price = prices->of[term->kind - HSR_FIRST_KIND];
+  return term->less ? -price : price;
+}
 
 /* A line of an algorithm's outline: its pseudocode, in the paper's words; or all
  * lines of a group of a part's. */

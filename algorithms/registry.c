@@ -96,26 +96,36 @@ static struct hsr_step *step_of(const struct hsr_algorithm *a,
 
 static void add_term(struct hsr_step *step, struct hsr_term term) {
   int k = 0;
-  while (k < HSR_MORE_TERMS && step->more[k].factor != 0)
+  while (k < HSR_MORE_TERMS && step->more[k].kind)
     k++;
   if (k == HSR_MORE_TERMS)
     abort();
   step->more[k] = term;
 }
 
+/* A term of a part, or of a module, as one of the algorithm. */
+static struct hsr_term placed(const struct hsr_algorithm *a,
+                              const struct hsr_step *step,
+                              struct hsr_term term) {
+  if (term.kind < HSR_FIRST_KIND || term.kind >= HSR_AFTER_KINDS)
+    fail(a->name, "step %s has a term of no kind (algorithms/prices.def)",
+         step->label);
+  return (struct hsr_term){place(a, term.counter), term.kind, term.less};
+}
+
 static void add_step(const struct hsr_algorithm *a, const struct hsr_step *from,
                      const char *prefix) {
   const char *label = join(prefix, from->label);
-  struct hsr_term first = {place(a, from->counter), from->factor};
+  struct hsr_term term = {.counter = from->counter, .kind = from->kind};
+  struct hsr_term first = placed(a, from, term);
   struct hsr_step *to = step_of(a, label);
   if (to->label)
     add_term(to, first);
   else
-    *to = (struct hsr_step){label, first.counter, first.factor, from->formula,
+    *to = (struct hsr_step){label, first.counter, first.kind, from->formula,
                             from->predict};
-  for (int k = 0; k < HSR_MORE_TERMS && from->more[k].factor != 0; k++)
-    add_term(to, (struct hsr_term){place(a, from->more[k].counter),
-                                   from->more[k].factor});
+  for (int k = 1; hsr_step_term(from, k, &term); k++)
+    add_term(to, placed(a, from, term));
 }
 
 static void add_steps_of(const struct hsr_algorithm *a,

@@ -182,6 +182,8 @@ libbench_a_SOURCES = \
   %D%/tables/json.c \
   %D%/tables/paper_1974.c \
   %D%/tables/paper_1974.h \
+  %D%/tables/prices.c \
+  %D%/tables/prices.h \
   %D%/tables/sorts.c \
   %D%/tables/sorts.h \
   %D%/tables/tables.h \

@@ -121,9 +121,13 @@ static double predict_search(const struct hsr_table1 *t) {
   return 100 * t->n * t->m * t->F_r;
 }
 
-static const struct hsr_step steps[] = {
-    {"search of all faces", MINIMAX, 100, "100 n m F_r", predict_search},
-    {NULL}};
+static const struct hsr_step steps[] = {{"search of all faces",
+                                         SURROUND,
+                                         HSR_KIND_FACE_ELEMENT,
+                                         "100 n m F_r",
+                                         predict_search,
+                                         {{MINIMAX, HSR_KIND_BOX}}},
+                                        {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .name = "raycast",

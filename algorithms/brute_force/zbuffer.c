@@ -134,9 +134,11 @@ static double predict_comparisons(const struct hsr_table1 *t) {
   return 10 * t->H_f * t->H_f * t->F_r;
 }
 
-static const struct hsr_step steps[] = {
-    {"depth comparison", DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_comparisons},
-    {NULL}};
+static const struct hsr_step steps[] = {{"depth comparison", DEPTH_TESTS,
+                                         HSR_KIND_SAMPLE, "10 H_f^2 F_r",
+                                         predict_comparisons},
+                                        {"writes", WRITES, HSR_KIND_WRITE},
+                                        {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .name = "zbuffer",

@@ -6,6 +6,8 @@
 module_headers = \
   algorithms/algorithm.h \
   algorithms/part.h \
+  algorithms/prices.def \
+  algorithms/prices.h \
   common/adapt/adapt.h \
   common/answers/answer.h \
   common/answers/kinds/ids.h \

@@ -13,13 +13,15 @@ json_t *lesson_counts_json(const struct hsr_algorithm *a,
   return counts;
 }
 
-/* [counter, factor], for each term of the step's cost. */
+/* [counter, price], for each term of the step's cost. The price is less than 0
+ * where the cost is taken off. */
 static json_t *terms_json(const struct hsr_step *step) {
   json_t *terms = json_array();
-  hsr_json_append(&terms, json_pack("[if]", step->counter, step->factor));
-  for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
-    hsr_json_append(
-        &terms, json_pack("[if]", step->more[k].counter, step->more[k].factor));
+  struct hsr_term term;
+  for (int k = 0; hsr_step_term(step, k, &term); k++)
+    hsr_json_append(&terms,
+                    json_pack("[if]", term.counter,
+                              hsr_term_price(&term, &hsr_prices_standard)));
   return terms;
 }
 

@@ -100,9 +100,10 @@ static json_t *kinds_json(void) {
 /* Only Greene's tables if the results have none of the scenes of 1974. */
 static json_t *all_tables(const struct report *report) {
   struct tables *tables;
-  json_t *json = tables_new(&tables, report->results, NULL)
-                     ? json_pack("{so}", "greene", greene_json(report->results))
-                     : tables_json(tables);
+  json_t *json =
+      tables_new(&tables, report->results, &hsr_prices_standard, NULL)
+          ? json_pack("{so}", "greene", greene_json(report->results))
+          : tables_json(tables);
   tables_delete(tables);
   return json;
 }

@@ -28,7 +28,7 @@ static double seconds_of(const json_t *cell, const struct cell_figures *f) {
 
 static double comparisons_of(const json_t *cell, const struct cell_figures *f) {
   (void)f;
-  return tables_frame_cost(cell);
+  return tables_frame_cost(cell, &hsr_prices_standard);
 }
 
 static const struct measure {

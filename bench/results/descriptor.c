@@ -51,13 +51,25 @@ static json_t *counters_json(const struct hsr_algorithm *a) {
   return counters;
 }
 
+json_t *terms_json(const struct hsr_algorithm *a, const struct hsr_step *step,
+                   const struct hsr_prices *prices) {
+  json_t *terms = json_array();
+  struct hsr_term term;
+  for (int k = 0; hsr_step_term(step, k, &term); k++)
+    hsr_json_append(&terms,
+                    json_pack("{ss ss sf}", "counter",
+                              a->counters[term.counter].name, "kind",
+                              hsr_kinds[term.kind - HSR_FIRST_KIND].name,
+                              "price", hsr_term_price(&term, prices)));
+  return terms;
+}
+
 static json_t *steps_json(const struct hsr_algorithm *a) {
   json_t *steps = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    hsr_json_append(&steps,
-                    json_pack("{ss ss sf ss?}", "label", s->label, "counter",
-                              a->counters[s->counter].name, "factor", s->factor,
-                              "formula", s->formula));
+    hsr_json_append(&steps, json_pack("{ss so ss?}", "label", s->label, "terms",
+                                      terms_json(a, s, &hsr_prices_standard),
+                                      "formula", s->formula));
   return steps;
 }
 

@@ -18,5 +18,8 @@ struct taxonomy taxonomy(enum hsr_branch branch);
 json_t *restrictions_json(const struct hsr_algorithm *algorithm);
 json_t *algorithms_json(void); /* of all algorithms */
 json_t *sorts_json(const struct hsr_algorithm *algorithm);
+json_t *terms_json(const struct hsr_algorithm *algorithm,
+                   const struct hsr_step *step,
+                   const struct hsr_prices *prices);
 
 #endif

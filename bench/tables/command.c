@@ -3,6 +3,7 @@
 #include "bench/modules/modules.h"
 #include "bench/options/words.h"
 #include "bench/tables/greene.h"
+#include "bench/tables/prices.h"
 #include "bench/tables/sorts.h"
 #include "bench/tables/tables.h"
 #include "bench/results/json.h"
@@ -10,13 +11,14 @@
 
 #include <stdlib.h>
 
-enum { MOST_FILES = 64, GREENE = 0x200, SORTS };
+enum { MOST_FILES = 64, GREENE = 0x200, SORTS, PRICES };
 
 struct options {
   struct option_base base;
   const char *file[MOST_FILES];
   int n_files;
   const char *output; /* where the counts go, or NULL */
+  const char *prices; /* file, or NULL */
   long timeout;
   bool json, greene, sorts;
 };
@@ -35,6 +37,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case SORTS:
     o->sorts = true;
     return 0;
+  case PRICES:
+    o->prices = arg;
+    return 0;
   case 'o':
     o->output = arg;
     return 0;
@@ -51,8 +56,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->greene && !o->n_files)
       return option_fail(&o->base, "tables: --greene: which results? "
                                    "(reports/greene/make)");
-    if (o->sorts && (o->greene || o->json || o->n_files || o->output))
+    if (o->sorts &&
+        (o->greene || o->json || o->n_files || o->output || o->prices))
       return option_fail(&o->base, "tables: --sorts goes alone");
+    if (o->greene && o->prices)
+      return option_fail(&o->base, "tables: --prices is for the survey's "
+                                   "tables, not for Greene's");
     if (o->n_files && (o->output || o->timeout))
       return option_fail(&o->base, "tables: -o and -t are for counting, which "
                                    "is done where no results are given");
@@ -74,6 +83,13 @@ static const struct argp argp = {
          "that "
          "the survey lists, as the records become more",
          0},
+        {"prices", PRICES, "FILE", 0,
+         "compute all costs and verdicts by other prices of comparisons: an "
+         "object of JSON, {\"box\": 100, \"span\": 10}. Kinds that it does not "
+         "name keep their prices. The tables list the kinds, the prices and "
+         "their sources, and the verdicts that change. Nothing is counted "
+         "again: results of any age will do",
+         0},
         {"output", 'o', "FILE", 0, "also write the counts, as hsr bench does",
          0},
         {"timeout", 't', "SECONDS", 0,
@@ -89,7 +105,8 @@ static const struct argp argp = {
     "tables and on a walk, which takes some minutes.\v"
     "  hsr tables\n"
     "  hsr bench --counts house harbor big-harbor --size 500x500 -o c.ndjson\n"
-    "  hsr tables c.ndjson",
+    "  hsr tables c.ndjson\n"
+    "  echo '{\"box\": 100}' > p.json; hsr tables c.ndjson --prices p.json",
     NULL,
     NULL,
     NULL};
@@ -164,11 +181,12 @@ static enum hsr_status print_greene(const struct options *o,
 
 static enum hsr_status print(const struct options *o,
                              const struct results *results,
+                             const struct hsr_prices *prices,
                              struct hsr_error *err) {
   if (o->greene)
     return print_greene(o, results, err);
   struct tables *tables;
-  enum hsr_status status = tables_new(&tables, results, err);
+  enum hsr_status status = tables_new(&tables, results, prices, err);
   if (status)
     return status;
   if (o->json)
@@ -185,12 +203,15 @@ enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err) {
   struct results results = {.headers = NULL};
   if (!status && options.sorts)
     return sorts_print() ? HSR_OK : hsr_fail_nomem(err);
+  struct hsr_prices prices = hsr_prices_standard;
+  if (!status && options.prices) /* before anything is counted */
+    status = prices_read(&prices, options.prices, err);
   for (int k = 0; k < options.n_files && !status; k++)
     status = results_read(&results, options.file[k], err);
   for (int walk = 0; walk < 2 && !status && !options.n_files; walk++)
     status = count(&options, walk, argc, argv, &results, err);
   if (!status)
-    status = print(&options, &results, err);
+    status = print(&options, &results, &prices, err);
   results_free(&results);
   return status;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables I to VII of Sutherland et al. 1974, computed from results. */
 #include "bench/modules/modules.h"
+#include "bench/tables/prices.h"
 #include "bench/tables/tables.h"
 
 #include <math.h>
@@ -132,15 +133,17 @@ static void find_cells(const struct tables *t, struct table_algorithm *a) {
 
 /* The cost of all terms of a step, in a cell. */
 static double cost_of(const struct hsr_algorithm *a,
-                      const struct hsr_step *step, const json_t *cell) {
-  double cost = step->factor * count_in(cell, a->counters[step->counter].name);
-  for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
-    cost += step->more[k].factor *
-            count_in(cell, a->counters[step->more[k].counter].name);
+                      const struct hsr_step *step, const json_t *cell,
+                      const struct hsr_prices *prices) {
+  struct hsr_term term;
+  double cost = 0;
+  for (int k = 0; hsr_step_term(step, k, &term); k++)
+    cost += hsr_term_price(&term, prices) *
+            count_in(cell, a->counters[term.counter].name);
   return cost;
 }
 
-double tables_frame_cost(const json_t *cell) {
+double tables_frame_cost(const json_t *cell, const struct hsr_prices *prices) {
   const struct hsr_listed *listed =
       results_listed(results_text(cell, "algorithm"));
   if (!listed || !listed->plain->steps)
@@ -150,7 +153,7 @@ double tables_frame_cost(const json_t *cell) {
   for (const struct hsr_step *s = listed->plain->steps; s->label; s++) {
     const struct paper_step *paper = paper_step(group, s->label);
     if (!paper || !paper->once)
-      cost += cost_of(listed->plain, s, cell);
+      cost += cost_of(listed->plain, s, cell, prices);
   }
   return cost;
 }
@@ -161,7 +164,7 @@ double tables_walk_cost(const struct tables *t, const char *algorithm) {
                                    TABLES_WALK_SIZE, TABLES_WALK_SIZE, key);
   snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s 1",
            algorithm);
-  return tables_frame_cost(results_cell(t->results, key));
+  return tables_frame_cost(results_cell(t->results, key), &t->prices);
 }
 
 static void fill_step(const struct tables *t, const struct table_algorithm *a,
@@ -169,7 +172,7 @@ static void fill_step(const struct tables *t, const struct table_algorithm *a,
   row->step = step;
   row->paper = paper_step(a->paper, step->label);
   for (int s = 0; s < t->n_scenes; s++) {
-    row->cost.measured[s] = cost_of(a->algorithm, step, a->cell[s]);
+    row->cost.measured[s] = cost_of(a->algorithm, step, a->cell[s], &t->prices);
     row->cost.predicted[s] =
         step->predict ? step->predict(&t->scene[s].measured) : NAN;
   }
@@ -241,12 +244,14 @@ static enum hsr_status fill(struct tables *t, struct hsr_error *err) {
 
 enum hsr_status tables_new(struct tables **tables,
                            const struct results *results,
+                           const struct hsr_prices *prices,
                            struct hsr_error *err) {
   *tables = NULL;
   struct tables *t = calloc(1, sizeof *t);
   if (!t)
     return hsr_fail_nomem(err);
   t->results = results;
+  t->prices = *prices;
   enum hsr_status status = find_scenes(t, err);
   if (!status)
     status = fill(t, err);
@@ -255,6 +260,13 @@ enum hsr_status tables_new(struct tables **tables,
   else
     *tables = t;
   return status;
+}
+
+struct tables *tables_of_standard(const struct tables *t) {
+  struct tables *standard = NULL;
+  if (!prices_are_standard(&t->prices))
+    tables_new(&standard, t->results, &hsr_prices_standard, NULL);
+  return standard;
 }
 
 void tables_delete(struct tables *tables) {

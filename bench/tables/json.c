@@ -3,6 +3,7 @@
 #include "bench/modules/modules.h"
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
+#include "bench/tables/prices.h"
 #include "bench/results/json.h"
 #include "bench/results/descriptor.h"
 #include "common/files/json/json.h"
@@ -99,12 +100,14 @@ static json_t *growth_json(const struct series *s) {
       "predicted", number_or_null(s->predicted_growth.exponent));
 }
 
-static json_t *step_json(const struct table_algorithm *a,
+static json_t *step_json(const struct tables *t,
+                         const struct table_algorithm *a,
                          const struct table_step *row) {
   return json_pack(
-      "{ss so ss ss? sf so so so so sb so}", "algorithm", a->algorithm->name,
+      "{ss so ss ss? so so so so so sb so}", "algorithm", a->algorithm->name,
       "group", name_of(a->paper), "step", row->step->label, "formula",
-      row->step->formula, "factor", row->step->factor, "paper",
+      row->step->formula, "terms",
+      terms_json(a->algorithm, row->step, &t->prices), "paper",
       three_or_null(row->paper ? row->paper->figure : NULL), "predicted",
       three(row->cost.predicted), "measured", three(row->cost.measured),
       "ratio", ratios(row->cost.measured, row->cost.predicted), "once",
@@ -116,7 +119,18 @@ static json_t *table3_json(const struct tables *t) {
   for (int a = 0; a < t->n_algorithms; a++)
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
       hsr_json_append(&array,
-                      step_json(&t->algorithm[a], &t->algorithm[a].step[k]));
+                      step_json(t, &t->algorithm[a], &t->algorithm[a].step[k]));
+  return array;
+}
+
+static json_t *prices_json(const struct tables *t) {
+  json_t *array = json_array();
+  for (int k = 0; k < HSR_N_KINDS; k++)
+    hsr_json_append(
+        &array,
+        json_pack("{ss sf sf ss ss}", "kind", hsr_kinds[k].name, "price",
+                  t->prices.of[k], "standard", hsr_kinds[k].price, "meaning",
+                  hsr_kinds[k].meaning, "source", hsr_kinds[k].source));
   return array;
 }
 
@@ -268,23 +282,30 @@ json_t *greene_json(const struct results *results) {
 
 static json_t *conclusions_json(const struct tables *t) {
   json_t *array = json_array();
+  struct tables *standard = tables_of_standard(t);
   for (int k = 0; k < claims_count(); k++) {
     struct conclusion c = claims_judge(t, k);
-    hsr_json_append(&array,
-                    json_pack("{ss ss ss ss ss}", "section", c.section, "claim",
-                              c.claim, "criterion", c.criterion, "verdict",
-                              finding_name(c.finding), "evidence", c.evidence));
+    json_t *row = json_pack("{ss ss ss ss ss}", "section", c.section, "claim",
+                            c.claim, "criterion", c.criterion, "verdict",
+                            finding_name(c.finding), "evidence", c.evidence);
+    if (standard)
+      json_object_set_new(
+          row, "at_standard_prices",
+          json_string(finding_name(claims_judge(standard, k).finding)));
+    hsr_json_append(&array, row);
   }
+  tables_delete(standard);
   return array;
 }
 
 json_t *tables_json(const struct tables *t) {
-  return json_pack(
-      "{ss so so so so so so so so so so so so so}", "schema", "hsr-tables/1",
-      "environments", environments_json(), "ladder", ladder_json(t), "table1",
-      table1_json(), "table2", table2_json(t), "table3", table3_json(t),
-      "summary", summary_json(t), "table7", table7_json(t), "figure13",
-      figure13_json(), "sorting_orders", orders_json(), "figure29a",
-      figure29a_json(), "figure29b", figure29b_json(), "greene",
-      greene_json(t->results), "conclusions", conclusions_json(t));
+  return json_pack("{ss so so so so so so so so so so so so so so}", "schema",
+                   "hsr-tables/1", "environments", environments_json(),
+                   "ladder", ladder_json(t), "table1", table1_json(), "table2",
+                   table2_json(t), "prices", prices_json(t), "table3",
+                   table3_json(t), "summary", summary_json(t), "table7",
+                   table7_json(t), "figure13", figure13_json(),
+                   "sorting_orders", orders_json(), "figure29a",
+                   figure29a_json(), "figure29b", figure29b_json(), "greene",
+                   greene_json(t->results), "conclusions", conclusions_json(t));
 }

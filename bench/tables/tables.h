@@ -40,7 +40,7 @@ struct series {
 
 /* A row of Table III. */
 struct table_step {
-  const struct hsr_step *step;    /* label, factor, formula */
+  const struct hsr_step *step;    /* label, terms, formula */
   const struct paper_step *paper; /* NULL: not in the survey */
   struct series cost;
 };
@@ -58,6 +58,7 @@ struct table_algorithm {
 
 struct tables {
   const struct results *results;
+  struct hsr_prices prices; /* of the kinds of comparison */
   /* First the environments in their order, whether measured or not; then the
    * ladder, ordered by relevant faces. */
   int n_scenes;
@@ -71,13 +72,18 @@ struct tables {
 /* Their names, ended by NULL. */
 extern const char *const tables_variants[];
 
-/* Computes the tables. HSR_E_INPUT if the results hold none of the scenes. The
- * results are borrowed and must outlive the tables, which are freed with
- * tables_delete. */
+/* Computes the tables: what the results counted, by these prices. HSR_E_INPUT if
+ * the results hold none of the scenes. The results are borrowed and must outlive
+ * the tables, which are freed with tables_delete. */
 enum hsr_status tables_new(struct tables **tables,
                            const struct results *results,
+                           const struct hsr_prices *prices,
                            struct hsr_error *err);
 void tables_delete(struct tables *tables); /* NULL is allowed */
+
+/* The same by the standard prices, to be deleted. NULL if the prices are these,
+ * or for lack of memory. */
+struct tables *tables_of_standard(const struct tables *t);
 
 /* --- Looking things up: algorithms and variants --------------------------- */
 
@@ -97,7 +103,7 @@ double tables_count(const struct tables *t, const char *algorithm,
 /* The comparisons of a frame that a cell of the results counted: the costs of
  * all steps that every frame takes. NAN if its picture is not right, or if its
  * algorithm has no steps. */
-double tables_frame_cost(const json_t *cell);
+double tables_frame_cost(const json_t *cell, const struct hsr_prices *prices);
 
 /* The cost of all frames of the walk, as tables_frame_cost. */
 double tables_walk_cost(const struct tables *t, const char *algorithm);

@@ -4,6 +4,7 @@
 #include "bench/modules/modules.h"
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
+#include "bench/tables/prices.h"
 #include "bench/results/descriptor.h"
 #include "bench/terminal/terminal.h"
 
@@ -173,18 +174,48 @@ static void print_growth(const struct series *s) {
            s->growth.high);
 }
 
-static void print_step(const struct table_step *row) {
+/* Whether one of the terms before number k has its kind, too. */
+static bool has_term_before(const struct hsr_step *step, int k,
+                            const struct hsr_term *term) {
+  struct hsr_term before;
+  for (int l = 0; l < k && hsr_step_term(step, l, &before); l++)
+    if (before.kind == term->kind && before.less == term->less)
+      return true;
+  return false;
+}
+
+/* Writes " + 100 face-window" for each kind of a step's terms. */
+static void write_terms(const struct hsr_step *step,
+                        const struct hsr_prices *prices, char text[200]) {
+  struct hsr_term term;
+  text[0] = '\0';
+  for (int k = 0; hsr_step_term(step, k, &term); k++) {
+    size_t used = strlen(text);
+    if (has_term_before(step, k, &term))
+      continue;
+    snprintf(text + used, 200 - used, "%s%g %s",
+             term.less ? " - "
+             : k       ? " + "
+                       : "",
+             prices->of[term.kind - HSR_FIRST_KIND],
+             hsr_kinds[term.kind - HSR_FIRST_KIND].name);
+  }
+}
+
+static void print_step(const struct table_step *row,
+                       const struct hsr_prices *prices) {
   const struct hsr_step *step = row->step;
   bool once = row->paper && row->paper->once;
-  char text[400], predicted[40] = "";
+  char text[600], predicted[40] = "", terms[200];
   if (!isnan(row->cost.predicted_growth.exponent))
     snprintf(predicted, sizeof predicted, "   ~ F_r^%.2f",
              row->cost.predicted_growth.exponent);
-  snprintf(text, sizeof text, "%s: %s%s   (%g x count)%s", step->label,
+  write_terms(step, prices, terms);
+  snprintf(text, sizeof text, "%s: %s%s   (%s)%s", step->label,
            step->formula ? step->formula : "-",
            once && !strstr(step->formula, "not per frame") ? ", not per frame"
                                                            : "",
-           step->factor, predicted);
+           terms, predicted);
   printf("%*s", STEP, "");
   wrap(STEP, text);
   for (struct block b = first_block(STEP); b.first < b.end;
@@ -222,12 +253,34 @@ static void print_ladder(const struct tables *t) {
   wrap(0, text);
 }
 
+static void print_prices(const struct tables *t) {
+  enum { SOURCE = 23 };
+  title("Prices. What a comparison costs, by its kind");
+  wrap(0, "The survey calls them complexity factors. One kind has one price in "
+          "all algorithms; a number in parentheses is a paragraph of the "
+          "survey's appendix B, CF its \"Complexity Factors\". Other prices: "
+          "hsr tables --prices FILE.");
+  for (int k = 0; k < HSR_N_KINDS; k++) {
+    const struct hsr_kind_described *kind = &hsr_kinds[k];
+    char text[400], changed[40] = "";
+    if (t->prices.of[k] < kind->price || t->prices.of[k] > kind->price)
+      snprintf(changed, sizeof changed, " [standard: %g]", kind->price);
+    printf("%-15s %6g ", kind->name, t->prices.of[k]);
+    snprintf(text, sizeof text, "%s%s. %s", kind->meaning, changed,
+             kind->source);
+    wrap(SOURCE, text);
+  }
+}
+
 static void print_table3(const struct tables *t) {
   title("Table III. Costs in the three environments, step by step");
-  wrap(0,
-       "cost = complexity factor x count. paper: as printed, for its own Table "
-       "II; pred.: its formula applied to our Table I; meas.: measured; "
-       "ratio: measured to predicted.");
+  wrap(
+      0,
+      "cost = price x count, of each kind of comparison that a step makes; the "
+      "price and the kind are behind its formula. paper: as printed, for its "
+      "own Table "
+      "II; pred.: its formula applied to our Table I; meas.: measured; "
+      "ratio: measured to predicted.");
   print_ladder(t);
   putchar('\n');
   for (struct block b = first_block(STEP); b.first < b.end;
@@ -236,7 +289,7 @@ static void print_table3(const struct tables *t) {
   for (int a = 0; a < t->n_algorithms; a++) {
     printf("\n%s\n", t->algorithm[a].algorithm->name);
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
-      print_step(&t->algorithm[a].step[k]);
+      print_step(&t->algorithm[a].step[k], &t->prices);
     print_missing(t, &t->algorithm[a]);
   }
 }
@@ -440,6 +493,26 @@ static void print_figure29b(void) {
 
 /* --- Conclusions ---------------------------------------------------------- */
 
+/* Tells which verdicts are others by the standard prices. */
+static void print_changed(const struct tables *t) {
+  struct tables *standard = tables_of_standard(t);
+  int n = 0;
+  for (int k = 0; standard && k < claims_count(); k++) {
+    struct conclusion c = claims_judge(t, k), was = claims_judge(standard, k);
+    if (c.finding == was.finding)
+      continue;
+    if (!n++)
+      puts("\nBy the standard prices these are judged otherwise:");
+    char text[sizeof was.evidence + 400];
+    snprintf(text, sizeof text, "%s (%s)", c.claim, was.evidence);
+    printf("%-14s ", finding_name(was.finding));
+    wrap(15, text);
+  }
+  if (standard && !n)
+    puts("\nThe standard prices give the same verdicts.");
+  tables_delete(standard);
+}
+
 static void print_conclusions(const struct tables *t) {
   title("The survey's conclusions, and whether the counts bear them out");
   puts("Judged by computation: each by the criterion below it.");
@@ -462,6 +535,7 @@ static void print_conclusions(const struct tables *t) {
          "measured\n",
          claims_count(), n[BORNE_OUT], n[NOT_BORNE_OUT], n[UNDECIDED],
          n[NOT_MEASURED]);
+  print_changed(t);
 }
 
 void tables_print(const struct tables *t) {
@@ -473,6 +547,7 @@ void tables_print(const struct tables *t) {
   puts("-: none, or not measured.");
   print_table1();
   print_table2(t);
+  print_prices(t);
   print_table3(t);
   for (int e = 0; e < ENVIRONMENTS; e++)
     print_summary(t, e);

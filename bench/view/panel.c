@@ -57,9 +57,11 @@ static void add_times(const struct viewer *v, char *text) {
 /* --- Steps ---------------------------------------------------------------- */
 
 static double cost(const struct hsr_step *step, const struct hsr_tally *tally) {
-  double sum = step->factor * (double)tally->count[step->counter];
-  for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
-    sum += step->more[k].factor * (double)tally->count[step->more[k].counter];
+  struct hsr_term term;
+  double sum = 0;
+  for (int k = 0; hsr_step_term(step, k, &term); k++)
+    sum += hsr_term_price(&term, &hsr_prices_standard) *
+           (double)tally->count[term.counter];
   return sum;
 }
 

@@ -142,13 +142,14 @@ const measuredSymbols = { F_t: [231, 4998, 119126], F_r: [105, 2472, 59512],
 const ratios = (a, b) => a.map((x, k) => x === null || !b[k] ? null : x / b[k]);
 
 const table3 = algorithms.flatMap((a) => a.steps.map((step, k) => {
+  const { price } = step.terms[0];
   const predicted = step.formula === null ? [null, null, null]
-    : powers(step.factor * 20, 1 + k / 4);
-  const measured = powers(step.factor * about(20, 0.5), 1 + k / 4);
+    : powers(price * 20, 1 + k / 4);
+  const measured = powers(price * about(20, 0.5), 1 + k / 4);
   if (a.name === "roberts") measured[2] = null;
   return { algorithm: a.name, group: a.name, step: step.label,
-    formula: step.formula, factor: step.factor,
-    paper: step.formula === null ? null : powers(step.factor * 19, 1 + k / 4),
+    formula: step.formula, terms: step.terms,
+    paper: step.formula === null ? null : powers(price * 19, 1 + k / 4),
     predicted, measured, ratio: ratios(measured, predicted), once: k > 7,
     growth: { measured: 1 + k / 4, low: 0.9 + k / 4, high: 1.1 + k / 4,
       predicted: step.formula === null ? null : 1 + k / 4 } };

@@ -467,9 +467,10 @@ static double predict_tiling(const struct hsr_table1 *t) {
   return 10 * t->H_f * t->H_f * t->F_r;
 }
 
-static const struct hsr_step steps[] = {
-    {"depth comparison", HSR_DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
-    {NULL}};
+static const struct hsr_step steps[] = {{"depth comparison", HSR_DEPTH_TESTS,
+                                         HSR_KIND_SAMPLE, "10 H_f^2 F_r",
+                                         predict_tiling},
+                                        {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(zbuffer_fast) = {
     .name = "zbuffer-fast",

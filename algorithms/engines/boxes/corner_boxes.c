@@ -121,8 +121,8 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"},
     {NULL}};
 
-static const struct hsr_step steps[] = {{"edge intersection", HSR_BOX_SORT, 1},
-                                        {NULL}};
+static const struct hsr_step steps[] = {
+    {"edge intersection", HSR_BOX_SORT, HSR_KIND_BOX}, {NULL}};
 
 static const struct hsr_line lines[] = {
     {"with sorted boxes: sort edges by the upper left corners of their boxes, "

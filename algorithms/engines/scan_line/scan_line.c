@@ -428,14 +428,14 @@ static double predict_x_sort(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"Y sort", HSR_Y_SORT, 1, "E_r", predict_y_sort},
-    {"X merge", HSR_X_MERGE, 1, "E_r S_l / 2", predict_x_merge},
+    {"Y sort", HSR_Y_SORT, HSR_KIND_BUCKET, "E_r", predict_y_sort},
+    {"X merge", HSR_X_MERGE, HSR_KIND_LIST, "E_r S_l / 2", predict_x_merge},
     {"X sort",
      HSR_X_SORT,
-     1,
+     HSR_KIND_NUMBERS,
      "n (S_l + 10 X_r / (n S_l))",
      predict_x_sort,
-     {{HSR_X_INTERCHANGES, 10}}},
+     {{HSR_X_INTERCHANGES, HSR_KIND_INTERCHANGE}}},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

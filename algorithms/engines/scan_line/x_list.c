@@ -217,7 +217,9 @@ static const struct hsr_counter counters[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"X merge", HSR_X_PRESORT, 1}, {"X sort", HSR_X_CROSSINGS, 10}, {NULL}};
+    {"X merge", HSR_X_PRESORT, HSR_KIND_BUCKET},
+    {"X sort", HSR_X_CROSSINGS, HSR_KIND_TWO_SEGMENTS},
+    {NULL}};
 
 const struct hsr_part hsr_x_list_part = {
     HSR_PART_X_LIST, counters, steps, NULL, {NULL}};

@@ -387,9 +387,9 @@ static const struct hsr_sort sorts[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"fragments", FRAGMENTS, 1, NULL, NULL, {{0}}},
-    {"compare", COMPARED, 1, NULL, NULL, {{0}}},
-    {"pack", PACKED, 1, NULL, NULL, {{0}}},
+    {"fragments", FRAGMENTS, HSR_KIND_SEGMENT},
+    {"compare", COMPARED, HSR_KIND_SAMPLE},
+    {"pack", PACKED, HSR_KIND_WRITE},
     {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(a_buffer) = {

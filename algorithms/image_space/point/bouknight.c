@@ -309,8 +309,8 @@ static const struct hsr_line outline[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
-    {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+    {"span cull", SPAN_CULL, HSR_KIND_LINE, "n S_l", hsr_predict_span_cull},
+    {"depth search", DEPTH_SEARCH, HSR_KIND_SPAN, "30 n D_c min(m, 2 S_v)",
      hsr_predict_depth_search},
     {NULL}};
 

@@ -543,12 +543,12 @@ static double predict_depth_search(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"Y sort", Y_SORT, 1, "2 F_r", predict_y_sort},
-    {"X sort", X_SORT, 1, "n S_l", predict_x_sort},
-    {"X priority search", X_PRIORITY_SEARCH, 1, "n m",
+    {"Y sort", Y_SORT, HSR_KIND_BUCKET, "2 F_r", predict_y_sort},
+    {"X sort", X_SORT, HSR_KIND_BUCKET, "n S_l", predict_x_sort},
+    {"X priority search", X_PRIORITY_SEARCH, HSR_KIND_ELEMENT, "n m",
      predict_x_priority_search},
-    {"depth search", DEPTH_SEARCH, 20, "20 n (2 S_l) D_c f, f = 1/2",
-     predict_depth_search},
+    {"depth search", DEPTH_SEARCH, HSR_KIND_CROSSING,
+     "20 n (2 S_l) D_c f, f = 1/2", predict_depth_search},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

@@ -526,10 +526,14 @@ static const struct hsr_counter counters[] = {
                 "a contour edge|joined to the one before"},
     {NULL}};
 
-static const struct hsr_step steps[] = {
-    {"span cull", JOINTS, 1},
-    {"depth search", Z_SORT, 1, NULL, NULL, {{Z_COMPARE, 1}}},
-    {NULL}};
+static const struct hsr_step steps[] = {{"span cull", JOINTS, HSR_KIND_CULL},
+                                        {"depth search",
+                                         Z_SORT,
+                                         HSR_KIND_BUCKET,
+                                         NULL,
+                                         NULL,
+                                         {{Z_COMPARE, HSR_KIND_NUMBERS}}},
+                                        {NULL}};
 
 static const struct hsr_sort sorts[] = {{.part = &hsr_scan_part},
                                         {.part = &hsr_spans_part},
@@ -561,7 +565,8 @@ static const struct hsr_counter span_counters[] = {
     {NULL}};
 
 static const struct hsr_step span_steps[] = {
-    {"span cull", HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull}, {NULL}};
+    {"span cull", HSR_SPAN_CULL, HSR_KIND_LINE, "n S_l", hsr_predict_span_cull},
+    {NULL}};
 
 static const struct hsr_sort span_sorts[] = {
     {"segments", "X", "cull", "once a sample span"}, {NULL}};
@@ -596,7 +601,7 @@ static const struct hsr_counter search_counters[] = {
     {NULL}};
 
 static const struct hsr_step search_steps[] = {
-    {"depth search", HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+    {"depth search", HSR_DEPTH_SEARCH, HSR_KIND_SPAN, "30 n D_c min(m, 2 S_v)",
      hsr_predict_depth_search},
     {NULL}};
 

@@ -849,11 +849,21 @@ static double predict_z_sort(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"Z minimax", MINIMAX, 1, "F_r^2 f^2 / 2, f = 2 H_f/n (ours)",
+    {"Z minimax", MINIMAX, HSR_KIND_BOX, "F_r^2 f^2 / 2, f = 2 H_f/n (ours)",
      predict_minimax},
-    {"Z sort", Z_SORT, 1, "4 F_r^2 f^3, f = 2 H_f/n (ours)", predict_z_sort},
-    {"implied edges", IMPLIED, 1, NULL, NULL},
-    {"priority tests", PRIORITY, 1, NULL, NULL},
+    {"Z sort",
+     Z_SORT,
+     HSR_KIND_PLANE,
+     "4 F_r^2 f^3, f = 2 H_f/n (ours)",
+     predict_z_sort,
+     {{DIVISIONS, HSR_KIND_FACES}}},
+    {"implied edges", IMPLIED, HSR_KIND_SPAN},
+    {"priority tests",
+     PRIORITY,
+     HSR_KIND_NUMBERS,
+     NULL,
+     NULL,
+     {{SEGMENTS, HSR_KIND_LINK}}},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

@@ -57,8 +57,8 @@ static double predict_inter_cluster(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {{"inter-cluster priority",
-                                         HSR_INTER_CLUSTER, 10, "10 C_t",
-                                         predict_inter_cluster},
+                                         HSR_INTER_CLUSTER, HSR_KIND_TREE,
+                                         "10 C_t", predict_inter_cluster},
                                         {NULL}};
 
 static const struct hsr_sort sorts[] = {

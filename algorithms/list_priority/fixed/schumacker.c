@@ -662,12 +662,13 @@ static double predict_priority(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"intra-cluster priority", INTRA_CLUSTER, 100,
+    {"intra-cluster priority", INTRA_CLUSTER, HSR_KIND_CLUSTER,
      "100 F_c^2 C_t, not per frame", predict_intra_cluster},
     {.part = &hsr_cluster_order_part},
-    {"back-face cull", BACK_FACES, 1, "F_r", predict_back_faces},
-    {"Y cull", Y_CULL, 1, "n E_s", predict_y_cull},
-    {"X sort and priority search", PRIORITY, 1, "n m S_l", predict_priority},
+    {"back-face cull", BACK_FACES, HSR_KIND_CULL, "F_r", predict_back_faces},
+    {"Y cull", Y_CULL, HSR_KIND_LINE, "n E_s", predict_y_cull},
+    {"X sort and priority search", PRIORITY, HSR_KIND_ELEMENT, "n m S_l",
+     predict_priority},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

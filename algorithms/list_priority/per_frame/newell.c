@@ -483,7 +483,12 @@ static const struct hsr_line outline_frame_buffer[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"Newell special", INDEX_SORT, 1, NULL, NULL, {{GROUPS, 1}, {AGAIN, 1}}},
+    {"Newell special",
+     INDEX_SORT,
+     HSR_KIND_BUCKET,
+     NULL,
+     NULL,
+     {{GROUPS, HSR_KIND_BOX}, {AGAIN, HSR_KIND_NUMBERS}}},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -515,8 +520,9 @@ static double predict_segments(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step painting_steps[] = {
-    {"segment generator, Y sort", HSR_NEWELL_SEGMENTS, 10, "10 F_r H_f",
-     predict_segments},
+    {"segment generator, Y sort", HSR_NEWELL_SEGMENTS, HSR_KIND_SEGMENT,
+     "10 F_r H_f", predict_segments},
+    {"writes", HSR_NEWELL_WRITTEN, HSR_KIND_WRITE},
     {NULL}};
 
 static const struct hsr_line segment_lines[] = {
@@ -545,9 +551,10 @@ static double predict_bead_merge(const struct hsr_table1 *t) {
   return t->F_r * t->H_f * t->S_v / 4;
 }
 
-static const struct hsr_step bead_steps[] = {
-    {"X merge", HSR_BEAD_MERGE, 1, "F_r H_f S_v / 4", predict_bead_merge},
-    {NULL}};
+static const struct hsr_step bead_steps[] = {{"X merge", HSR_BEAD_MERGE,
+                                              HSR_KIND_LIST, "F_r H_f S_v / 4",
+                                              predict_bead_merge},
+                                             {NULL}};
 
 static const struct hsr_sort bead_sorts[] = {
     {"segments", "Y", "bucket sort", "once a frame"},

@@ -132,7 +132,7 @@ static const struct hsr_line outline[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"priority search", PRIORITY_SEARCH, 1, NULL, NULL}, {NULL}};
+    {"priority search", PRIORITY_SEARCH, HSR_KIND_NUMBERS}, {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {.part = &hsr_list_part},

@@ -653,17 +653,17 @@ static double predict_special(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"Z sort", HSR_LIST_Z_SORT, 1, "2 F_r", predict_z_sort},
+    {"Z sort", HSR_LIST_Z_SORT, HSR_KIND_BUCKET, "2 F_r", predict_z_sort},
     {"Newell special",
      HSR_LIST_SPECIAL,
-     1,
+     HSR_KIND_BOX,
      "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n",
      predict_special,
-     {{HSR_LIST_MINIMAX, 1},
-      {HSR_LIST_PLANES, 100},
-      {HSR_LIST_DIVISIONS, 100},
-      {HSR_LIST_INSERTIONS, 1}}},
-    {"circle search", HSR_LIST_CIRCLES, 100, NULL, NULL},
+     {{HSR_LIST_MINIMAX, HSR_KIND_BOX},
+      {HSR_LIST_PLANES, HSR_KIND_FACES},
+      {HSR_LIST_DIVISIONS, HSR_KIND_FACES},
+      {HSR_LIST_INSERTIONS, HSR_KIND_LIST}}},
+    {"circle search", HSR_LIST_CIRCLES, HSR_KIND_FACES},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

@@ -636,13 +636,16 @@ static double predict_sort_along(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"back and contour cull", HSR_EDGE_CULL, 1, "E_t", predict_edge_cull},
-    {"initial visibility", HSR_INITIAL, 100, "100 C_t F_r", predict_initial},
-    {"edge intersection", HSR_INTERSECT, 30, "30 E_s E_c",
+    {"back and contour cull", HSR_EDGE_CULL, HSR_KIND_CULL, "E_t",
+     predict_edge_cull},
+    {"initial visibility", HSR_INITIAL, HSR_KIND_VERTEX_FACE, "100 C_t F_r",
+     predict_initial},
+    {"edge intersection", HSR_INTERSECT, HSR_KIND_EDGES, "30 E_s E_c",
      predict_intersection},
-    {"invisibility correction", HSR_CORRECT, 30, "30 (2 E_s 3)",
+    {"invisibility correction", HSR_CORRECT, HSR_KIND_CORNER, "30 (2 E_s 3)",
      predict_correction},
-    {"sort along edge", HSR_SORT_ALONG, 1, "E_s", predict_sort_along},
+    {"sort along edge", HSR_SORT_ALONG, HSR_KIND_NUMBERS, "E_s",
+     predict_sort_along},
     {NULL}};
 
 static const struct hsr_line lines_before[] = {

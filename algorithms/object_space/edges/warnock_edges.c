@@ -499,10 +499,15 @@ static const struct hsr_line outline[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"bucket sort", BUCKET_SORT, 1, NULL, NULL},
-    {"X merge", X_MERGE, 1, NULL, NULL},
-    {"bubble sort", BUBBLE_SORT, 1, NULL, NULL},
-    {"uncertain order", UNCERTAIN, 1, NULL, NULL},
+    {"bucket sort", BUCKET_SORT, HSR_KIND_BUCKET},
+    {"X merge", X_MERGE, HSR_KIND_LIST},
+    {"bubble sort",
+     BUBBLE_SORT,
+     HSR_KIND_NUMBERS,
+     NULL,
+     NULL,
+     {{INTERCHANGES, HSR_KIND_INTERCHANGE}}},
+    {"uncertain order", UNCERTAIN, HSR_KIND_NUMBERS},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

@@ -1036,10 +1036,17 @@ static const struct hsr_line outline[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"back-edge cull", BACK_CULL, 1, "E_t", predict_back_cull},
-    {"clipping cull", CLIP_CULL, 100, "100 E_s", predict_clip_cull},
-    {"minimax", MINIMAX, 1, NULL, NULL, {{BOX_SORT, 1}, {BOX_SEARCH, 1}}},
-    {"edge/volume test", TEST, 100, "100 E_s f C_t, f = 4", predict_test},
+    {"back-edge cull", BACK_CULL, HSR_KIND_CULL, "E_t", predict_back_cull},
+    {"clipping cull", CLIP_CULL, HSR_KIND_EDGE_WINDOW, "100 E_s",
+     predict_clip_cull},
+    {"minimax",
+     MINIMAX,
+     HSR_KIND_BOX,
+     NULL,
+     NULL,
+     {{BOX_SORT, HSR_KIND_BOX}, {BOX_SEARCH, HSR_KIND_BOX}}},
+    {"edge/volume test", TEST, HSR_KIND_EDGE_VOLUME, "100 E_s f C_t, f = 4",
+     predict_test},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

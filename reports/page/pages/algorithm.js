@@ -126,12 +126,13 @@ function steps(report, a) {
     environment: e.scene, step: r.step, predicted: r.predicted?.[k] ?? null,
     measured: r.measured?.[k] ?? null })));
   const numbers = table({ id: "steps", caption: "Table III of " +
-    `${a.name}: cost is factor × count, in comparisons`, rows, columns: [
+    `${a.name}: cost is price × count, in comparisons`, rows, columns: [
     { name: "step", label: "step", whole: true, value: (r) => r.step,
       show: (r) => r.once ? `${r.step} (not each frame)` : r.step },
     { name: "formula", label: "the paper’s formula", prose: true,
       value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
-    { name: "factor", label: "factor", value: (r) => r.factor, number: true },
+    { name: "prices", label: "prices", prose: true,
+      value: (r) => (r.terms ?? []).map((t) => `${t.price} ${t.kind}`).join(", ") },
     ...measured.flatMap(([e, k]) => [
       number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k], count),
       number(`measured-${k}`, "measured", (r) => r.measured?.[k], count),

@@ -43,7 +43,7 @@ export function sweepsPage(report) {
     h("p", { class: "lead" }, "Each line is one algorithm on one scene that " +
       "grows. Both axes are logarithmic, so that a power is a straight line " +
       "and its exponent the slope. Bars are 95 % intervals. Comparisons are " +
-      "counted, a step’s count times the paper’s factor, and need no clock."),
+      "counted, a step’s counts times the paper’s prices, and need no clock."),
     points.length ? filterForm(report, points, FILTERS, update)
       : h("p", {}, "No sweep was run: that is, no scene in three sizes or " +
         "more, and no picture in three sizes or more."),

@@ -33,7 +33,7 @@ export function tablesPage(report) {
     h("p", { class: "lead" }, "What Sutherland, Sproull and Schumacker " +
       "predicted from rules of thumb, what the same formulas predict from the " +
       "statistics of our scenes, and what was counted. Costs are in " +
-      "comparisons: a step’s count times its complexity factor."),
+      "comparisons: each count of a step times the price of its kind of comparison."),
     all.length ? h("nav", { "aria-label": "Tables" }, h("ul", { class: "toc" },
       all.map(([id, title]) => h("li", {}, link(href("tables", id), title)))))
       : h("p", {}, "There are no tables."),

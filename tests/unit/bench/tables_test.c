@@ -154,7 +154,8 @@ static void give_algorithm(struct results *results,
     double decades = w->wildness * stray(w), exponent = w->bend * stray(w);
     const struct hsr_step *step = step_of(a, c, w);
     for (int s = 0; s < 9; s++) {
-      double count = step->predict(&table1[s]) / step->factor *
+      double count = step->predict(&table1[s]) /
+                     hsr_kinds[step->kind - HSR_FIRST_KIND].price *
                      pow(10, decades) * pow(faces[s] / 2500, exponent);
       must(!json_object_set_new(
           counts[s], a->counters[c].name,
@@ -191,7 +192,7 @@ static struct results make(struct world *w) {
 static struct tables *tables_of(const struct results *results) {
   struct tables *t;
   struct hsr_error err;
-  must(!tables_new(&t, results, &err));
+  must(!tables_new(&t, results, &hsr_prices_standard, &err));
   return t;
 }
 
@@ -317,14 +318,14 @@ static void test_missing(struct tap *tap) {
   results = (struct results){.headers = NULL};
   struct hsr_error err;
   ok(tap,
-     tables_new(&t, &results, &err) == HSR_E_INPUT && !t &&
-         strstr(err.text, "none of house"),
+     tables_new(&t, &results, &hsr_prices_standard, &err) == HSR_E_INPUT &&
+         !t && strstr(err.text, "none of house"),
      "no results, no tables");
   struct hsr_table1 table1 = {.n = 500, .m = 500, .F_r = 9};
   json_t *view = view_record(HOUSE, &table1);
   json_object_set_new(view, "width", json_integer(512));
   give(&results, view);
-  ok(tap, tables_new(&t, &results, &err) == HSR_E_INPUT,
+  ok(tap, tables_new(&t, &results, &hsr_prices_standard, &err) == HSR_E_INPUT,
      "nor from those of another size");
   for (int k = 0; k < MOST_SCENES; k++) {
     char name[20];
@@ -334,9 +335,87 @@ static void test_missing(struct tap *tap) {
     give(&results, view);
   }
   ok(tap,
-     tables_new(&t, &results, &err) == HSR_E_INPUT &&
+     tables_new(&t, &results, &hsr_prices_standard, &err) == HSR_E_INPUT &&
          strstr(err.text, "more than 29"),
      "a ladder can be too long");
+  results_free(&results);
+}
+
+/* --- Prices --------------------------------------------------------------- */
+
+static const double *price_of(const struct hsr_prices *prices,
+                              enum hsr_kind kind) {
+  return &prices->of[kind - HSR_FIRST_KIND];
+}
+
+static struct hsr_prices priced(enum hsr_kind kind, double price) {
+  struct hsr_prices prices = hsr_prices_standard;
+  prices.of[kind - HSR_FIRST_KIND] = price;
+  return prices;
+}
+
+static double step_cost(const struct results *results,
+                        const struct hsr_prices *prices, const char *algorithm,
+                        const char *step) {
+  struct tables *t;
+  struct hsr_error err;
+  must(!tables_new(&t, results, prices, &err));
+  double cost = tables_cost(t, algorithm, step)->measured[HOUSE];
+  tables_delete(t);
+  return cost;
+}
+
+static void test_prices(struct tap *tap) {
+  struct world survey = {0, 0, 1};
+  struct results results = make(&survey);
+  struct hsr_prices standard = hsr_prices_standard;
+  struct hsr_prices boxes = priced(HSR_KIND_BOX, 2.5);
+  struct hsr_prices windows = priced(HSR_KIND_FACE_WINDOW, 10);
+  struct hsr_prices writes = priced(HSR_KIND_WRITE, 1);
+  ok(tap,
+     *price_of(&standard, HSR_KIND_BOX) == 1 &&
+         *price_of(&standard, HSR_KIND_EDGES) == 30 &&
+         *price_of(&standard, HSR_KIND_EDGE_VOLUME) == 100,
+     "a box 1, two edges 30, an edge and a volume 100");
+
+  /* 50 faces put to elements, 7 of them within their boxes. */
+  set(&results, HOUSE, "raycast", "minimax tests", 50);
+  set(&results, HOUSE, "raycast", "surround tests", 7);
+  ok(tap,
+     step_cost(&results, &standard, "raycast", "search of all faces") ==
+             50 * 1 + 7 * 100 &&
+         step_cost(&results, &boxes, "raycast", "search of all faces") ==
+             50 * 2.5 + 7 * 100,
+     "brute force: 50 boxes and 7 faces cost 750; with boxes at 2.5, 825");
+
+  /* 10 faces against windows, 6 of them decided by their boxes. */
+  set(&results, HOUSE, "warnock", "Warnock special", 10);
+  set(&results, HOUSE, "warnock", "minimax culls", 6);
+  ok(tap,
+     step_cost(&results, &standard, "warnock", "Warnock special") ==
+             10 * 1 + (10 - 6) * 100 &&
+         step_cost(&results, &windows, "warnock", "Warnock special") ==
+             10 * 1 + (10 - 6) * 10,
+     "Warnock: 10 boxes and 4 faces cost 410; with these at 10, 50");
+
+  set(&results, HOUSE, "zbuffer", "writes", 77);
+  ok(tap,
+     step_cost(&results, &standard, "zbuffer", NULL) + 77 ==
+         step_cost(&results, &writes, "zbuffer", NULL),
+     "writes are free, but for those who charge them");
+  struct tables *t;
+  struct hsr_error err;
+  must(!tables_new(&t, &results, &boxes, &err));
+  struct tables *same = tables_of_standard(t);
+  ok(tap,
+     same &&
+         tables_cost(same, "raycast", NULL)->measured[HOUSE] == 50 + 7 * 100,
+     "the same tables by standard prices");
+  tables_delete(same);
+  tables_delete(t);
+  must(!tables_new(&t, &results, &standard, &err));
+  ok(tap, !tables_of_standard(t), "there are none beside the standard ones");
+  tables_delete(t);
   results_free(&results);
 }
 
@@ -580,10 +659,11 @@ static void test_report(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(45);
+  struct tap tap = plan(51);
   test_growth(&tap);
   test_survey(&tap);
   test_missing(&tap);
+  test_prices(&tap);
   test_known(&tap);
   test_flips(&tap);
   test_unmeasured(&tap);

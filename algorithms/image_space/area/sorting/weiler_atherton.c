@@ -426,10 +426,10 @@ static const struct hsr_sort sorts[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"rough sort", SORTED, 1, NULL, NULL, {{0}}},
-    {"examine", EXAMINED, 1, NULL, NULL, {{0}}},
-    {"clip", CLIPPED, 1, NULL, NULL, {{0}}},
-    {"compare", COMPARED, 1, NULL, NULL, {{0}}},
+    {"rough sort", SORTED, HSR_KIND_BUCKET},
+    {"examine", EXAMINED, HSR_KIND_BOX},
+    {"clip", CLIPPED, HSR_KIND_FACE_WINDOW},
+    {"compare", COMPARED, HSR_KIND_FACES, NULL, NULL, {{CUT, HSR_KIND_FACES}}},
     {NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(weiler_atherton) = {

@@ -635,15 +635,21 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(REGION_SORT)},
     {NULL}};
 
-static const struct hsr_step steps[] = {
-    {"region lists",
-     RANGES,
-     1,
-     NULL,
-     NULL,
-     {{ENTERED, 1}, {LEFT, 1}, {REGION_SORT, 1}}},
-    {"raster sort", RASTER_SORT, 1, NULL, NULL, {{RASTER_MERGE, 1}}},
-    {NULL}};
+static const struct hsr_step steps[] = {{"region lists",
+                                         RANGES,
+                                         HSR_KIND_NUMBERS,
+                                         NULL,
+                                         NULL,
+                                         {{ENTERED, HSR_KIND_BUCKET},
+                                          {LEFT, HSR_KIND_BUCKET},
+                                          {REGION_SORT, HSR_KIND_NUMBERS}}},
+                                        {"raster sort",
+                                         RASTER_SORT,
+                                         HSR_KIND_BUCKET,
+                                         NULL,
+                                         NULL,
+                                         {{RASTER_MERGE, HSR_KIND_LIST}}},
+                                        {NULL}};
 
 static const struct hsr_use uses_at_vertices[] = {{&hsr_warnock_part}, {NULL}};
 
@@ -707,10 +713,16 @@ static double predict_depth_search(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step warnock_steps[] = {
-    {"Z sort", HSR_WARNOCK_Z_SORT, 1, "2 F_r", predict_z_sort},
-    {"Warnock special", HSR_WARNOCK_SPECIAL, 100, "100 L_v D_c",
-     predict_special},
-    {"depth search", HSR_WARNOCK_DEPTH_SEARCH, 1, "L_v D_c",
+    {"Z sort", HSR_WARNOCK_Z_SORT, HSR_KIND_BUCKET, "2 F_r", predict_z_sort},
+    /* Every face meets a window by its box first; most are decided by that. */
+    {"Warnock special",
+     HSR_WARNOCK_SPECIAL,
+     HSR_KIND_FACE_WINDOW,
+     "100 L_v D_c",
+     predict_special,
+     {{HSR_WARNOCK_MINIMAX, HSR_KIND_FACE_WINDOW, .less = true},
+      {HSR_WARNOCK_SPECIAL, HSR_KIND_BOX}}},
+    {"depth search", HSR_WARNOCK_DEPTH_SEARCH, HSR_KIND_SURROUNDER, "L_v D_c",
      predict_depth_search},
     {NULL}};
 
