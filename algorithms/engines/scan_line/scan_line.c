@@ -174,6 +174,7 @@ static void retire_and_advance(struct hsr_scan *s, int j) {
     if (edge->end_row <= j)
       continue;
     find_column(s, edge, j, &at);
+    s->list_column[kept] = edge->column;
     list[kept++] = list[k];
   }
   s->n_list = kept;
@@ -188,47 +189,43 @@ count_right(const int *columns, uint32_t n, int column) {
   return (uint32_t)right;
 }
 
-/* How many of the last ones of n columns, which ascend, lie to the right of
- * `column`. They are compared from the last one on, many at once. */
+/* How many of the last ones of n columns lie to the right of `column`, up to
+ * one that does not. They are compared from the last one on, many at once. */
 HSR_VECTOR static uint32_t count_last_right(const int *columns, uint32_t n,
                                             int column) {
   enum { MANY = 256, SOME = 32 };
   uint32_t first = n;
-  while (first >= MANY) {
-    uint32_t right = count_right(columns + first - MANY, MANY, column);
-    first -= right;
-    if (right < MANY)
-      return n - first;
-  }
-  while (first >= SOME) {
-    uint32_t right = count_right(columns + first - SOME, SOME, column);
-    first -= right;
-    if (right < SOME)
-      return n - first;
-  }
-  return n - first + count_right(columns, first, column);
+  while (first >= MANY &&
+         count_right(columns + first - MANY, MANY, column) == MANY)
+    first -= MANY;
+  while (first >= SOME &&
+         count_right(columns + first - SOME, SOME, column) == SOME)
+    first -= SOME;
+  while (first && columns[first - 1] > column)
+    first--;
+  return n - first;
 }
 
-/* Linear merge: compares edge e with those in entering[] from the right, and
+/* Linear merge of one edge: compares e with those in list[] from the right, and
  * puts it before those that lie to the right of it. */
-static void merge_into_entering(struct hsr_scan *s, uint32_t e, int j) {
+static void merge_edge(struct hsr_scan *s, uint32_t e, int j) {
   int column = s->edge[e].column;
-  uint32_t n = s->n_entering++;
-  uint32_t right = count_last_right(s->entering_column, n, column);
+  uint32_t n = s->n_list++;
+  uint32_t right = count_last_right(s->list_column, n, column);
   uint32_t compared = right < n ? right + 1 : n;
   for (uint32_t k = 1; HSR_COUNTING && k <= compared; k++)
-    hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], &s->edge[s->entering[n - k]],
+    hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], &s->edge[s->list[n - k]],
                   k <= right, j);
-  uint32_t *to = s->entering + n - right;
-  int *to_column = s->entering_column + n - right;
+  uint32_t *to = s->list + n - right;
+  int *to_column = s->list_column + n - right;
   memmove(to + 1, to, right * sizeof *to);
   memmove(to_column + 1, to_column, right * sizeof *to_column);
   *to = e;
   *to_column = column;
 }
 
-/* Puts the edges of the row's bucket into entering[], sorted by column; or as
- * they are in the bucket, where that is sorted, or a tree is. */
+/* Merges the edges of the row's bucket into list[], one after the other. If the
+ * bucket is sorted, or a tree is, they are put into entering[] instead. */
 static void take_bucket(struct hsr_scan *s, bool sorted, int j) {
   enum { AHEAD = 8 }; /* edges of a bucket are spread over memory */
   const struct hsr_row at = hsr_row_of(s->screen.view, j);
@@ -243,11 +240,12 @@ static void take_bucket(struct hsr_scan *s, bool sorted, int j) {
     if (sorted)
       s->entering[s->n_entering++] = e;
     else
-      merge_into_entering(s, e, j);
+      merge_edge(s, e, j);
   }
 }
 
-/* Merges entering[] into list[], from the right end of both. */
+/* Merges entering[], which is sorted, into list[], from the right end of both.
+ */
 static void merge_x(struct hsr_scan *s, int j) {
   uint32_t from = s->n_list, entering = s->n_entering;
   uint32_t to = s->n_list += s->n_entering;
@@ -366,9 +364,9 @@ enum hsr_status hsr_scan_reserve(struct hsr_scan *s, const struct hsr_job *job,
   s->columns = HSR_NEW(arena, int, room.columns);
   s->list = HSR_NEW(arena, uint32_t, room.edges);
   s->entering = HSR_NEW(arena, uint32_t, room.edges);
-  s->entering_column = HSR_NEW(arena, int, room.edges);
+  s->list_column = HSR_NEW(arena, int, room.edges);
   if (!s->vertex_row || !s->edge || !s->bucket || !s->in_bucket || !s->cut ||
-      !s->columns || !s->list || !s->entering || !s->entering_column)
+      !s->columns || !s->list || !s->entering || !s->list_column)
     return HSR_E_NOMEM;
   hsr_vertex_rows(screen, s->vertex_row);
   return HSR_OK;
@@ -394,7 +392,7 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
   take_bucket(scan, tree || scan->ways.presort, j);
   if (tree)
     hsr_x_tree_merge(scan, j);
-  else
+  else if (scan->ways.presort)
     merge_x(scan, j);
   if (scan->known)
     sort_x(scan, scan->known, j);

@@ -19,7 +19,9 @@
  *             - A face that is divided, or cut by the near plane, gives its
  *             columns row by row (hsr_piece_spans). The paper clips it.
  * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
- *             S_l)) */
+ *             S_l)). The formula of the merge takes half a list of S_l. But a
+ *             list of edges holds two for each segment, so up to twice as many
+ *             comparisons are made as it says. */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
 #define HSR_ALGORITHMS_SCAN_LINE_H
 
@@ -110,8 +112,9 @@ struct hsr_scan {
   int *columns; /* room for the spans of the largest cut face */
 
   uint32_t *list, n_list;         /* X sort list */
-  uint32_t *entering, n_entering; /* edges of the row's bucket, sorted */
-  int *entering_column;           /* their columns */
+  int *list_column;               /* its columns, until it is sorted */
+  uint32_t *entering, n_entering; /* edges of the row's bucket, for a tree, or
+                                     sorted */
 
   struct hsr_scan_ways ways;
   struct hsr_x_node *node; /* the tree */

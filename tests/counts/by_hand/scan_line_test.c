@@ -20,18 +20,17 @@ enum { M = 16, N = 8 };
  *
  * Y sort: two edges of each rectangle are not horizontal: 6.
  *
- * X merge: first the bucket is ordered, last in first out: a right edge, then
- * the left one, which is compared with it: 1 a bucket. Then it is merged, from
- * the right:
- *   row 1: the list is empty                                        0
- *   row 2: 9 with 12, with 2; 6 with 2                              3
- *   row 3: 14 with 12; 10 with 12, with 9                           3
- * That is 3 + 6 = 9.
+ * X merge: each edge of the bucket, last in first out, so the right one first,
+ * is compared with those of the list from the right:
+ *   row 1: 12 with none; 2 with 12                                  1
+ *   row 2: 9 with 12, 2; 6 with 12, 9, 2                            5
+ *   row 3: 14 with 12; 10 with 14, 12, 9                            4
+ * That is 10.
  *
  * X sort: every edge but the first is compared with the one before it:
  * 1 + 3 + 5 + 3 + 1 = 13. No two are out of order: 0 interchanges. */
 static const struct hand_count of_deck[] = {{"Y sort", 6},
-                                            {"X merge", 9},
+                                            {"X merge", 10},
                                             {"X sort", 13},
                                             {"X interchanges", 0},
                                             {NULL}};
@@ -51,7 +50,7 @@ static const struct pixel_face slant[] = {
  * X merge: the bucket, last in first out, is B right 4, B left 2, A right 8,
  * A left 4. B left with B right: 1. A right with B right: 1. A left with A
  * right, then with B right, which is at the same column and stays: 2. That is
- * 4; the list is empty, so nothing is merged.
+ * 4.
  *
  * X sort: comparisons, and interchanges:
  *   row 1: Bl 2, Br 4, Al 4, Ar 8: in order                   3
