@@ -180,6 +180,8 @@ libbench_a_SOURCES = \
   %D%/tables/growth.c \
   %D%/tables/growth.h \
   %D%/tables/json.c \
+  %D%/tables/map.c \
+  %D%/tables/map.h \
   %D%/tables/paper_1974.c \
   %D%/tables/paper_1974.h \
   %D%/tables/prices.c \

@@ -3,6 +3,7 @@
 #include "bench/modules/modules.h"
 #include "bench/options/words.h"
 #include "bench/tables/greene.h"
+#include "bench/tables/map.h"
 #include "bench/tables/prices.h"
 #include "bench/tables/sorts.h"
 #include "bench/tables/tables.h"
@@ -11,7 +12,7 @@
 
 #include <stdlib.h>
 
-enum { MOST_FILES = 64, GREENE = 0x200, SORTS, PRICES };
+enum { MOST_FILES = 64, GREENE = 0x200, SORTS, PRICES, MAP };
 
 struct options {
   struct option_base base;
@@ -20,7 +21,7 @@ struct options {
   const char *output; /* where the counts go, or NULL */
   const char *prices; /* file, or NULL */
   long timeout;
-  bool json, greene, sorts;
+  bool json, greene, sorts, map;
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -33,6 +34,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case GREENE:
     o->greene = true;
+    return 0;
+  case MAP:
+    o->map = true;
     return 0;
   case SORTS:
     o->sorts = true;
@@ -56,8 +60,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->greene && !o->n_files)
       return option_fail(&o->base, "tables: --greene: which results? "
                                    "(reports/greene/make)");
-    if (o->sorts &&
-        (o->greene || o->json || o->n_files || o->output || o->prices))
+    if (o->map && (!o->n_files || o->greene || o->json))
+      return option_fail(&o->base, "tables: --map is a text, of results of the "
+                                   "survey's algorithms (reports/1974/map)");
+    if (o->sorts && (o->greene || o->json || o->map || o->n_files ||
+                     o->output || o->prices))
       return option_fail(&o->base, "tables: --sorts goes alone");
     if (o->greene && o->prices)
       return option_fail(&o->base, "tables: --prices is for the survey's "
@@ -82,6 +89,11 @@ static const struct argp argp = {
          "instead, count the comparisons of the sorts, searches and merges "
          "that "
          "the survey lists, as the records become more",
+         0},
+        {"map", MAP, NULL, 0,
+         "instead, of results on any scenes (hsr generate): the cheapest "
+         "algorithm "
+         "by F_r and D_c, and how costs grow with each of the two",
          0},
         {"prices", PRICES, "FILE", 0,
          "compute all costs and verdicts by other prices of comparisons: an "
@@ -185,6 +197,8 @@ static enum hsr_status print(const struct options *o,
                              struct hsr_error *err) {
   if (o->greene)
     return print_greene(o, results, err);
+  if (o->map)
+    return map_print(results, prices, err);
   struct tables *tables;
   enum hsr_status status = tables_new(&tables, results, prices, err);
   if (status)

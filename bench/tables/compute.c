@@ -28,7 +28,7 @@ const char *const tables_walkers[] = {"newell",
 /* --- Scenes --------------------------------------------------------------- */
 
 /* X(field, symbol, meaning) */
-static struct hsr_table1 read_table1(const json_t *view) {
+struct hsr_table1 tables_table1(const json_t *view) {
   const json_t *table = json_object_get(view, "table1");
   struct hsr_table1 t;
 #define X(field, symbol, meaning)                                              \
@@ -41,7 +41,7 @@ static struct hsr_table1 read_table1(const json_t *view) {
 
 /* `view` is NULL if the results do not have it. */
 static struct table_scene make_scene(const char *name, const json_t *view) {
-  struct table_scene scene = {.name = name, .measured = read_table1(view)};
+  struct table_scene scene = {.name = name, .measured = tables_table1(view)};
   hsr_statistics_rules(&scene.measured, &scene.rules);
   return scene;
 }

@@ -95,6 +95,9 @@ const struct table_algorithm *tables_algorithm(const struct tables *t,
 const struct series *tables_cost(const struct tables *t, const char *algorithm,
                                  const char *step);
 
+/* Table I of a view of the results. What it does not have is NAN. */
+struct hsr_table1 tables_table1(const json_t *view);
+
 /* The value of an algorithm's counter of that key on a scene; NAN if it has
  * none. */
 double tables_count(const struct tables *t, const char *algorithm,
