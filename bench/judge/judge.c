@@ -98,6 +98,7 @@ static enum hsr_status judge_view(const struct group *g,
   if (!status && !(player->algorithm->flags & HSR_NO_PICTURE))
     status = compare(g, player, k, &got, wanted, cell, err);
   memcpy(cell->count, tally.count, sizeof cell->count);
+  memcpy(cell->culled, tally.culled, sizeof cell->culled);
   if (g->form.type->by_places) { /* at samples; told by the counting build */
     cell->depths_compared = tally.depths_compared;
     cell->depths_exact = tally.exact[HSR_ASK_DEPTH];

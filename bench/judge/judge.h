@@ -40,6 +40,7 @@ struct cell {
   uint64_t counting_mismatches; /* and in the one that counts */
   char first[200]; /* the first of them in words, as in struct hsr_difference */
   uint64_t count[HSR_MAX_COUNTERS]; /* by the counting build */
+  uint64_t culled[HSR_N_CULLS];     /* likewise */
   uint64_t depths_compared, depths_exact;
   long peak_kb; /* the most memory that its process held */
   char adapted[HSR_MAX_ADAPTATIONS][HSR_ADAPTER_NAME]; /* adapters that changed

@@ -173,6 +173,8 @@ static void add_cell(struct cell *sum, const struct cell *cell) {
   sum->counting_mismatches += cell->counting_mismatches;
   for (int c = 0; c < HSR_MAX_COUNTERS; c++)
     sum->count[c] += cell->count[c];
+  for (int c = 0; c < HSR_N_CULLS; c++)
+    sum->culled[c] += cell->culled[c];
   sum->depths_compared += cell->depths_compared;
   sum->depths_exact += cell->depths_exact;
 }
@@ -661,6 +663,21 @@ static json_t *counts_json(const struct place_run *run, int k) {
   return counts;
 }
 
+/* The faces that the core left out; NULL if there were none, or nobody counted. */
+static json_t *culled_json(const struct place_run *run, int k) {
+  const struct cell *cell = &run->shared->cells[k];
+  json_t *culled = NULL;
+  if (!run->entrant[k]->listed || is_program(run->entrant[k]))
+    return NULL;
+  for (int c = 0; c < HSR_N_CULLS; c++)
+    if (cell->culled[c]) {
+      culled = culled ? culled : json_object();
+      json_object_set_new(culled, hsr_cull_name[c],
+                          json_integer((json_int_t)cell->culled[c]));
+    }
+  return culled;
+}
+
 static json_t *depths_json(const struct cell *cell) {
   if (!cell->depths_compared)
     return json_null();
@@ -711,7 +728,7 @@ static json_t *cell_record(const struct place_run *run, int k) {
       e->listed &&
       hsr_choice_flags(e->listed->plain, &e->choice) & HSR_KNOWN_WRONG;
   json_t *record = json_pack(
-      "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so so}",
+      "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so* so so}",
       "record", "cell", "run", run->sweep->run, "scene", run->place.scene,
       "view", run->place.view, "width", run->place.m, "height", run->place.n,
       "algorithm", e->name, "peer", !e->listed, "known_wrong", known_wrong,
@@ -720,8 +737,9 @@ static json_t *cell_record(const struct place_run *run, int k) {
       "counting_mismatches", counting_json(cell), "compared",
       (json_int_t)cell->compared, "reason",
       reason_of(run->sweep->plan->options, e, cell, reason), "adapted",
-      adapted_json(cell), "counts", counts_json(run, k), "depths",
-      depths_json(cell), "starts", starts_json(run, k));
+      adapted_json(cell), "counts", counts_json(run, k), "culled",
+      culled_json(run, k), "depths", depths_json(cell), "starts",
+      starts_json(run, k));
   return with_walk(run, record);
 }
 

@@ -238,6 +238,29 @@ static void print_missing(const struct tables *t,
   }
 }
 
+/* The faces that the core leaves out before the algorithm sees them, by kind. */
+static void print_culled(const struct table_algorithm *a) {
+  enum { INDENT = 4 };
+  for (int c = 0; c < HSR_N_CULLS; c++) {
+    char text[300];
+    int used = snprintf(text, sizeof text,
+                        "left out by the core, %s:", hsr_cull_name[c]);
+    const int begin = used;
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+      const json_t *n = json_object_get(json_object_get(a->cell[e], "culled"),
+                                        hsr_cull_name[c]);
+      if (n)
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s %s %s",
+                         used > begin ? "," : "", paper_environments[e].scene,
+                         short_number((double)json_integer_value(n)).text);
+    }
+    if (used == begin)
+      continue;
+    printf("%*s", INDENT, "");
+    wrap(INDENT, text);
+  }
+}
+
 static void print_ladder(const struct tables *t) {
   if (t->n_scenes == ENVIRONMENTS) {
     puts("There is no ladder of harbor:N among the results: no growth.");
@@ -290,6 +313,7 @@ static void print_table3(const struct tables *t) {
     printf("\n%s\n", t->algorithm[a].algorithm->name);
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
       print_step(&t->algorithm[a].step[k], &t->prices);
+    print_culled(&t->algorithm[a]);
     print_missing(t, &t->algorithm[a]);
   }
 }

@@ -8,6 +8,7 @@ const char *const hsr_step_kind_name[HSR_N_STEP_KINDS] = {HSR_STEP_KINDS(X)};
 const char *const hsr_subject_kind_name[HSR_N_SUBJECT_KINDS] = {
     HSR_SUBJECT_KINDS(X)};
 const char *const hsr_question_name[HSR_N_QUESTIONS] = {HSR_QUESTIONS(X)};
+const char *const hsr_cull_name[HSR_N_CULLS] = {HSR_CULLS(X)};
 #undef X
 
 bool hsr_has_key(const struct hsr_counter *counter, const char *key) {
@@ -19,6 +20,8 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from) {
     to->count[k] += from->count[k];
   for (int q = 0; q < HSR_N_QUESTIONS; q++)
     to->exact[q] += from->exact[q];
+  for (int c = 0; c < HSR_N_CULLS; c++)
+    to->culled[c] += from->culled[c];
   to->depths_compared += from->depths_compared;
   to->out_of_memory |= from->out_of_memory;
 }

@@ -120,6 +120,24 @@ enum hsr_question {
 };
 extern const char *const hsr_question_name[HSR_N_QUESTIONS];
 
+/* Why the core leaves a face out before a module sees it (hsr_screen_place in
+ * common/exact/screen.h). Counted in the timed build too. The survey's F_r leaves
+ * out the first two kinds; a face of the third is relevant there. */
+#define HSR_CULLS(X)                                                           \
+  X(UNSEEN, "unseen") /* it does not exist for the eye: a back, or edge on */  \
+  X(OUTSIDE, "outside") /* not in the picture, or not behind the near plane */ \
+  X(BETWEEN,                                                                   \
+    "between samples") /* in the picture, but no sample is in its     \
+                                   bounds */
+
+enum hsr_cull {
+#define X(id, name) HSR_CULL_##id,
+  HSR_CULLS(X)
+#undef X
+      HSR_N_CULLS
+};
+extern const char *const hsr_cull_name[HSR_N_CULLS];
+
 /* --- Events --------------------------------------------------------------- */
 
 /* One step of a run. */
@@ -164,6 +182,7 @@ struct hsr_tally {
                                       counter; set by hsr_tally_begin
                                       (algorithms/algorithm.h) */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
+  uint64_t culled[HSR_N_CULLS];    /* faces that the core left out */
   uint64_t depths_compared; /* depth comparisons, by the filter or exact; kept
                                in the counting build only */
   bool out_of_memory;       /* an exact predicate could not be decided */
@@ -187,7 +206,7 @@ static inline uint64_t hsr_tally_count(const struct hsr_tally *tally,
   return tally->count[hsr_tally_place(tally, counter)];
 }
 
-/* Adds the counts and questions of `from` to those of `to`, and its
+/* Adds the counts, questions and culled faces of `from` to those of `to`, and its
  * out_of_memory. Both must number their counters alike. The work picture and
  * the trace of `to` stay as they are. */
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);

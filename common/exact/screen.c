@@ -530,29 +530,55 @@ static void narrow_to_outline(const struct hsr_screen *screen, uint32_t f,
   b->y1 = o.y1 < b->y1 ? o.y1 : b->y1;
 }
 
+/* Whether the bounds of a face's vertices, which are safe, reach into the
+ * window. */
+static bool reaches_window(const struct hsr_screen *screen, uint32_t f) {
+  const struct hsr_world *world = screen->world;
+  const struct hsr_window *w = &screen->view->window;
+  const double left = hsr_sample_x(screen->view, w->x0) - 0.5,
+               top = hsr_sample_y(screen->view, w->y0) - 0.5;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    const uint32_t v = world->mesh.vertex[k];
+    x0 = fmin(x0, screen->sx[v]);
+    x1 = fmax(x1, screen->sx[v]);
+    y0 = fmin(y0, screen->sy[v]);
+    y1 = fmax(y1, screen->sy[v]);
+  }
+  return x1 >= left && x0 <= left + (w->x1 - w->x0) && y1 >= top &&
+         y0 <= top + (w->y1 - w->y0);
+}
+
+static bool leave_out(enum hsr_cull why, struct hsr_tally *tally) {
+  tally->culled[why]++;
+  return false;
+}
+
 bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
                       struct hsr_tally *tally) {
   if (!hsr_face_exists(screen, f, tally))
-    return false;
+    return leave_out(HSR_CULL_UNSEEN, tally);
   struct hsr_bounds *b = &screen->bounds[f];
   const struct hsr_view *view = screen->view;
   bool certain = screen->facing[f] != 0 || view->parallel;
   bool safe = vertex_bounds(screen, f, b);
   int beyond = safe && view->parallel ? vertices_beyond_near(screen, f) : 0;
   if (beyond < 0)
-    return false;
+    return leave_out(HSR_CULL_OUTSIDE, tally);
   if (!safe) {
     const struct hsr_window *w = &view->window;
     *b = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
     if (certain && wholly_behind(screen, f))
-      return false;
+      return leave_out(HSR_CULL_OUTSIDE, tally);
     if (certain)
       *b = clipped_bounds(screen, f);
   }
   if (screen->world->pieces)
     narrow_to_outline(screen, f, b);
   if (b->x0 >= b->x1 || b->y0 >= b->y1)
-    return false;
+    return leave_out(safe && reaches_window(screen, f) ? HSR_CULL_BETWEEN
+                                                       : HSR_CULL_OUTSIDE,
+                     tally);
   /* A face whose facing is uncertain may still be whole: if it is flat and
    * before the eye, rays meet it before the eye. */
   bool ahead = certain || screen->world->mesh.deviation[f] == 0;

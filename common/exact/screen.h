@@ -113,7 +113,8 @@ void hsr_screen_plane(struct hsr_screen *screen, uint32_t f);
 
 /* Culls one face, whose vertices and plane are filled in. False if the face
  * does not exist or no sample of the window is in its bounds. If true, the face
- * is relevant, and its bounds and `whole` are filled in. */
+ * is relevant, and its bounds and `whole` are filled in. If false, the tally says
+ * why. */
 bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
                       struct hsr_tally *tally);
 

@@ -107,11 +107,15 @@ static void test_sum(struct tap *tap) {
     to.count[k] = (uint64_t)k, one.count[k] = 1;
   for (int q = 0; q < HSR_N_QUESTIONS; q++)
     to.exact[q] = 10, one.exact[q] = (uint64_t)q;
+  for (int c = 0; c < HSR_N_CULLS; c++)
+    to.culled[c] = 3, one.culled[c] = (uint64_t)c;
   hsr_tally_add(&to, &one);
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
     good &= to.count[k] == (uint64_t)k + 1;
   for (int q = 0; q < HSR_N_QUESTIONS; q++)
     good &= to.exact[q] == 10 + (uint64_t)q;
+  for (int c = 0; c < HSR_N_CULLS; c++)
+    good &= to.culled[c] == 3 + (uint64_t)c;
   good &= to.depths_compared == 7 && !to.out_of_memory;
   one.out_of_memory = true;
   hsr_tally_add(&to, &one);
