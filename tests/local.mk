@@ -172,6 +172,7 @@ tap_scripts = \
   %D%/command/walk.test \
   %D%/conformance/large_faces.test \
   %D%/conformance/quick_scenes.test \
+  %D%/conformance/stages.test \
   %D%/drawings/drawings.test \
   %D%/example/example.test \
   %D%/export/export.test \

@@ -40,7 +40,10 @@ algorithm_files += \
   %D%/point/watkins.h \
   %D%/point/watkins_runs.c \
   %D%/point/watkins_z.c \
-  %D%/point/yzx.c
+  %D%/point/yzx.c \
+  %D%/stages/items.c \
+  %D%/stages/items.h \
+  %D%/stages/stages.c
 # These files count nothing and are compiled once.
 libcore_a_SOURCES += \
   %D%/area/tiling/grove.c \

@@ -19,10 +19,15 @@ struct place {
   double *cost, *predicted; /* by algorithm */
 };
 
+struct priced {
+  const char *name;
+  const struct hsr_algorithm *algorithm;
+};
+
 struct map {
   const struct results *results;
   const struct hsr_prices *prices;
-  const struct hsr_algorithm **algorithm; /* those that have steps */
+  struct priced *algorithm; /* those that have steps, and variants of them */
   int n_algorithms;
   struct place *place;
   size_t n_places;
@@ -33,13 +38,16 @@ struct map {
 
 /* --- Costs ---------------------------------------------------------------- */
 
-/* Whether it is one of the survey's, or the z-buffer, which it prices, too. */
-static bool is_of_survey(const struct hsr_algorithm *a) {
-  return paper_group(a->name) != NULL;
+/* Which of them a map shows. The survey prices z-buffers, too. */
+enum who { SURVEY, ORDERS, ALL };
+static bool is_shown(const struct priced *a, enum who who) {
+  return who == ALL      ? true
+         : who == ORDERS ? !strcmp(a->algorithm->name, "sort-stages")
+                         : paper_group(a->name) != NULL;
 }
 
 static double cost_at(const struct map *map, const struct place *place,
-                      const struct hsr_algorithm *a) {
+                      const struct priced *a) {
   char key[RESULTS_KEY];
   int length = results_picture_key(results_text(place->view, "scene"),
                                    results_number(place->view, "view"), 0,
@@ -52,11 +60,10 @@ static double cost_at(const struct map *map, const struct place *place,
 
 /* By the formulas of Table III, with what is measured in Table I. NAN if a step
  * has none. */
-static double predicted_at(const struct place *place,
-                           const struct hsr_algorithm *a) {
+static double predicted_at(const struct place *place, const struct priced *a) {
   const struct paper_group *group = paper_group(a->name);
   double sum = 0;
-  for (const struct hsr_step *s = a->steps; group && s->label; s++) {
+  for (const struct hsr_step *s = a->algorithm->steps; group && s->label; s++) {
     const struct paper_step *paper = paper_step(group, s->label);
     if (paper && !paper->once)
       sum += s->predict ? s->predict(&place->table) : NAN;
@@ -65,16 +72,21 @@ static double predicted_at(const struct place *place,
 }
 
 static enum hsr_status find_algorithms(struct map *map) {
-  int n = 0;
+  size_t n = 0;
   for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     n++;
-  map->algorithm =
-      HSR_NEW(&map->arena, const struct hsr_algorithm *, (size_t)n);
+  for (const char *const *variant = tables_variants; *variant; variant++)
+    n++;
+  map->algorithm = HSR_NEW(&map->arena, struct priced, n);
   if (!map->algorithm)
     return HSR_E_NOMEM;
   for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->steps)
-      map->algorithm[map->n_algorithms++] = l->plain;
+      map->algorithm[map->n_algorithms++] =
+          (struct priced){l->plain->name, l->plain};
+  for (const char *const *variant = tables_variants; *variant; variant++)
+    map->algorithm[map->n_algorithms++] =
+        (struct priced){*variant, results_listed(*variant)->plain};
   return HSR_OK;
 }
 
@@ -97,8 +109,8 @@ static enum hsr_status find_places(struct map *map) {
       continue;
     map->n_places++;
     for (int a = 0; a < map->n_algorithms; a++) {
-      place->cost[a] = cost_at(map, place, map->algorithm[a]);
-      place->predicted[a] = predicted_at(place, map->algorithm[a]);
+      place->cost[a] = cost_at(map, place, &map->algorithm[a]);
+      place->predicted[a] = predicted_at(place, &map->algorithm[a]);
     }
   }
   return HSR_OK;
@@ -152,23 +164,29 @@ static const struct place *place_at(const struct map *map, double faces,
 
 enum { CELL = 18 };
 
+/* Of a variant, what is chosen last. */
+static const char *short_name(const char *name) {
+  const char *choice = strrchr(name, '=');
+  return choice ? choice + 1 : name;
+}
+
 /* "warnock 1.23M", the cheapest at a place. With `predicted`, by formulas. */
 static void print_cheapest(const struct map *map, const struct place *place,
-                           bool all, bool predicted) {
+                           enum who who, bool predicted) {
   char text[CELL + 40] = "-";
   double least = INFINITY;
   for (int a = 0; place && a < map->n_algorithms; a++) {
     const double cost = predicted ? place->predicted[a] : place->cost[a];
-    if ((!all && !is_of_survey(map->algorithm[a])) || !(cost < least))
+    if (!is_shown(&map->algorithm[a], who) || !(cost < least))
       continue;
     least = cost;
-    snprintf(text, sizeof text, "%.11s %s", map->algorithm[a]->name,
+    snprintf(text, sizeof text, "%.11s %s", short_name(map->algorithm[a].name),
              short_number(cost).text);
   }
   printf(" %*s", CELL - 1, text);
 }
 
-static void print_map(const struct map *map, const char *title, bool all,
+static void print_map(const struct map *map, const char *title, enum who who,
                       bool predicted) {
   printf("\n%s\n\n%7s", title, "F_r");
   for (int d = 0; d < map->n_depths; d++)
@@ -177,7 +195,7 @@ static void print_map(const struct map *map, const char *title, bool all,
   for (int f = 0; f < map->n_faces; f++) {
     printf("%7.0f", map->faces[f]);
     for (int d = 0; d < map->n_depths; d++)
-      print_cheapest(map, place_at(map, map->faces[f], map->depth[d]), all,
+      print_cheapest(map, place_at(map, map->faces[f], map->depth[d]), who,
                      predicted);
     putchar('\n');
   }
@@ -254,7 +272,7 @@ static void print_growth(const struct map *map) {
     const struct exponents formula = fit(map, a, true);
     if (!measured.n)
       continue;
-    printf("%-26s", map->algorithm[a]->name);
+    printf("%-26s", map->algorithm[a].name);
     print_exponent(measured.p);
     print_exponent(measured.q);
     print_exponent(formula.p);
@@ -278,9 +296,10 @@ enum hsr_status map_print(const struct results *results,
     status = hsr_fail(err, HSR_E_INPUT,
                       "tables: no view of the results has Table I");
   else {
-    print_map(&map, "The cheapest of the survey's", false, false);
-    print_map(&map, "The same by the survey's formulas", false, true);
-    print_map(&map, "The cheapest of all that have prices", true, false);
+    print_map(&map, "The cheapest of the survey's", SURVEY, false);
+    print_map(&map, "The same by the survey's formulas", SURVEY, true);
+    print_map(&map, "The cheapest of all that have prices", ALL, false);
+    print_map(&map, "The cheapest order of sorts (sort-stages)", ORDERS, false);
     print_growth(&map);
   }
   hsr_arena_free(&map.arena);

@@ -15,10 +15,11 @@ import { bouknight, romney, warnock, watkins } from "./image.js";
 import { hzbuffer, tiling } from "./later.js";
 import { newell, schumacker } from "./lists.js";
 import { appel, galimberti, loutrel, roberts } from "./object.js";
+import { sortStages } from "./stages.js";
 
 export const LESSONS = { painter, zbuffer, raycast, "bsp-painter": bspPainter,
   roberts, appel, galimberti, loutrel, schumacker, newell, warnock, romney, bouknight,
-  watkins, hzbuffer, tiling };
+  watkins, hzbuffer, tiling, "sort-stages": sortStages };
 
 // Algorithms that work as another one does, for the most part.
 const LIKE = { "zbuffer-fast": "zbuffer", "bsp-front": "bsp-painter",
