@@ -161,6 +161,7 @@ struct hsr_algorithm {
   unsigned
       restrictions; /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
+  unsigned lifted;  /* those of the paper's that this module does not have */
   unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
                         faces draws a grid by the faces of its cells */
   /* What it makes, ended by .kind == NULL: first its own kind; then those that it

@@ -198,7 +198,7 @@ static const struct argp argp = {
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
     "  hsr lesson house -a watkins --frames slides --png\n"
     "  hsr lesson house -a watkins --frames slides.pdf\n"
-    "  hsr lesson house -a roberts --frames slides --steps 36,25550,26399\n"
+    "  hsr lesson house -a roberts --frames slides --steps 36,16428,16651\n"
     "  hsr lesson --survey --lab lab.html -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,

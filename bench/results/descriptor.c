@@ -18,12 +18,20 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
   return place[branch];
 }
 
-json_t *restrictions_json(const struct hsr_algorithm *a) {
+static json_t *codes_json(unsigned restrictions) {
   json_t *codes = json_array();
   for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
-    if (a->restrictions & 1u << k)
+    if (restrictions & 1u << k)
       hsr_json_append(&codes, json_string(hsr_restriction_code(1u << k)));
   return codes;
+}
+
+json_t *restrictions_json(const struct hsr_algorithm *a) {
+  return codes_json(a->restrictions);
+}
+
+json_t *lifted_json(const struct hsr_algorithm *a) {
+  return codes_json(a->lifted);
 }
 
 json_t *sorts_json(const struct hsr_algorithm *a) {

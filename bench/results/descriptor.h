@@ -16,6 +16,7 @@ struct taxonomy taxonomy(enum hsr_branch branch);
 
 /* New references, or NULL for lack of memory. */
 json_t *restrictions_json(const struct hsr_algorithm *algorithm);
+json_t *lifted_json(const struct hsr_algorithm *algorithm);
 json_t *algorithms_json(void); /* of all algorithms */
 json_t *sorts_json(const struct hsr_algorithm *algorithm);
 json_t *terms_json(const struct hsr_algorithm *algorithm,

@@ -7,6 +7,7 @@
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
 #include "bench/run/table1.h"
+#include "common/statistics/depth.h"
 #include "bench/run/terminate.h"
 #include "bench/sweep/journal.h"
 #include "bench/sweep/programs.h"
@@ -27,7 +28,8 @@
 /* Memory in which the judges' processes leave their findings. */
 struct shared {
   struct hsr_table1 table1; /* of the first view */
-  bool has_table1;
+  struct hsr_overlaps overlaps;
+  bool has_table1;     /* and the overlaps */
   struct cell cells[]; /* one for each entrant. Of a walk, one for each view and
                           entrant, until add_walk adds those of all views to
                           those of the first */
@@ -138,6 +140,9 @@ static void judge_statistics(const struct place_run *run) {
     end_process(HSR_OK);
   enum hsr_status status =
       measure_table1(&run->stage.world, run->view, &run->shared->table1, NULL);
+  if (!status)
+    status = hsr_overlaps_measure(&run->stage.world, run->view,
+                                  &run->shared->overlaps, NULL);
   run->shared->has_table1 = !status;
   end_process((int)status);
 }
@@ -596,6 +601,16 @@ static json_t *table1_json(const struct shared *shared) {
   return table;
 }
 
+static json_t *overlap(const struct shared *shared, double f) {
+  return shared->has_table1 ? number_or_null(f) : json_null();
+}
+
+static json_t *overlaps_json(const struct shared *shared) {
+  const struct hsr_overlaps *o = &shared->overlaps;
+  return json_pack("{so so so}", "x", overlap(shared, o->f_x), "y",
+                   overlap(shared, o->f_y), "z", overlap(shared, o->f_z));
+}
+
 /* Adds the walk to a record, if there is one. Takes and returns the reference.
  */
 static json_t *with_walk(const struct place_run *run, json_t *record) {
@@ -608,11 +623,12 @@ static json_t *with_walk(const struct place_run *run, json_t *record) {
 
 static json_t *view_record(const struct place_run *run) {
   return with_walk(run,
-                   json_pack("{ss ss ss ss si si si so}", "record", "view",
+                   json_pack("{ss ss ss ss si si si so so}", "record", "view",
                              "run", run->sweep->run, "scene", run->place.scene,
                              "scene_hash", run->scene_hash, "view",
                              run->place.view, "width", run->place.m, "height",
-                             run->place.n, "table1", table1_json(run->shared)));
+                             run->place.n, "table1", table1_json(run->shared),
+                             "overlaps", overlaps_json(run->shared)));
 }
 
 static json_t *seconds_or_null(double seconds) {

@@ -17,7 +17,10 @@ enum finding {
 const char *finding_name(enum finding finding); /* "not borne out" */
 
 struct conclusion {
-  const char *section, *claim;
+  const char *section;
+  const char *sentence; /* how the survey's sentence begins */
+  const char *claim;
+  const char *erratum; /* how the survey contradicts it itself, or NULL */
   char criterion[200]; /* how it is judged: "exponent: 1.75 to 2.25" */
   enum finding finding;
   char evidence[1200]; /* the figures */

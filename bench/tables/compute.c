@@ -41,7 +41,13 @@ struct hsr_table1 tables_table1(const json_t *view) {
 
 /* `view` is NULL if the results do not have it. */
 static struct table_scene make_scene(const char *name, const json_t *view) {
+  static const char *const axis[3] = {"x", "y", "z"};
   struct table_scene scene = {.name = name, .measured = tables_table1(view)};
+  const json_t *overlaps = json_object_get(view, "overlaps");
+  for (int k = 0; k < 3; k++) {
+    const json_t *f = json_object_get(overlaps, axis[k]);
+    scene.overlap[k] = json_is_number(f) ? json_number_value(f) : NAN;
+  }
   hsr_statistics_rules(&scene.measured, &scene.rules);
   return scene;
 }

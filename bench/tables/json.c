@@ -206,8 +206,9 @@ static json_t *figure29a_json(void) {
   for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++)
     if (l->plain->taxonomy != HSR_YARDSTICK)
       hsr_json_append(&array,
-                      json_pack("{ss so}", "algorithm", l->plain->name,
-                                "restrictions", restrictions_json(l->plain)));
+                      json_pack("{ss so so}", "algorithm", l->plain->name,
+                                "restrictions", restrictions_json(l->plain),
+                                "lifted", lifted_json(l->plain)));
   return array;
 }
 
@@ -285,8 +286,9 @@ static json_t *conclusions_json(const struct tables *t) {
   struct tables *standard = tables_of_standard(t);
   for (int k = 0; k < claims_count(); k++) {
     struct conclusion c = claims_judge(t, k);
-    json_t *row = json_pack("{ss ss ss ss ss}", "section", c.section, "claim",
-                            c.claim, "criterion", c.criterion, "verdict",
+    json_t *row = json_pack("{ss ss ss ss? ss ss ss}", "section", c.section,
+                            "sentence", c.sentence, "claim", c.claim, "erratum",
+                            c.erratum, "criterion", c.criterion, "verdict",
                             finding_name(c.finding), "evidence", c.evidence);
     if (standard)
       json_object_set_new(

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each method is the textbook's: bubble sort moves a key to its place and stops
- * there; Shell's increments are 2^k - 1; Quicksort divides at the first key;
+/* The survey names the methods and does not give them. Its bubble sort is the one
+ * of its scan-line algorithms: a key that is out of order bubbles to its place, past
+ * its neighbors, and stops there. Textbooks call that straight insertion; theirs
+ * passes over all keys until none moves. The others are the textbook's: Shell's increments are 2^k - 1; Quicksort divides at the first key;
  * the tree is binary, kept flat by random ranks, and entered at its root;
  * radix sort takes 8 bits in each pass. Records are nearly in sort if a
  * sixteenth of them have changed places with their neighbors. */

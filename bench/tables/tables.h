@@ -30,6 +30,7 @@ extern const char *const tables_walkers[];
 struct table_scene {
   const char *name;
   struct hsr_table1 measured, rules;
+  double overlap[3]; /* f_x, f_y, f_z (common/statistics/depth.h) */
 };
 
 /* A cost on every scene, and how it grows over the ladder with F_r. */

@@ -228,6 +228,25 @@ static void print_step(const struct table_step *row,
   putchar('\n');
 }
 
+/* Says what was done to the scenes before they were counted: the predictions are
+ * those of the scenes as they are. */
+static void print_adapted(const struct tables *t,
+                          const struct table_algorithm *a) {
+  char names[200] = "";
+  for (int s = 0; s < t->n_scenes && !names[0]; s++) {
+    size_t k;
+    json_t *name;
+    json_array_foreach(json_object_get(a->cell[s], "adapted"), k, name) {
+      size_t used = strlen(names);
+      snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
+               json_string_value(name));
+    }
+  }
+  if (names[0])
+    printf("    counted after: %s; the predictions are of the scene as it is\n",
+           names);
+}
+
 /* Says on which scenes there are no counts, and why. */
 static void print_missing(const struct tables *t,
                           const struct table_algorithm *a) {
@@ -314,6 +333,7 @@ static void print_table3(const struct tables *t) {
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
       print_step(&t->algorithm[a].step[k], &t->prices);
     print_culled(&t->algorithm[a]);
+    print_adapted(t, &t->algorithm[a]);
     print_missing(t, &t->algorithm[a]);
   }
 }
@@ -471,7 +491,10 @@ static void print_orders(void) {
 }
 
 static void print_figure29a(void) {
-  title("Figure 29a. What each algorithm restricts the environment to");
+  title("Figure 29a, reconstructed. What restricts the environment");
+  wrap(0, "The survey's own figure is lost in the scans that we have: this is "
+          "made from its text, and from what our modules need. x: the module "
+          "needs it; o: the survey's algorithm does, the module does not.");
   puts("CC  clusters are closed convex polyhedra  NP  no penetrating faces\n"
        "CF  faces are convex polygons             TP  topology is needed\n"
        "TR  faces are triangles                   PF  planar faces only\n"
@@ -487,14 +510,18 @@ static void print_figure29a(void) {
       continue;
     char row[2 + 9 * 3] = "";
     for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
-      strcat(row, l->plain->restrictions & 1u << k ? "  x" : "  .");
+      strcat(row, l->plain->restrictions & 1u << k ? "  x"
+                  : l->plain->lifted & 1u << k     ? "  o"
+                                                   : "  .");
     printf("%-20s%s\n", l->plain->name, row);
   }
 }
 
 static void print_figure29b(void) {
-  title("Figure 29b. What each algorithm sorts, by what key and method, how "
-        "often");
+  title(
+      "Figure 29b, reconstructed. What is sorted, by what key and method, how "
+      "often");
+  puts("Of the survey's own: from its text; its figure is lost in the scans.");
   for (const struct hsr_listed *l = hsr_algorithms(); l->plain; l++) {
     const struct hsr_algorithm *a = l->plain;
     if (is_yardstick(a))
@@ -539,20 +566,29 @@ static void print_changed(const struct tables *t) {
 
 static void print_conclusions(const struct tables *t) {
   title("The survey's conclusions, and whether the counts bear them out");
-  puts("Judged by computation: each by the criterion below it.");
+  wrap(0,
+       "Judged by computation: each by the criterion below it. Behind a claim "
+       "are the section and the beginning of the sentence that makes it. An "
+       "erratum: where the survey contradicts itself.");
   int n[NOT_BORNE_OUT + 1] = {0};
   for (int k = 0; k < claims_count(); k++) {
     struct conclusion c = claims_judge(t, k);
     n[c.finding]++;
     printf("\n%-14s ", finding_name(c.finding));
     char text[400];
-    snprintf(text, sizeof text, "%s (%s)", c.claim, c.section);
+    snprintf(text, sizeof text, "%s (%s: \"%s\")", c.claim, c.section,
+             c.sentence);
     wrap(15, text);
     printf("%15s", "");
     wrap(15, c.criterion);
     if (c.evidence[0]) {
       printf("%15s", "");
       wrap(15, c.evidence);
+    }
+    if (c.erratum) {
+      snprintf(text, sizeof text, "erratum: %s", c.erratum);
+      printf("%15s", "");
+      wrap(15, text);
     }
   }
   printf("\n%d claims: %d borne out, %d not borne out, %d undecided, %d not "

@@ -260,6 +260,9 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
  * or HSR_BACKGROUND, is written to all samples of the window.
  * HSR_ACCEPTED(tally, DRAWN, a, b, window, part): a step of kind HSR_ACCEPT
  * that adds `part` to an answer that is not ids.
+ * HSR_STEPS(tally, MINIMAX, n): n steps that were made at once, as vector code
+ * makes them. When someone listens, they are made known by HSR_STEP one by one
+ * instead: ask HSR_LISTENED(tally).
  * HSR_COMPUTED(tally, Y_CULL, n): adds n to a counter that is computed.
  * HSR_TOUCH(tally, i, j): adds 1 to the sample in the work picture.
  * HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were handled
@@ -274,6 +277,8 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
   } while (0)
 #define HSR_COMPUTED(tally, counter, n)                                        \
   ((void)((tally)->count[hsr_tally_place(tally, counter)] += (uint64_t)(n)))
+#define HSR_STEPS(tally, counter, n) HSR_COMPUTED(tally, counter, n)
+#define HSR_LISTENED(tally) ((tally)->trace != NULL)
 #define HSR_TOUCH(tally, i, j)                                                 \
   do {                                                                         \
     if ((tally)->work)                                                         \
@@ -296,6 +301,8 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
   } while (0)
 #define HSR_COMPUTED(tally, counter, n)                                        \
   ((void)sizeof((tally) + (counter) + (n)))
+#define HSR_STEPS(tally, counter, n) HSR_COMPUTED(tally, counter, n)
+#define HSR_LISTENED(tally) ((void)sizeof(tally), false)
 #define HSR_TOUCH(tally, i, j) ((void)sizeof((tally) + (i) + (j)))
 #define HSR_TOUCH_SPAN(tally, x0_, x1_, j_)                                    \
   ((void)sizeof((tally) + (x0_) + (x1_) + (j_)))

@@ -112,27 +112,7 @@ uint32_t hsr_corner_boxes_find(const struct hsr_corner_boxes *s,
   return n;
 }
 
-/* --- What it counts ------------------------------------------------------- */
-
-static const struct hsr_counter counters[] = {
-    {"box sort",
-     "comparisons to sort boxes of edges, and to find among them those near an "
-     "edge",
-     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"},
-    {NULL}};
-
-static const struct hsr_step steps[] = {
-    {"edge intersection", HSR_BOX_SORT, HSR_KIND_BOX}, {NULL}};
-
-static const struct hsr_line lines[] = {
-    {"with sorted boxes: sort edges by the upper left corners of their boxes, "
-     "and "
-     "find those near an edge",
-     HSR_RAISES(HSR_BOX_SORT)},
-    {NULL}};
-
-const struct hsr_part hsr_box_sort_part = {
-    HSR_PART_BOX_SORT, counters, steps, NULL, {lines}};
+/* --- Words ---------------------------------------------------------------- */
 
 const struct hsr_word hsr_box_sortings[] = {
     [HSR_NOT_SORTED] = {"none", "not: an edge is compared with all of them", 0},
@@ -140,4 +120,18 @@ const struct hsr_word hsr_box_sortings[] = {
                        "by their boxes' upper left corners: an edge is put "
                        "to those that may be near it",
                        0},
+    {NULL}};
+
+const struct hsr_word hsr_edge_sortings[] = {
+    [HSR_NOT_SORTED] = {"none", "not: an edge is compared with all of them", 0},
+    [HSR_BY_CORNER] = {"corner",
+                       "by their boxes' upper left corners: an edge is put "
+                       "to those that may be near it",
+                       0},
+    [HSR_IN_GROUPS] =
+        {"groups",
+         "not, but in groups of 64 neighbors, which are mostly of "
+         "one object: an edge is put to those of groups that are "
+         "near it",
+         0},
     {NULL}};

@@ -62,13 +62,13 @@ uint32_t hsr_corner_boxes_find(const struct hsr_corner_boxes *boxes,
                                const struct hsr_image_box *box,
                                struct hsr_subject of);
 
-/* The part, for modules that sort edges, and its counter. */
-extern const struct hsr_part hsr_box_sort_part;
-enum { HSR_BOX_SORT = HSR_FIRST_OF(HSR_PART_BOX_SORT) };
+/* The counters of the part of modules that sort edges, or take them in groups
+ * (edge_intersection.h). */
+enum { HSR_BOX_SORT = HSR_FIRST_OF(HSR_PART_BOX_SORT), HSR_BOX_GROUPS };
 
-/* The words of the option that chooses the sort. */
-enum { HSR_NOT_SORTED, HSR_BY_CORNER };
-extern const struct hsr_word hsr_box_sortings[];
+/* The words of the option that chooses the sort; edges may also be grouped. */
+enum { HSR_NOT_SORTED, HSR_BY_CORNER, HSR_IN_GROUPS };
+extern const struct hsr_word hsr_box_sortings[], hsr_edge_sortings[];
 
 #ifdef __cplusplus
 }

@@ -9,12 +9,6 @@ static struct hsr_float_box float_box(const struct hsr_image_box *box) {
       box->y1 == box->y1 ? hsr_float_above(box->y1) : INFINITY};
 }
 
-enum { BLOCK = 64 }; /* items */
-
-static uint32_t n_blocks(uint32_t n) {
-  return n / BLOCK + (n % BLOCK > 0);
-}
-
 static bool allocate(struct hsr_box_rows *rows, uint32_t n,
                      struct hsr_arena *arena) {
   float *bound = HSR_NEW(arena, float, 4 * (size_t)n);
@@ -45,49 +39,80 @@ static struct hsr_float_box around(const struct hsr_box_rows *rows, uint32_t k,
   return box;
 }
 
-static uint32_t end_of(const struct hsr_near_boxes *boxes, uint32_t block) {
-  uint32_t first = block * BLOCK;
-  return boxes->n - first < BLOCK ? boxes->n : first + BLOCK;
+static uint32_t end_of(const struct hsr_near_boxes *boxes, uint32_t group) {
+  uint32_t first = group * HSR_BOX_GROUP;
+  return boxes->n - first < HSR_BOX_GROUP ? boxes->n : first + HSR_BOX_GROUP;
+}
+
+static enum hsr_status make_groups(struct hsr_near_boxes *boxes,
+                                   struct hsr_arena *arena) {
+  uint32_t n = hsr_near_boxes_n_groups(boxes);
+  boxes->group_near = HSR_NEW_ZEROED(arena, uint8_t, n);
+  if (!boxes->group_near || !allocate(&boxes->group_rows, n, arena))
+    return HSR_E_NOMEM;
+  for (uint32_t g = 0; g < n; g++) {
+    struct hsr_float_box all =
+        around(&boxes->rows, g * HSR_BOX_GROUP, end_of(boxes, g));
+    set(&boxes->group_rows, g, &all);
+  }
+  return HSR_OK;
 }
 
 enum hsr_status hsr_near_boxes_make(struct hsr_near_boxes *boxes,
                                     const struct hsr_image_box *box,
                                     const uint32_t *item, uint32_t n,
-                                    struct hsr_arena *arena) {
-  *boxes = (struct hsr_near_boxes){
-      .n = n,
-      .near = HSR_NEW_ZEROED(arena, uint8_t, n),
-      .block_near = HSR_NEW_ZEROED(arena, uint8_t, n_blocks(n))};
-  if (!boxes->near || !boxes->block_near || !allocate(&boxes->rows, n, arena) ||
-      !allocate(&boxes->block_rows, n_blocks(n), arena))
+                                    bool in_groups, struct hsr_arena *arena) {
+  *boxes = (struct hsr_near_boxes){.n = n,
+                                   .near = HSR_NEW_ZEROED(arena, uint8_t, n),
+                                   .in_groups = in_groups};
+  if (!boxes->near || !allocate(&boxes->rows, n, arena))
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < n; k++) {
     struct hsr_float_box own = float_box(&box[item[k]]);
     set(&boxes->rows, k, &own);
   }
-  for (uint32_t b = 0; b < n_blocks(n); b++) {
-    struct hsr_float_box all =
-        around(&boxes->rows, b * BLOCK, end_of(boxes, b));
-    set(&boxes->block_rows, b, &all);
-  }
-  return HSR_OK;
+  return in_groups ? make_groups(boxes, arena) : HSR_OK;
 }
 
 /* Forgets what was near the box before. */
 static void clear(struct hsr_near_boxes *boxes) {
-  for (uint32_t b = 0; b < n_blocks(boxes->n); b++)
-    if (boxes->block_near[b])
-      memset(boxes->near + b * BLOCK, 0, end_of(boxes, b) - b * BLOCK);
+  for (uint32_t g = 0; g < hsr_near_boxes_n_groups(boxes); g++)
+    if (boxes->group_near[g])
+      memset(boxes->near + g * HSR_BOX_GROUP, 0,
+             end_of(boxes, g) - g * HSR_BOX_GROUP);
+}
+
+static void find_in_groups(struct hsr_near_boxes *boxes,
+                           const struct hsr_float_box *asked) {
+  uint32_t n = hsr_near_boxes_n_groups(boxes);
+  clear(boxes);
+  hsr_box_rows_near(&boxes->group_rows, 0, n, asked, boxes->group_near);
+  for (uint32_t g = 0; g < n; g++)
+    if (boxes->group_near[g])
+      hsr_box_rows_near(&boxes->rows, g * HSR_BOX_GROUP,
+                        end_of(boxes, g) - g * HSR_BOX_GROUP, asked,
+                        boxes->near + g * HSR_BOX_GROUP);
 }
 
 void hsr_near_boxes_find(struct hsr_near_boxes *boxes,
                          const struct hsr_image_box *box) {
   struct hsr_float_box asked = float_box(box);
-  clear(boxes);
-  hsr_box_rows_near(&boxes->block_rows, 0, n_blocks(boxes->n), &asked,
-                    boxes->block_near);
-  for (uint32_t b = 0; b < n_blocks(boxes->n); b++)
-    if (boxes->block_near[b])
-      hsr_box_rows_near(&boxes->rows, b * BLOCK, end_of(boxes, b) - b * BLOCK,
-                        &asked, boxes->near + b * BLOCK);
+  if (boxes->in_groups)
+    find_in_groups(boxes, &asked);
+  else
+    hsr_box_rows_near(&boxes->rows, 0, boxes->n, &asked, boxes->near);
+}
+
+void hsr_near_boxes_find_among(struct hsr_near_boxes *boxes, uint32_t k,
+                               uint32_t end, const struct hsr_image_box *box) {
+  struct hsr_float_box asked = float_box(box);
+  hsr_box_rows_near(&boxes->rows, k, end - k, &asked, boxes->near + k);
+}
+
+uint32_t hsr_near_boxes_compared(const struct hsr_near_boxes *boxes) {
+  uint32_t n = boxes->in_groups ? 0 : boxes->n;
+  for (uint32_t g = 0; g < hsr_near_boxes_n_groups(boxes); g++)
+    if (boxes->group_near[g])
+      n += end_of(boxes, g) - g * HSR_BOX_GROUP;
+  return n;
 }

@@ -601,8 +601,13 @@ static const struct hsr_counter search_counters[] = {
     {NULL}};
 
 static const struct hsr_step search_steps[] = {
-    {"depth search", HSR_DEPTH_SEARCH, HSR_KIND_SPAN, "30 n D_c min(m, 2 S_v)",
-     hsr_predict_depth_search},
+    /* A division leads to another comparison of the same two segments. */
+    {"depth search",
+     HSR_DEPTH_SEARCH,
+     HSR_KIND_SPAN,
+     "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search,
+     {{HSR_DEPTH_DIVISIONS, HSR_KIND_SPAN, .less = true}}},
     {NULL}};
 
 static const struct hsr_sort search_sorts[] = {

@@ -13,19 +13,19 @@
  *             triangle of the eye and that edge.
  * Ties        the material edge is displaced (common/lines/sight/sight.h), so
  *             that no contour edge meets a side of its triangle
- * Departures  the change is the number of faces that the contour edge gains or
+ * Departures  a minimax test of the images comes before; Appel's computes in
+ *             object coordinates, and has none. The change is the number of faces that the contour edge gains or
  *             loses, which is 2 at a fold of a two-sided surface
- * Options     boxes=corner: contour edges sorted by the upper left corners of
- *             their boxes, as Sutherland et al. propose (corner_boxes.h)
+ * Options     those of edge_intersection.h
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges */
 #include "algorithms/object_space/edges/edge_intersection.h"
 #include "common/answers/kinds/segments.h"
 
-enum { BOXES }; /* option */
+enum { VORTICITY };
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how contour edges are sorted", hsr_box_sortings, 0,
-               HSR_BY_CORNER, HSR_NOT_SORTED},
+    [HSR_NETWORK_BOXES] = {"boxes", "how contour edges are sorted",
+                           hsr_edge_sortings, 0, HSR_IN_GROUPS, HSR_NOT_SORTED},
     {NULL}};
 
 /* Does contour edge c pierce the triangle E A' B'? */
@@ -39,26 +39,28 @@ static enum hsr_crossing pierce_triangle(const struct hsr_network *network,
     return HSR_BOXES_APART;
   if (hsr_edges_meet(edges, e, c))
     return HSR_SHARE_A_VERTEX;
-  /* Its ends must be on different sides of the triangle's plane. */
+  /* It must pierce the triangle's plane: its ends are on different sides. */
   if (hsr_sight_line_side(sight, A, B, C) ==
       hsr_sight_line_side(sight, A, B, D))
     return HSR_DO_NOT_CROSS;
   /* The three directed edges of the triangle must have one vorticity about it:
-   * first E A and B E, */
-  if (hsr_sight_side(sight, C, D, A) == hsr_sight_side(sight, C, D, B))
-    return HSR_DO_NOT_CROSS;
-  /* then A B, which c must pass on the side of the eye. */
-  return hsr_sight_nearer(sight, e, c) ? HSR_CROSSES_NEARER
-                                       : HSR_CROSSES_FARTHER;
+   * first E A and B E, then A B, which c must pass on the side of the eye. */
+  enum hsr_crossing found =
+      hsr_sight_side(sight, C, D, A) == hsr_sight_side(sight, C, D, B)
+          ? HSR_DO_NOT_CROSS
+      : hsr_sight_nearer(sight, e, c) ? HSR_CROSSES_NEARER
+                                      : HSR_CROSSES_FARTHER;
+  HSR_STEP(network->tally, VORTICITY, hsr_edge_subject(edges, e),
+           hsr_edge_subject(edges, c), HSR_NOWHERE,
+           found == HSR_CROSSES_NEARER);
+  return found;
 }
 
-/* Puts e to contour edge c, which may be known to be apart. */
+/* Puts e to contour edge c. */
 static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
-                                 uint32_t c, bool apart) {
-  enum hsr_crossing found =
-      apart ? HSR_BOXES_APART : pierce_triangle(network, e, c);
-  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
-           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+                                 uint32_t c) {
+  enum hsr_crossing found = pierce_triangle(network, e, c);
+  hsr_network_compared(network, e, c, found);
   return found == HSR_CROSSES_NEARER
              ? hsr_network_cross(network, e, c, network->net[c])
              : HSR_OK;
@@ -69,16 +71,14 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  bool sorted = network->job->option[HSR_NETWORK_BOXES] == HSR_BY_CORNER;
   return hsr_network_cross_edges(network, e, sorted ? NULL : &network->contours,
                                  network->contour, cross_one);
 }
 
 static enum hsr_status run(const struct hsr_job *job, bool visible_only,
                            struct hsr_error *err) {
-  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
   struct hsr_intersector intersector = {.cross = cross,
-                                        .box_sort = sorted ? HSR_BOX_SORT : 0,
                                         .visible_only = visible_only};
   return hsr_network_render(job, &intersector, err);
 }
@@ -100,12 +100,24 @@ static const struct hsr_use uses[] = {{&hsr_network_part},
                                       {&hsr_box_sort_part},
                                       {NULL}};
 
+static const struct hsr_counter counters[] = {
+    [VORTICITY] = {"vorticities",
+                   "contour edges that pierce the plane of the eye and an edge",
+                   HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
+                   "outside the triangle|inside"},
+    {NULL}};
+
 static const struct hsr_line outline[] = {
     {"", .part = &hsr_box_sort_part},
     {"", .part = &hsr_network_part},
+    {"", .part = &hsr_box_sort_part, .group = HSR_LINES_OF_GROUPS},
     {"    for each contour edge: does it pierce the triangle of the eye and "
      "the edge?",
      HSR_RAISES(HSR_INTERSECT)},
+    {"      minimax test: do the boxes of the images overlap?",
+     HSR_RAISES(HSR_OVERLAPS)},
+    {"      if it pierces the plane: is the vorticity of the three sides one?",
+     HSR_RAISES(VORTICITY)},
     {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
     {NULL}};
 
@@ -129,10 +141,12 @@ const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .lifted = HSR_NP,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,
     .parts = uses,
+    .counters = counters,
     .outline = outline,
     .options = options,
     .prepare = hsr_network_prepare,
@@ -151,10 +165,12 @@ const struct hsr_algorithm HSR_ALGORITHM(appel_visible) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .lifted = HSR_NP,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_SEGMENTS, .how = HSR_VISIBLE_ONLY}},
     .sorts = sorts,
     .parts = uses,
+    .counters = counters,
     .outline = outline,
     .options = options,
     .prepare = hsr_network_prepare,

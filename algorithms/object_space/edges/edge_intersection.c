@@ -84,7 +84,7 @@ static void cull_edge(struct hsr_network *network, uint32_t e) {
 }
 
 enum hsr_status hsr_network_init(struct hsr_network *network,
-                                 const struct hsr_job *job) {
+                                 const struct hsr_job *job, long boxes) {
   const struct hsr_edges *edges = job->prepared;
   struct hsr_arena *arena = job->scratch;
   uint32_t n = edges->n, n_points = edges->n_points;
@@ -112,13 +112,14 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
   if (hsr_near_boxes_make(&network->faces, network->face_box,
-                          network->sight.faces, network->sight.n_faces,
+                          network->sight.faces, network->sight.n_faces, false,
                           arena) ||
       hsr_near_boxes_make(&network->loose, network->face_box,
-                          network->sight.loose, network->sight.n_loose, arena))
+                          network->sight.loose, network->sight.n_loose, false,
+                          arena))
     return HSR_E_NOMEM;
   return hsr_near_boxes_make(&network->contours, network->box, network->contour,
-                             network->n_contour, arena);
+                             network->n_contour, boxes == HSR_IN_GROUPS, arena);
 }
 
 /* --- Events --------------------------------------------------------------- */
@@ -199,6 +200,28 @@ enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
                                              .subject = subject_of,
                                              .context = network->edges};
   return hsr_corner_boxes_sort(&network->boxes, network->job->scratch);
+}
+
+void hsr_network_count_groups(const struct hsr_network *network, uint32_t e,
+                              const struct hsr_near_boxes *all,
+                              const uint32_t *edge) {
+  for (uint32_t g = 0; g < hsr_near_boxes_n_groups(all); g++)
+    HSR_STEP(network->tally, HSR_BOX_GROUPS,
+             hsr_edge_subject(network->edges, e),
+             hsr_edge_subject(network->edges, edge[g * HSR_BOX_GROUP]),
+             HSR_NOWHERE, all->group_near[g]);
+}
+
+void hsr_network_count_apart(const struct hsr_network *network, uint32_t e,
+                             const struct hsr_near_boxes *all,
+                             const uint32_t *edge, uint32_t from, uint32_t to) {
+  if (!HSR_LISTENED(network->tally) && !all->in_groups) {
+    HSR_STEPS(network->tally, HSR_INTERSECT, to - from);
+    return;
+  }
+  for (uint32_t k = from; k < to; k++)
+    if (hsr_near_boxes_is_compared(all, k))
+      hsr_network_compared(network, e, edge[k], HSR_BOXES_APART);
 }
 
 uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e) {
@@ -319,13 +342,16 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   return add_interval(network, e, t, part->to.t, count, visible_only);
 }
 
+/* The outcomes of HSR_APART. */
+enum { IN_PLANE, LOOSE_NEAR, LOOSE_APART };
+
 /* Takes face f, in whose plane the edge lies, away where it was counted. */
 static enum hsr_status take_away(struct hsr_network *network, uint32_t e,
                                  uint32_t f, int64_t *count) {
   bool hidden;
   size_t first = network->events.n;
   HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
-           HSR_FACE(f), HSR_NOWHERE, 0);
+           HSR_FACE(f), HSR_NOWHERE, IN_PLANE);
   if (hsr_sight_face(&network->sight, e, f, network->job->scratch,
                      &network->events, &hidden))
     return HSR_E_NOMEM;
@@ -335,19 +361,54 @@ static enum hsr_status take_away(struct hsr_network *network, uint32_t e,
   return HSR_OK;
 }
 
-enum hsr_status hsr_network_put_loose(struct hsr_network *network, uint32_t e,
-                                      uint32_t k, bool *hidden) {
+/* Puts loose face f, whose box is near, to edge e. */
+static enum hsr_status put_near(struct hsr_network *network, uint32_t e,
+                                uint32_t f, bool *hidden) {
   const struct hsr_sight *sight = &network->sight;
-  uint32_t f = sight->loose[k];
   *hidden = false;
-  if (hsr_is_own(network->edges, e, f) || hsr_sight_in_plane(sight, e, f))
-    return HSR_OK;
   HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
-           HSR_FACE(f), HSR_NOWHERE, 1);
-  if (!network->loose.near[k])
+           HSR_FACE(f), HSR_NOWHERE, LOOSE_NEAR);
+  if (hsr_is_own(network->edges, e, f) || hsr_sight_in_plane(sight, e, f))
     return HSR_OK;
   return hsr_sight_face(sight, e, f, network->job->scratch, &network->events,
                         hidden);
+}
+
+/* Counts the comparison of e's box with those of loose faces that are apart. */
+static void count_loose(const struct hsr_network *network, uint32_t e,
+                        uint32_t from, uint32_t to) {
+  if (!HSR_LISTENED(network->tally)) {
+    HSR_STEPS(network->tally, HSR_APART, to - from);
+    return;
+  }
+  for (uint32_t k = from; k < to; k++)
+    HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
+             HSR_FACE(network->sight.loose[k]), HSR_NOWHERE, LOOSE_APART);
+}
+
+enum hsr_status hsr_network_put_loose(struct hsr_network *network, uint32_t e,
+                                      void (*hides)(void *context, uint32_t f),
+                                      void *context) {
+  struct hsr_near_boxes *loose = &network->loose;
+  hsr_near_boxes_find(loose, &network->box[e]);
+  for (uint32_t k, from = 0; from < loose->n; from = k + 1) {
+    bool hidden;
+    k = hsr_near_boxes_next(loose, from, loose->n);
+    if (HSR_COUNTING)
+      count_loose(network, e, from, k);
+    if (k == loose->n)
+      break;
+    if (put_near(network, e, network->sight.loose[k], &hidden))
+      return HSR_E_NOMEM;
+    if (hidden)
+      hides(context, network->sight.loose[k]);
+  }
+  return HSR_OK;
+}
+
+static void count_one(void *count, uint32_t f) {
+  (void)f;
+  ++*(int64_t *)count;
 }
 
 /* Takes away the faces in whose plane the edge lies, and adds the loose ones.
@@ -367,16 +428,7 @@ static enum hsr_status count_faces_apart(struct hsr_network *network,
     if (sight->regular[edges->side[k].face] &&
         take_away(network, e, edges->side[k].face, count))
       return HSR_E_NOMEM;
-  const struct hsr_near_boxes *loose = &network->loose;
-  hsr_near_boxes_find(&network->loose, &network->box[e]);
-  for (uint32_t k = hsr_near_boxes_next(loose, 0); k < loose->n;
-       k = hsr_near_boxes_next(loose, k + 1)) {
-    bool hidden;
-    if (hsr_network_put_loose(network, e, k, &hidden))
-      return HSR_E_NOMEM;
-    *count += hidden;
-  }
-  return HSR_OK;
+  return hsr_network_put_loose(network, e, count_one, count);
 }
 
 /* Whether no place of the edge can be visible, because its crossings are too
@@ -426,24 +478,46 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
   return hiding;
 }
 
-void hsr_network_find_faces(struct hsr_network *network, uint32_t p) {
+/* Counts the comparison of p with the boxes of faces that do not hold it. */
+static void count_out(const struct hsr_network *network, uint32_t p,
+                      uint32_t from, uint32_t to) {
+  if (!HSR_LISTENED(network->tally)) {
+    HSR_STEPS(network->tally, HSR_INITIAL, to - from);
+    return;
+  }
+  for (uint32_t k = from; k < to; k++)
+    HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
+             HSR_FACE(network->sight.faces[k]), HSR_NOWHERE, 0);
+}
+
+/* Whether regular face f, whose box holds point p, hides it. */
+static bool is_hider(const struct hsr_network *network, uint32_t f,
+                     uint32_t p) {
+  const struct hsr_sight *sight = &network->sight;
+  bool hides = !hsr_is_corner(network->edges, p, f) &&
+               hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
+  HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
+           HSR_FACE(f), HSR_NOWHERE, hides);
+  HSR_STEP(network->tally, HSR_SEARCHED, hsr_point_subject(network->edges, p),
+           HSR_FACE(f), HSR_NOWHERE, hides);
+  return hides;
+}
+
+void hsr_network_search(struct hsr_network *network, uint32_t p,
+                        void (*found)(void *context, uint32_t f),
+                        void *context) {
+  struct hsr_near_boxes *faces = &network->faces;
   double x = network->sight.sx[p], y = network->sight.sy[p];
   struct hsr_image_box box = {x - HSR_DELTA, y - HSR_DELTA, x + HSR_DELTA,
                               y + HSR_DELTA};
-  hsr_near_boxes_find(&network->faces, &box);
-}
-
-bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
-                       uint32_t p) {
-  const struct hsr_sight *sight = &network->sight;
-  const struct hsr_image_box *box = &network->face_box[f];
-  /* Minimax; a point whose image is not known is in every box. */
-  double x = sight->sx[p], y = sight->sy[p];
-  if (x < box->x0 - HSR_DELTA || x > box->x1 + HSR_DELTA ||
-      y < box->y0 - HSR_DELTA || y > box->y1 + HSR_DELTA)
-    return false;
-  return !hsr_is_corner(network->edges, p, f) &&
-         hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
+  hsr_near_boxes_find(faces, &box);
+  for (uint32_t k, from = 0; from < faces->n; from = k + 1) {
+    k = hsr_near_boxes_next(faces, from, faces->n);
+    if (HSR_COUNTING)
+      count_out(network, p, from, k);
+    if (k < faces->n && is_hider(network, network->sight.faces[k], p))
+      found(context, network->sight.faces[k]);
+  }
 }
 
 void hsr_network_wait(struct hsr_network *network, uint32_t p, uint32_t e) {
@@ -517,19 +591,8 @@ enum hsr_status hsr_network_promote(struct hsr_network *network,
 static enum hsr_status search_faces(void *context, struct hsr_network *network,
                                     uint32_t p) {
   (void)context;
-  const struct hsr_sight *sight = &network->sight;
-  const struct hsr_near_boxes *faces = &network->faces;
-  int64_t hiding = 0;
-  hsr_network_find_faces(network, p);
-  for (uint32_t k = hsr_near_boxes_next(faces, 0); k < faces->n;
-       k = hsr_near_boxes_next(faces, k + 1)) {
-    bool hides =
-        faces->near[k] && hsr_network_hides(network, sight->faces[k], p);
-    HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
-             HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
-    hiding += hides;
-  }
-  network->invisibility[p] = hiding;
+  network->invisibility[p] = 0;
+  hsr_network_search(network, p, count_one, &network->invisibility[p]);
   return HSR_OK;
 }
 
@@ -575,10 +638,11 @@ enum hsr_status hsr_network_render(const struct hsr_job *job,
                                    const struct hsr_intersector *intersector,
                                    struct hsr_error *err) {
   struct hsr_network network;
-  enum hsr_status status = hsr_network_init(&network, job);
-  if (!status && intersector->box_sort)
+  long boxes = job->option[HSR_NETWORK_BOXES];
+  enum hsr_status status = hsr_network_init(&network, job, boxes);
+  if (!status && boxes == HSR_BY_CORNER)
     status = hsr_network_sort_boxes(&network, network.contour,
-                                    network.n_contour, intersector->box_sort);
+                                    network.n_contour, HSR_BOX_SORT);
   if (!status)
     status = hsr_network_draw(&network, intersector);
   hsr_sight_free(&network.sight);
@@ -611,12 +675,26 @@ static const struct hsr_counter counters[] = {
     {"sorts to save", "edges that cannot be visible anywhere", HSR_REJECT,
      HSR_OF_EDGE, HSR_OF_NOTHING},
     {"faces apart", "faces in whose plane an edge lies, and loose ones",
-     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|added"},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "taken away|near|boxes apart"},
     {"promoted", "vertices to which visibility is promoted", HSR_ACTIVATE,
      HSR_OF_VERTEX, HSR_OF_EDGE, .key = "promoted"},
 
     {"intervals drawn", "intervals of edges added to the drawing", HSR_ACCEPT,
      HSR_OF_EDGE, HSR_OF_NOTHING, .key = "interval-drawn"},
+    {"boxes overlap", "pairs of edges that the minimax test leaves",
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap"},
+    {"faces in line", "faces whose boxes hold the vertex of a search",
+     HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides"},
+    {NULL}};
+
+/* Of modules that compare boxes of edges. */
+static const struct hsr_counter box_counters[] = {
+    {"box sort",
+     "comparisons to sort boxes of edges, and to find among them those near an "
+     "edge",
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"},
+    {"box groups", "groups of boxes of edges compared with the box of an edge",
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "apart|near"},
     {NULL}};
 
 static double predict_edge_cull(const struct hsr_table1 *t) {
@@ -631,21 +709,39 @@ static double predict_intersection(const struct hsr_table1 *t) {
 static double predict_correction(const struct hsr_table1 *t) {
   return 30 * 2 * t->E_s * 3;
 }
+/* The survey prints E_s in its tables: there X_r / E_s is less than 1, and the
+ * logarithm less than 0. */
 static double predict_sort_along(const struct hsr_table1 *t) {
-  return t->E_s;
+  double crossings = t->X_r / t->E_s;
+  return t->E_s * fmax(1, crossings * log2(crossings));
 }
 
 static const struct hsr_step steps[] = {
     {"back and contour cull", HSR_EDGE_CULL, HSR_KIND_CULL, "E_t",
      predict_edge_cull},
-    {"initial visibility", HSR_INITIAL, HSR_KIND_VERTEX_FACE, "100 C_t F_r",
-     predict_initial},
-    {"edge intersection", HSR_INTERSECT, HSR_KIND_EDGES, "30 E_s E_c",
+    {"initial visibility",
+     HSR_SEARCHED,
+     HSR_KIND_VERTEX_FACE,
+     "100 C_t F_r",
+     predict_initial,
+     {{HSR_INITIAL, HSR_KIND_BOX}}},
+    {"edge intersection", HSR_OVERLAPS, HSR_KIND_EDGES, "30 E_s E_c",
      predict_intersection},
     {"invisibility correction", HSR_CORRECT, HSR_KIND_CORNER, "30 (2 E_s 3)",
      predict_correction},
-    {"sort along edge", HSR_SORT_ALONG, HSR_KIND_NUMBERS, "E_s",
+    {"sort along edge", HSR_SORT_ALONG, HSR_KIND_NUMBERS,
+     "E_s (X_r/E_s) log2 (X_r/E_s), or E_s where that is less",
      predict_sort_along},
+    {NULL}};
+
+/* Every pair of edges has its boxes compared, unless these are sorted. */
+static const struct hsr_step box_steps[] = {
+    {"edge intersection",
+     HSR_INTERSECT,
+     HSR_KIND_BOX,
+     NULL,
+     NULL,
+     {{HSR_BOX_SORT, HSR_KIND_BOX}, {HSR_BOX_GROUPS, HSR_KIND_BOX}}},
     {NULL}};
 
 static const struct hsr_line lines_before[] = {
@@ -654,7 +750,7 @@ static const struct hsr_line lines_before[] = {
     {"for each cluster of edges that can be reached from one another"},
     {"  take a vertex of one of its edges", HSR_RAISES(HSR_SEARCHES)},
     {"  initial visibility: for each face, does it hide the vertex?",
-     HSR_RAISES(HSR_INITIAL)},
+     HSR_RAISES(HSR_INITIAL, HSR_SEARCHED)},
     {"  for each relevant edge that ends at a vertex whose visibility is "
      "known"},
     {NULL}};
@@ -679,6 +775,21 @@ static const struct hsr_line lines_after[] = {
 
 const struct hsr_part hsr_network_part = {
     HSR_PART_NETWORK, counters, steps, NULL, {lines_before, lines_after}};
+
+static const struct hsr_line box_lines[] = {
+    {"with sorted boxes: sort edges by the upper left corners of their boxes, "
+     "and "
+     "find those near an edge",
+     HSR_RAISES(HSR_BOX_SORT)},
+    {NULL}};
+
+static const struct hsr_line group_lines[] = {
+    {"    with groups: which groups of them have boxes near that of the edge?",
+     HSR_RAISES(HSR_BOX_GROUPS)},
+    {NULL}};
+
+const struct hsr_part hsr_box_sort_part = {
+    HSR_PART_BOX_SORT, box_counters, box_steps, NULL, {box_lines, group_lines}};
 
 static const struct hsr_counter hiding_numbers[] = {
     {"hiding", "faces that hide those vertices, in all", HSR_ACTIVATE,

@@ -29,10 +29,17 @@
  *             along the displaced edge, and is taken off at the end.
  *             - Faces that are not regular are added one by one at the end.
  *             - As in the papers, each edge is compared with all contour edges,
- *             and only a minimax test comes before.
+ *             and each vertex of a search with all faces. A minimax test comes
+ *             first, of every pair, many at once; the survey speaks of none.
+ * Options     boxes=corner: contour edges sorted by the upper left corners of
+ *             their boxes, as Sutherland et al. propose (corner_boxes.h).
+ *             boxes=groups: what they call the elimination of whole groups of
+ *             edges (IV, Existing Uses of Coherence; near_boxes.h)
  * Cost        Table III: back and contour cull E_t, initial visibility
  *             100 C_t F_r, edge intersection 30 E_s E_c, invisibility
- *             correction 30 (2 E_s 3), sort along the edge E_s */
+ *             correction 30 (2 E_s 3), sort along the edge E_s (X_r / E_s)
+ *             log2(X_r / E_s). Every pair of edges, and of a vertex and a face,
+ *             costs a test of boxes; only those that it leaves cost 30, or 100 */
 #ifndef HSR_ALGORITHMS_EDGE_INTERSECTION_H
 #define HSR_ALGORITHMS_EDGE_INTERSECTION_H
 
@@ -102,7 +109,6 @@ struct hsr_intersector {
   enum hsr_status (*cross)(void *context, struct hsr_network *network,
                            uint32_t e);
   void *context;
-  int box_sort; /* if boxes are sorted by their corners: the counter; else 0 */
   bool visible_only; /* an edge of which nothing can be visible is drawn as one
                         hidden interval, and its crossings are not sorted */
 };
@@ -113,6 +119,10 @@ struct hsr_intersector {
 double hsr_network_expense(const struct hsr_world *world,
                            const struct hsr_view *view);
 
+/* The option of these algorithms that says how boxes are sorted: the first of
+ * theirs, HSR_NOT_SORTED ... Algorithms without options have it not. */
+enum { HSR_NETWORK_BOXES };
+
 /* `prepare` and `release` of these algorithms: *prepared is the edges of the
  * world. */
 enum hsr_status hsr_network_prepare(const struct hsr_world *world,
@@ -120,11 +130,11 @@ enum hsr_status hsr_network_prepare(const struct hsr_world *world,
                                     struct hsr_error *err);
 void hsr_network_release(void *prepared);
 
-/* Begins a frame: makes network->sight and culls the edges. The job is
- * borrowed; memory is taken from job->scratch. network->sight is freed by the
+/* Begins a frame: makes network->sight and culls the edges. `boxes`: how contour
+ * edges are sorted (HSR_NOT_SORTED, ...). The job is borrowed; memory is taken from job->scratch. network->sight is freed by the
  * caller with hsr_sight_free, also after a failure. HSR_E_NOMEM. */
 enum hsr_status hsr_network_init(struct hsr_network *network,
-                                 const struct hsr_job *job);
+                                 const struct hsr_job *job, long boxes);
 
 /* Adds the event that edge e, displaced, passes behind contour edge c.
  * `gained`: how many more faces of c lie on its positive side than on its
@@ -145,20 +155,20 @@ enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
                                      uint32_t invisibility);
 
-/* Puts loose face sight.loose[k] to edge e, and adds the events that
- * hsr_sight_face finds. *hidden is as there; false if the face is a side of e,
- * or its plane holds e. network->loose must have been asked about the box of e.
- * HSR_E_NOMEM. */
+/* Compares the boxes of all loose faces with that of edge e. Then puts those
+ * that are near to the edge, and adds the events that hsr_sight_face finds. Calls
+ * hides(context, f) for each that hides the beginning of the edge; not for one
+ * that is a side of e, or whose plane holds e. HSR_E_NOMEM. */
 enum hsr_status hsr_network_put_loose(struct hsr_network *network, uint32_t e,
-                                      uint32_t k, bool *hidden);
+                                      void (*hides)(void *context, uint32_t f),
+                                      void *context);
 
-/* Finds which of network->faces have the image of point p in their box. */
-void hsr_network_find_faces(struct hsr_network *network, uint32_t p);
-
-/* Does regular face f hide point p, displaced? A face that has a corner there
- * does not. */
-bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
-                       uint32_t p);
+/* The search of all regular faces: compares the box of each with the image of
+ * point p, and then asks of those near whether they hide p, displaced. A face
+ * that has a corner there does not. Calls found(context, f) for each that does. */
+void hsr_network_search(struct hsr_network *network, uint32_t p,
+                        void (*found)(void *context, uint32_t f),
+                        void *context);
 
 /* Is visibility still to be promoted to point p? */
 static inline bool hsr_network_wants(const struct hsr_network *network,
@@ -184,6 +194,35 @@ enum hsr_status hsr_network_draw(struct hsr_network *network,
 enum hsr_status hsr_network_render(const struct hsr_job *job,
                                    const struct hsr_intersector *intersector,
                                    struct hsr_error *err);
+
+/* The parts and their counters; edge_intersection.c has the meanings. A module
+ * uses hsr_network_part and one of the other two. If it promotes visibility as
+ * a number, the counter HSR_HIDING is the sum of these numbers, and computed;
+ * if as a set, it counts the steps that keep the set. Groups of lines of the
+ * outline: before and after the module's own lines, which find an edge's
+ * crossings, are indented by four blanks, and raise HSR_INTERSECT and
+ * HSR_OVERLAPS. hsr_box_sort_part is for modules that compare boxes of edges. */
+extern const struct hsr_part hsr_network_part, hsr_hiding_number_part,
+    hsr_hiding_set_part, hsr_box_sort_part;
+enum {
+  HSR_EDGE_CULL = HSR_FIRST_OF(HSR_PART_NETWORK),
+  HSR_INITIAL,
+  HSR_INTERSECT,
+  HSR_CORRECT,
+  HSR_SORT_ALONG,
+  HSR_SEARCHES,
+  HSR_CROSSINGS,
+  HSR_PIERCED,
+  HSR_SAVED,
+  HSR_APART,
+  HSR_PROMOTED,
+  HSR_DRAWN,
+  HSR_OVERLAPS,
+  HSR_SEARCHED
+};
+enum { HSR_HIDING = HSR_FIRST_OF(HSR_PART_HIDING) };
+enum { HSR_LINES_BEFORE_CROSSINGS, HSR_LINES_AFTER_CROSSINGS };
+enum { HSR_LINES_OF_SORT, HSR_LINES_OF_GROUPS }; /* of hsr_box_sort_part */
 
 /* On which side of the image of an edge one of its faces lies: +1 or -1, as of
  * hsr_sight_side. Seen from its front, the corners of a face run around its
@@ -243,29 +282,6 @@ enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
  * network->boxes.near[]. Returns how many. */
 uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e);
 
-/* Compares e with other edges: calls cross_one for each, which adds the
- * crossing if there is one. The other edges are edge[k], with box k of *all; or
- * if `all` is NULL, the sorted edges near e. `apart`: the boxes of e and c are
- * known to be apart. HSR_E_NOMEM. */
-static inline enum hsr_status hsr_network_cross_edges(
-    struct hsr_network *network, uint32_t e, struct hsr_near_boxes *all,
-    const uint32_t *edge,
-    enum hsr_status (*cross_one)(struct hsr_network *, uint32_t e, uint32_t c,
-                                 bool apart)) {
-  uint32_t n = all ? 0 : hsr_network_find_near(network, e);
-  for (uint32_t k = 0; k < n; k++)
-    if (cross_one(network, e, network->boxes.near[k], false))
-      return HSR_E_NOMEM;
-  if (!all)
-    return HSR_OK;
-  hsr_near_boxes_find(all, &network->box[e]);
-  for (uint32_t k = hsr_near_boxes_next(all, 0); k < all->n;
-       k = hsr_near_boxes_next(all, k + 1))
-    if (cross_one(network, e, edge[k], !all->near[k]))
-      return HSR_E_NOMEM;
-  return HSR_OK;
-}
-
 /* What the comparison of an edge with a contour edge finds. */
 enum hsr_crossing {
   HSR_BOXES_APART,
@@ -276,6 +292,56 @@ enum hsr_crossing {
 };
 #define HSR_CROSSING_OUTCOMES                                                  \
   "boxes apart|share a vertex|do not cross|farther|nearer"
+
+/* Counts the comparison of e with edge c, and what it found. */
+static inline void hsr_network_compared(const struct hsr_network *network,
+                                        uint32_t e, uint32_t c,
+                                        enum hsr_crossing found) {
+  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+  if (found != HSR_BOXES_APART)
+    HSR_STEP(network->tally, HSR_OVERLAPS, hsr_edge_subject(network->edges, e),
+             hsr_edge_subject(network->edges, c), HSR_NOWHERE, 0);
+}
+
+/* Counts the comparison of the box of e with those of other edges, edge[k] with
+ * box k, for k from `from` to before `to`, which are apart. */
+void hsr_network_count_apart(const struct hsr_network *network, uint32_t e,
+                             const struct hsr_near_boxes *all,
+                             const uint32_t *edge, uint32_t from, uint32_t to);
+
+/* The same of the groups of other edges, if there are groups; of near ones too. */
+void hsr_network_count_groups(const struct hsr_network *network, uint32_t e,
+                              const struct hsr_near_boxes *all,
+                              const uint32_t *edge);
+
+/* Compares e with other edges: calls cross_one for each that its box does not
+ * part from e. It adds the crossing, if there is one. The other edges are
+ * edge[k], with box k of *all; or if `all` is NULL, the sorted edges near e.
+ * HSR_E_NOMEM. */
+static inline enum hsr_status
+hsr_network_cross_edges(struct hsr_network *network, uint32_t e,
+                        struct hsr_near_boxes *all, const uint32_t *edge,
+                        enum hsr_status (*cross_one)(struct hsr_network *,
+                                                     uint32_t e, uint32_t c)) {
+  uint32_t n = all ? 0 : hsr_network_find_near(network, e);
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, network->boxes.near[k]))
+      return HSR_E_NOMEM;
+  if (!all)
+    return HSR_OK;
+  hsr_near_boxes_find(all, &network->box[e]);
+  if (HSR_COUNTING)
+    hsr_network_count_groups(network, e, all, edge);
+  for (uint32_t k, from = 0; from < all->n; from = k + 1) {
+    k = hsr_near_boxes_next(all, from, all->n);
+    if (HSR_COUNTING)
+      hsr_network_count_apart(network, e, all, edge, from, k);
+    if (k < all->n && cross_one(network, e, edge[k]))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
 
 /* The face whose corner is world->mesh.vertex[k]. */
 static inline uint32_t hsr_face_of_corner(const struct hsr_world *world,
@@ -314,31 +380,6 @@ hsr_event_subject(const struct hsr_network *network,
     return HSR_NOTHING;
   }
 }
-
-/* The parts and their counters; edge_intersection.c has the meanings. A module
- * uses hsr_network_part and one of the other two. If it promotes visibility as
- * a number, the counter HSR_HIDING is the sum of these numbers, and computed;
- * if as a set, it counts the steps that keep the set. Groups of lines of the
- * outline: before and after the module's own lines, which find an edge's
- * crossings, are indented by four blanks, and raise HSR_INTERSECT. */
-extern const struct hsr_part hsr_network_part, hsr_hiding_number_part,
-    hsr_hiding_set_part;
-enum {
-  HSR_EDGE_CULL = HSR_FIRST_OF(HSR_PART_NETWORK),
-  HSR_INITIAL,
-  HSR_INTERSECT,
-  HSR_CORRECT,
-  HSR_SORT_ALONG,
-  HSR_SEARCHES,
-  HSR_CROSSINGS,
-  HSR_PIERCED,
-  HSR_SAVED,
-  HSR_APART,
-  HSR_PROMOTED,
-  HSR_DRAWN
-};
-enum { HSR_HIDING = HSR_FIRST_OF(HSR_PART_HIDING) };
-enum { HSR_LINES_BEFORE_CROSSINGS, HSR_LINES_AFTER_CROSSINGS };
 
 #ifdef __cplusplus
 }

@@ -24,8 +24,7 @@
  *             faces are put to each edge, and are not carried. The nature at
  *             the end of an edge is not corrected by tests: the faces with a
  *             corner there are left out.
- * Options     boxes=corner: edges sorted by the upper left corners of their
- *             boxes, as Sutherland et al. propose (corner_boxes.h)
+ * Options     those of edge_intersection.h, of all edges
  * Cost        That of edge_intersection.h, except that all edges are compared
  *             with all, not only with contour edges, that the sort is never
  *             saved, and that a set takes more to change than a number. Only
@@ -36,10 +35,9 @@
 #include <string.h>
 
 enum { OF_CONTOUR, CHANGED };
-enum { BOXES }; /* option */
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how edges are sorted", hsr_box_sortings, 0,
-               HSR_BY_CORNER, HSR_NOT_SORTED},
+    [HSR_NETWORK_BOXES] = {"boxes", "how edges are sorted", hsr_edge_sortings,
+                           0, HSR_IN_GROUPS, HSR_NOT_SORTED},
     {NULL}};
 
 /* How a face stands to the current edge. */
@@ -109,22 +107,15 @@ static void pass(struct state *s, const struct hsr_network *network,
 
 /* --- Natures of vertices -------------------------------------------------- */
 
+static void add_to_nature(void *context, uint32_t f) {
+  struct state *s = context;
+  s->nature[s->n_nature++] = f;
+}
+
 static enum hsr_status search(void *context, struct hsr_network *network,
                               uint32_t p) {
-  struct state *s = context;
-  const struct hsr_sight *sight = &network->sight;
-  const struct hsr_near_boxes *faces = &network->faces;
-  s->n_nature = 0;
-  hsr_network_find_faces(network, p);
-  for (uint32_t k = hsr_near_boxes_next(faces, 0); k < faces->n;
-       k = hsr_near_boxes_next(faces, k + 1)) {
-    bool hides =
-        faces->near[k] && hsr_network_hides(network, sight->faces[k], p);
-    HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
-             HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
-    if (hides)
-      s->nature[s->n_nature++] = sight->faces[k];
-  }
+  ((struct state *)context)->n_nature = 0;
+  hsr_network_search(network, p, add_to_nature, context);
   return HSR_OK;
 }
 
@@ -176,12 +167,11 @@ static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Puts e to edge c, which may be known to be apart. */
+/* Puts e to edge c. */
 static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
-                                 uint32_t c, bool apart) {
-  enum hsr_crossing found = apart ? HSR_BOXES_APART : compare(network, e, c);
-  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
-           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+                                 uint32_t c) {
+  enum hsr_crossing found = compare(network, e, c);
+  hsr_network_compared(network, e, c, found);
   return found == HSR_CROSSES_NEARER ? hsr_network_cross(network, e, c, 1)
                                      : HSR_OK;
 }
@@ -189,7 +179,7 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
 /* Finds the crossings with all nearer edges. */
 static enum hsr_status cross(struct state *s, struct hsr_network *network,
                              uint32_t e) {
-  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  bool sorted = network->job->option[HSR_NETWORK_BOXES] == HSR_BY_CORNER;
   HSR_COMPUTED(network->tally, OF_CONTOUR, network->n_contour);
   return hsr_network_cross_edges(network, e, sorted ? NULL : &s->all,
                                  s->with_faces, cross_one);
@@ -232,20 +222,8 @@ static void begin(struct state *s, const struct hsr_network *network,
   }
 }
 
-/* Puts the loose faces to the edge, since they are not carried. */
-static enum hsr_status
-add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
-  const struct hsr_near_boxes *loose = &network->loose;
-  hsr_near_boxes_find(&network->loose, &network->box[e]);
-  for (uint32_t k = hsr_near_boxes_next(loose, 0); k < loose->n;
-       k = hsr_near_boxes_next(loose, k + 1)) {
-    bool hidden;
-    if (hsr_network_put_loose(network, e, k, &hidden))
-      return HSR_E_NOMEM;
-    if (hidden)
-      enter(s, network->sight.loose[k], 1);
-  }
-  return HSR_OK;
+static void enter_loose(void *context, uint32_t f) {
+  enter(context, f, 1);
 }
 
 /* Moves along the sorted events, and draws what is in the picture. */
@@ -292,7 +270,8 @@ static enum hsr_status follow(void *context, struct hsr_network *network,
     if (leave(s, network, e, a))
       return HSR_E_NOMEM;
   }
-  if (add_loose_faces(s, network, e))
+  /* Loose faces are put to each edge, since they are not carried. */
+  if (hsr_network_put_loose(network, e, enter_loose, s))
     return HSR_E_NOMEM;
   hsr_network_sort_along(network, e);
   if (move_along(s, network, e) || (p == a && leave(s, network, e, b)))
@@ -328,11 +307,12 @@ static enum hsr_status draw(const struct hsr_job *job,
   if (!s.with_faces || !s.member || !s.touched || !s.nature || !s.from)
     return HSR_E_NOMEM;
   collect_edges(&s, network);
-  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
-  if (sorted ? hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces,
-                                      HSR_BOX_SORT)
-             : hsr_near_boxes_make(&s.all, network->box, s.with_faces,
-                                   s.n_with_faces, arena))
+  long boxes = job->option[HSR_NETWORK_BOXES];
+  if (boxes == HSR_BY_CORNER
+          ? hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces,
+                                   HSR_BOX_SORT)
+          : hsr_near_boxes_make(&s.all, network->box, s.with_faces,
+                                s.n_with_faces, boxes == HSR_IN_GROUPS, arena))
     return HSR_E_NOMEM;
   return hsr_network_promote(network, &(struct hsr_promotion){.search = search,
                                                               .resume = resume,
@@ -343,7 +323,7 @@ static enum hsr_status draw(const struct hsr_job *job,
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_network network;
-  enum hsr_status status = hsr_network_init(&network, job);
+  enum hsr_status status = hsr_network_init(&network, job, HSR_NOT_SORTED);
   if (!status)
     status = draw(job, &network);
   hsr_sight_free(&network.sight);
@@ -368,9 +348,12 @@ static const struct hsr_counter counters[] = {
 static const struct hsr_line outline[] = {
     {"", .part = &hsr_box_sort_part},
     {"", .part = &hsr_network_part},
+    {"", .part = &hsr_box_sort_part, .group = HSR_LINES_OF_GROUPS},
     {"    for each edge: does it cross the image of this one, and is it "
      "nearer?",
      HSR_RAISES(HSR_INTERSECT, OF_CONTOUR)},
+    {"      minimax test: do the boxes of the images overlap?",
+     HSR_RAISES(HSR_OVERLAPS)},
     {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
     {"    change the nature at each crossing", HSR_RAISES(CHANGED)},
     {NULL}};
@@ -395,6 +378,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: natures are promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .lifted = HSR_NP,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,

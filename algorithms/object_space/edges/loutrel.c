@@ -17,21 +17,20 @@
  *             about the other: these are the signs of the determinants whose
  *             quotients are the intersection's coordinates. The place along the
  *             edge is computed only for boundary edges that are nearer.
- * Options     boxes=corner: boundary edges sorted by the upper left corners of
- *             their boxes, as Sutherland et al. propose (corner_boxes.h)
+ * Options     those of edge_intersection.h
  * Cost        that of edge_intersection.h; the edge intersection grows as the
- *             square of the edges. Most pairs end at the minimax test; depths
- *             are compared once an intersection in the plane, where Appel
- *             compares at most as many. The two differ in the order of their
- *             tests, not in what they find. */
+ *             square of the edges. Most pairs end at the minimax test. Loutrel
+ *             asks for the intersection in the picture plane first, and then
+ *             compares two depths there; Appel asks whether the plane of the
+ *             eye and the edge is pierced, and then for the vorticity. They
+ *             differ in that, not in what they find. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 #include "common/answers/kinds/segments.h"
 
-enum { MINIMAX, PLANE, DEPTH };
-enum { BOXES }; /* option */
+enum { PLANE, DEPTH };
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how boundary edges are sorted", hsr_box_sortings, 0,
-               HSR_BY_CORNER, HSR_NOT_SORTED},
+    [HSR_NETWORK_BOXES] = {"boxes", "how boundary edges are sorted",
+                           hsr_edge_sortings, 0, HSR_IN_GROUPS, HSR_NOT_SORTED},
     {NULL}};
 
 static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
@@ -47,17 +46,15 @@ static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Puts e to boundary edge c, which may be known to be apart. */
+/* Puts e to boundary edge c. */
 static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
-                                 uint32_t c, bool apart) {
+                                 uint32_t c) {
   struct hsr_tally *tally = network->tally;
-  enum hsr_crossing found = apart ? HSR_BOXES_APART : compare(network, e, c);
+  enum hsr_crossing found = compare(network, e, c);
   if (HSR_COUNTING) {
     struct hsr_subject of_e = hsr_edge_subject(network->edges, e);
     struct hsr_subject of_c = hsr_edge_subject(network->edges, c);
-    HSR_STEP(tally, HSR_INTERSECT, of_e, of_c, HSR_NOWHERE, found);
-    if (found != HSR_BOXES_APART)
-      HSR_STEP(tally, MINIMAX, of_e, of_c, HSR_NOWHERE, 0);
+    hsr_network_compared(network, e, c, found);
     if (found >= HSR_CROSSES_FARTHER)
       HSR_STEP(tally, PLANE, of_e, of_c, HSR_NOWHERE,
                found == HSR_CROSSES_NEARER);
@@ -73,19 +70,15 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  bool sorted = network->job->option[HSR_NETWORK_BOXES] == HSR_BY_CORNER;
   return hsr_network_cross_edges(network, e, sorted ? NULL : &network->contours,
                                  network->contour, cross_one);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
-  return hsr_network_render(
-      job,
-      &(struct hsr_intersector){.cross = cross,
-                                .box_sort = sorted ? HSR_BOX_SORT : 0},
-      err);
+  return hsr_network_render(job, &(struct hsr_intersector){.cross = cross},
+                            err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */
@@ -96,8 +89,6 @@ static const struct hsr_use uses[] = {{&hsr_network_part},
                                       {NULL}};
 
 static const struct hsr_counter counters[] = {
-    [MINIMAX] = {"boxes overlap", "pairs that the minimax test leaves",
-                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap"},
     [PLANE] = {"plane intersections",
                "pairs whose images cross, compared in depth", HSR_COMPARE,
                HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer",
@@ -110,9 +101,10 @@ static const struct hsr_counter counters[] = {
 static const struct hsr_line outline[] = {
     {"", .part = &hsr_box_sort_part},
     {"", .part = &hsr_network_part},
+    {"", .part = &hsr_box_sort_part, .group = HSR_LINES_OF_GROUPS},
     {"    for each boundary edge", HSR_RAISES(HSR_INTERSECT)},
     {"      minimax test: do the boxes of the images overlap?",
-     HSR_RAISES(MINIMAX)},
+     HSR_RAISES(HSR_OVERLAPS)},
     {"      do the images intersect in the picture plane?", HSR_RAISES(PLANE)},
     {"      is the boundary edge the nearer one there?", HSR_RAISES(DEPTH)},
     {"", .part = &hsr_network_part, .group = HSR_LINES_AFTER_CROSSINGS},
@@ -140,6 +132,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .lifted = HSR_NP,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_SEGMENTS}},
     .sorts = sorts,

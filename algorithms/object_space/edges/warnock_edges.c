@@ -357,8 +357,7 @@ static enum hsr_status try_pair(struct sweep *s, uint32_t e, uint32_t c) {
   else if (hsr_images_cross(&network->sight, e, c))
     found = hsr_sight_nearer(&network->sight, e, c) ? HSR_CROSSES_NEARER
                                                     : HSR_CROSSES_FARTHER;
-  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
-           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+  hsr_network_compared(network, e, c, found);
   if (found < HSR_CROSSES_FARTHER)
     return HSR_OK;
   HSR_STEP(network->tally, CONFIRMED, hsr_edge_subject(network->edges, e),
@@ -439,7 +438,7 @@ static enum hsr_status draw(struct hsr_network *network) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_network network;
-  enum hsr_status status = hsr_network_init(&network, job);
+  enum hsr_status status = hsr_network_init(&network, job, HSR_NOT_SORTED);
   if (!status)
     status = draw(&network);
   hsr_sight_free(&network.sight);
@@ -491,7 +490,7 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(NOTED)},
     {"", .part = &hsr_network_part},
     {"    for each crossing noted: does the contour edge cross it?",
-     HSR_RAISES(HSR_INTERSECT)},
+     HSR_RAISES(HSR_INTERSECT, HSR_OVERLAPS)},
     {"    the same for each edge whose image is not known",
      HSR_RAISES(UNPLACED)},
     {"      is the contour edge the nearer one?", HSR_RAISES(CONFIRMED)},

@@ -30,12 +30,13 @@
  *             or that is cut, is compared with the edge by itself, by hsr_sight_face.
  *             Edges may pierce volumes, and implied edges are drawn; the
  *             paper's environments have neither.
- * Once        where a volume hides an edge does not depend on the fragment. The
- *             build that is timed finds that once for each edge and volume, and
- *             cuts it to each fragment. The counting build counts each condition
- *             for each fragment, as the paper has it. Where doubles show that a
- *             volume hides nothing of the edge, it counts the conditions again for
- *             each fragment, but does not evaluate them again.
+ * Minimax     Three tests of boxes, each once. "Whole collections of objects" are
+ *             eliminated "from comparison against other objects": a body, which
+ *             is a collection of convex volumes, from all the edges of another.
+ *             Then an edge is compared with the bodies that are left, and with
+ *             their volumes. What the paper leaves open is what a collection is
+ *             that is not convex; a body is what the scene has of the kind.
+ *             Fragments are put to the volumes that the tests leave of the edge
  * Options     boxes=corner: volumes sorted by the upper left corners of their
  *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
  *             An edge is compared with those whose boxes overlap its own; whole bodies
@@ -71,7 +72,8 @@ enum {
   TAKEN_APART,
   DRAWN,
   BOX_SORT,
-  BOX_SEARCH
+  BOX_SEARCH,
+  PAIRS
 };
 
 enum { BOXES }; /* option */
@@ -105,17 +107,9 @@ struct collection {
   uint32_t first;
 };
 
-/* What doubles tell of an edge and a volume, in the counting build. */
-struct outlook {
-  uint32_t edge; /* 1 + its number */
-  uint32_t n; /* the volume's condition number n - 1 leaves nothing of the edge,
-                    and those before it leave all; 0: not known */
-};
-
 struct fragment {
   struct hsr_sight_event from, to;
-  uint32_t next; /* volume that it is tested against next; in the build that is
-                    timed, its place in `hiders` */
+  uint32_t next; /* the place in `way` of the volume that it is put to next */
 };
 
 /* View-independent. */
@@ -140,17 +134,22 @@ struct frame {
   struct hsr_growing front;   /* struct condition */
 
   struct hsr_growing stack, visible; /* struct fragment, of the current edge */
-  struct hsr_growing hiders; /* struct fragment: the parts of the current edge
-                                that volumes hide, as far as they are known */
-  uint32_t next_hider;       /* from where on volumes may be others */
-  struct outlook *outlook;   /* by volume */
-  struct hsr_growing kept;   /* memory for the next `visible` */
-  struct hsr_growing events; /* of a face apart */
+  struct hsr_growing kept;           /* memory for the next `visible` */
+  struct hsr_growing events;         /* of a face apart */
 
-  struct hsr_near_boxes near;    /* the boxes of the volumes, if not sorted */
+  /* Edges are taken body by body. */
+  uint32_t *edge_of_body, *first_edge; /* the edges of body b are
+                        edge_of_body[first_edge[b]] to before that of b + 1 */
+  struct hsr_near_boxes body_boxes;    /* of all bodies */
+  uint32_t *other, n_others; /* bodies that the current one is not apart from */
+  uint32_t next_other;       /* the next that the current edge is put to */
+
+  struct hsr_near_boxes near;    /* the boxes of the volumes */
   struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
   bool sorted;
-  uint32_t n_near; /* how many of them are near the current edge */
+  uint32_t n_near; /* how many of the sorted ones are near the current edge */
+  uint32_t *way, n_way; /* of the current edge: the volumes that may be in the
+                           way, as far as they are found */
 };
 
 static bool push(const struct frame *frame, struct hsr_growing *list,
@@ -358,7 +357,8 @@ static enum hsr_status make_boxes(struct frame *frame) {
   uint32_t n = (uint32_t)frame->volume.n - 1;
   struct hsr_image_box *box = HSR_NEW(arena, struct hsr_image_box, n);
   uint32_t *item = HSR_NEW(arena, uint32_t, n);
-  if (!box || !item)
+  frame->way = HSR_NEW(arena, uint32_t, n);
+  if (!box || !item || !frame->way)
     return HSR_E_NOMEM;
   for (uint32_t v = 0; v < n; v++) {
     const struct volume *volume = (struct volume *)frame->volume.items + v;
@@ -366,7 +366,7 @@ static enum hsr_status make_boxes(struct frame *frame) {
     item[v] = v;
   }
   if (!frame->sorted)
-    return hsr_near_boxes_make(&frame->near, box, item, n, arena);
+    return hsr_near_boxes_make(&frame->near, box, item, n, false, arena);
   frame->boxes = (struct hsr_corner_boxes){.box = box,
                                            .item = item,
                                            .n = n,
@@ -382,6 +382,49 @@ static uint32_t end_of_body(const struct frame *frame, uint32_t c) {
   const struct collection *body = frame->bodies.items;
   return c + 1 < frame->bodies.n ? body[c + 1].first
                                  : (uint32_t)frame->volume.n - 1;
+}
+
+static enum hsr_status make_body_boxes(struct frame *frame) {
+  struct hsr_arena *arena = frame->job->scratch;
+  const struct collection *body = frame->bodies.items;
+  uint32_t n = (uint32_t)frame->bodies.n;
+  struct hsr_image_box *box = HSR_NEW(arena, struct hsr_image_box, n);
+  uint32_t *item = HSR_NEW(arena, uint32_t, n);
+  frame->other = HSR_NEW(arena, uint32_t, n);
+  if (!box || !item || !frame->other)
+    return HSR_E_NOMEM;
+  for (uint32_t b = 0; b < n; b++) {
+    box[b] = image_box(&body[b].extent);
+    item[b] = b;
+  }
+  return hsr_near_boxes_make(&frame->body_boxes, box, item, n, false, arena);
+}
+
+/* The edges of each body, in their order. An edge belongs to the body of its
+ * first face, which holds it. */
+static enum hsr_status collect_edges(struct frame *frame) {
+  struct hsr_arena *arena = frame->job->scratch;
+  const struct hsr_edges *edges = frame->edges;
+  const struct hsr_volumes *volumes = frame->volumes;
+  uint32_t n = volumes->n_bodies;
+  uint32_t *body_of = HSR_NEW_ZEROED(arena, uint32_t, edges->world->n_faces);
+  uint32_t *first = HSR_NEW_ZEROED(arena, uint32_t, n + 2);
+  frame->edge_of_body = HSR_NEW(arena, uint32_t, edges->n);
+  if (!body_of || !first || !frame->edge_of_body)
+    return HSR_E_NOMEM;
+  for (uint32_t b = 0; b < n; b++)
+    for (uint32_t k = volumes->face_start[b]; k < volumes->face_start[b + 1];
+         k++)
+      body_of[volumes->face[k]] = b;
+  for (uint32_t e = 0; e < edges->n; e++)
+    first[body_of[edges->side[edges->side_start[e]].face] + 2]++;
+  for (uint32_t b = 0; b < n; b++)
+    first[b + 2] += first[b + 1];
+  for (uint32_t e = 0; e < edges->n; e++)
+    frame->edge_of_body[first[body_of[edges->side[edges->side_start[e]].face] +
+                              1]++] = e;
+  frame->first_edge = first;
+  return HSR_OK;
 }
 
 /* Collects the faces that are no volumes, and their boxes. */
@@ -403,7 +446,7 @@ static enum hsr_status collect_apart(struct frame *frame) {
     frame->apart[frame->n_apart++] = f;
   }
   return hsr_near_boxes_make(&frame->apart_boxes, box, frame->apart,
-                             frame->n_apart, frame->job->scratch);
+                             frame->n_apart, false, frame->job->scratch);
 }
 
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
@@ -429,10 +472,9 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->sorted = job->option[BOXES] == HSR_BY_CORNER;
   if (!begin_volume(frame, &nowhere, image_box(&nowhere)))
     return HSR_E_NOMEM;
-  if (HSR_COUNTING && !(frame->outlook = HSR_NEW_ZEROED(
-                            job->scratch, struct outlook, frame->volume.n)))
-    return HSR_E_NOMEM;
-  return make_boxes(frame);
+  return make_boxes(frame) || make_body_boxes(frame) || collect_edges(frame)
+             ? HSR_E_NOMEM
+             : HSR_OK;
 }
 
 /* --- The edge/volume test ------------------------------------------------- */
@@ -511,95 +553,11 @@ static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
   return some;
 }
 
-/* Whether the contour of a volume, a part of a face, lies on one side of the
- * edge's image, as far as doubles make that certain. */
-static bool is_beside(const struct frame *frame, uint32_t e,
-                      const struct volume *volume) {
-  const struct hsr_sight *sight = &frame->sight;
-  const struct condition *contour = frame->contour.items;
-  uint32_t a = frame->edges->a[e], b = frame->edges->b[e];
-  int side = 0;
-  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++) {
-    const struct hsr_sight_line *line = &sight->line[contour[k].subject];
-    const uint32_t ends[2] = {line->a, line->b};
-    for (int i = 0; i < 2; i++) {
-      double bound, turn = hsr_sight_turn(sight, a, b, ends[i], &bound);
-      int here = turn > bound ? 1 : turn < -bound ? -1 : 0;
-      if (line->of_planes || !here || here == -side)
-        return false;
-      side = here;
-    }
-  }
-  return side && sight->ahead[a] && sight->ahead[b];
-}
-
-/* Whether doubles show that the volume hides nothing of the edge. */
-static bool is_outside(const struct frame *frame, uint32_t e,
-                       const struct volume *volume) {
-  const struct hsr_sight *sight = &frame->sight;
-  const struct condition *contour = frame->contour.items;
-  const struct condition *front = frame->front.items;
-  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
-    if (hsr_sight_excludes(sight, e, HSR_AT_LINE, contour[k].subject,
-                           contour[k].side))
-      return true;
-  for (uint32_t k = volume->first_plane; k < volume[1].first_plane; k++)
-    if (hsr_sight_excludes(sight, e, HSR_AT_PLANE, front[k].subject,
-                           front[k].side))
-      return true;
-  return is_beside(frame, e, volume);
-}
-
-/* The conditions of a volume in their order, contour first: number k. */
-static const struct condition *condition_of(const struct frame *frame,
-                                            const struct volume *volume,
-                                            uint32_t k, enum hsr_event_at *at) {
-  uint32_t n_lines = volume[1].first_line - volume->first_line;
-  *at = k < n_lines ? HSR_AT_LINE : HSR_AT_PLANE;
-  return k < n_lines ? (const struct condition *)frame->contour.items +
-                           volume->first_line + k
-                     : (const struct condition *)frame->front.items +
-                           volume->first_plane + (k - n_lines);
-}
-
-static uint32_t look_ahead(const struct frame *frame, uint32_t e,
-                           const struct volume *volume) {
-  uint32_t n = volume[1].first_line - volume->first_line +
-               volume[1].first_plane - volume->first_plane;
-  for (uint32_t k = 0; k < n; k++) {
-    enum hsr_event_at at;
-    const struct condition *c = condition_of(frame, volume, k, &at);
-    if (hsr_sight_excludes(&frame->sight, e, at, c->subject, c->side))
-      return k + 1;
-    if (!hsr_sight_excludes(&frame->sight, e, at, c->subject, -c->side))
-      break;
-  }
-  return 0;
-}
-
-/* In the counting build: whether doubles show that the conditions up to one that
- * leaves nothing do the same to every fragment of the edge. Counts them if so. */
-static bool is_outlook_bad(const struct frame *frame, uint32_t e,
-                           const struct volume *volume) {
-  struct outlook *known =
-      &frame->outlook[volume - (const struct volume *)frame->volume.items];
-  if (known->edge != e + 1)
-    *known = (struct outlook){e + 1, look_ahead(frame, e, volume)};
-  for (uint32_t k = 0; k < known->n; k++) {
-    enum hsr_event_at at;
-    const struct condition *c = condition_of(frame, volume, k, &at);
-    count_condition(frame, e, at, c, k + 1 < known->n);
-  }
-  return known->n > 0;
-}
-
 /* Narrows the fragment to where all conditions hold. False: nowhere. */
 static bool solve(const struct frame *frame, uint32_t e,
                   const struct volume *volume, struct fragment *fragment) {
   const struct condition *contour = frame->contour.items;
   const struct condition *front = frame->front.items;
-  if ((HSR_COUNTING ? is_outlook_bad : is_outside)(frame, e, volume))
-    return false;
   for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
     if (!narrow(frame, e, HSR_AT_LINE, &contour[k], fragment))
       return false;
@@ -626,27 +584,49 @@ static int test(const struct frame *frame, uint32_t e, uint32_t v,
 
 /* --- An edge -------------------------------------------------------------- */
 
-/* Whether the edge may be behind volume v, by a minimax test, and that is not
- * its own. */
-static bool is_in_the_way(const struct frame *frame, uint32_t e,
-                          const struct hsr_extent *extent, uint32_t v) {
+static void count_out(const struct frame *frame, uint32_t e, uint32_t v) {
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(v), HSR_NOWHERE, VOLUME_OUT);
+  HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(v), HSR_NOWHERE, 0);
+}
+
+/* Counts the minimax tests of volumes [v, end), whose boxes are apart from e's. */
+static void count_volumes_out(const struct frame *frame, uint32_t e, uint32_t v,
+                              uint32_t end) {
+  if (!HSR_LISTENED(frame->tally)) {
+    HSR_STEPS(frame->tally, MINIMAX, end - v);
+    HSR_STEPS(frame->tally, VOLUMES, end - v);
+    return;
+  }
+  for (; v < end; v++)
+    count_out(frame, e, v);
+}
+
+/* Puts volume v, which no minimax test has rejected, among those in the way, if
+ * it is not the edge's own. */
+static void add_unless_own(struct frame *frame, uint32_t e, uint32_t v) {
   const struct volume *volume = (const struct volume *)frame->volume.items + v;
   const struct condition *front = frame->front.items;
-  bool out = is_out_of_the_way(extent, &volume->extent);
-  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
-           HSR_VOLUME(v), HSR_NOWHERE, VOLUME_IN_THE_WAY + out);
-  if (out) {
-    HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
-             HSR_VOLUME(v), HSR_NOWHERE, 0);
-    return false;
-  }
   if (is_own(frame, e, front + volume->first_plane,
-             volume[1].first_plane - volume->first_plane)) {
+             volume[1].first_plane - volume->first_plane))
     HSR_STEP(frame->tally, OWN, hsr_edge_subject(frame->edges, e),
              HSR_VOLUME(v), HSR_NOWHERE, 0);
-    return false;
+  else
+    frame->way[frame->n_way++] = v;
+}
+
+/* The minimax test of volume v, whose box is near that of the edge. */
+static void add_near(struct frame *frame, uint32_t e,
+                     const struct hsr_extent *extent, uint32_t v) {
+  const struct volume *volume = (const struct volume *)frame->volume.items + v;
+  if (is_out_of_the_way(extent, &volume->extent)) {
+    count_out(frame, e, v);
+    return;
   }
-  return true;
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(v), HSR_NOWHERE, VOLUME_IN_THE_WAY);
+  add_unless_own(frame, e, v);
 }
 
 /* Whether body c is out of the way of an edge, by the minimax test. */
@@ -662,118 +642,77 @@ static bool is_body_out(const struct frame *frame, uint32_t e,
   return out;
 }
 
-/* The first volume from v on that is in the way. Those whose boxes are apart
- * from that of the edge are passed over, or counted one by one. */
-static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
-                                const struct hsr_extent *extent, uint32_t v) {
-  const struct volume *volume = frame->volume.items;
-  const struct collection *body = frame->bodies.items;
-  uint32_t n = frame->near.n;
-  while ((v = hsr_near_boxes_next(&frame->near, v)) < n) {
-    uint32_t c = volume[v].collection;
-    if (v == body[c].first && is_body_out(frame, e, extent, c))
-      v = end_of_body(frame, c);
-    else if (is_in_the_way(frame, e, extent, v))
-      break;
+/* Finds the volumes of body c that may be in the way. A body that
+ * is one volume is not tested twice. */
+static void find_in_body(struct frame *frame, uint32_t e,
+                         const struct hsr_extent *extent, uint32_t c) {
+  const struct hsr_image_box image = image_box(extent);
+  struct hsr_near_boxes *near = &frame->near;
+  uint32_t from = ((struct collection *)frame->bodies.items)[c].first;
+  uint32_t end = end_of_body(frame, c);
+  if (from == end || is_body_out(frame, e, extent, c))
+    return;
+  if (end - from == 1) {
+    add_unless_own(frame, e, from);
+    return;
+  }
+  hsr_near_boxes_find_among(near, from, end, &image);
+  for (uint32_t v; from < end; from = v + 1) {
+    v = hsr_near_boxes_next(near, from, end);
+    if (HSR_COUNTING)
+      count_volumes_out(frame, e, from, v);
+    if (v < end)
+      add_near(frame, e, extent, v);
+  }
+}
+
+/* Finds the first volumes that may be in the way of the edge, and that it has not
+ * found before: of one body, or one of those that are sorted. Returns false if
+ * there are no more. */
+static bool find_more(struct frame *frame, uint32_t e,
+                      const struct hsr_extent *extent) {
+  uint32_t before = frame->n_way;
+  uint32_t n = frame->sorted ? frame->n_near : frame->n_others;
+  while (frame->n_way == before && frame->next_other < n)
+    if (frame->sorted)
+      add_near(frame, e, extent, frame->boxes.near[frame->next_other++]);
     else
-      v++;
-  }
-  return v;
+      find_in_body(frame, e, extent, frame->other[frame->next_other++]);
+  return frame->n_way > before;
 }
 
-/* The same among sorted volumes: the first of those near the edge, from k on.
- */
-static uint32_t next_near(const struct frame *frame, uint32_t e,
-                          const struct hsr_extent *extent, uint32_t k) {
-  while (k < frame->n_near &&
-         !is_in_the_way(frame, e, extent, frame->boxes.near[k]))
-    k++;
-  return k;
-}
-
-/* The first volume in the way of the edge from number k on, of all or of the
- * sorted ones that are near; or the end of these. */
-static uint32_t next_volume(const struct frame *frame, uint32_t e,
-                            const struct hsr_extent *extent, uint32_t k) {
-  return (frame->sorted ? next_near : next_in_the_way)(frame, e, extent, k);
-}
-
-static uint32_t end_of_volumes(const struct frame *frame) {
-  return frame->sorted ? frame->n_near : (uint32_t)frame->volume.n - 1;
-}
-
-/* Whether there is a part of number k among those of the edge `all` that volumes
- * hide, which are looked for as far as that. */
-static enum hsr_status find_hider(struct frame *frame, uint32_t e,
-                                  const struct hsr_extent *extent,
-                                  const struct fragment *all, uint32_t k,
-                                  bool *found) {
-  const struct volume *volume = frame->volume.items;
-  uint32_t n = end_of_volumes(frame);
-  while (frame->hiders.n <= k) {
-    uint32_t v = next_volume(frame, e, extent, frame->next_hider);
-    frame->next_hider = v + (v < n);
-    if (v == n)
-      break;
-    struct fragment hidden = *all;
-    if (solve(frame, e, &volume[frame->sorted ? frame->boxes.near[v] : v],
-              &hidden) &&
-        !push(frame, &frame->hiders, hidden))
-      return HSR_E_NOMEM;
-  }
-  *found = k < frame->hiders.n;
-  return HSR_OK;
-}
-
-/* Puts the next volume that may hide something of the fragment to it, and sets
- * *outcome; to -1 if there is none. */
-static enum hsr_status test_next(struct frame *frame, uint32_t e,
-                                 const struct hsr_extent *extent,
-                                 const struct fragment *all,
-                                 struct fragment *fragment, int *outcome,
-                                 struct fragment left[2]) {
-  *outcome = -1;
-  if (!HSR_COUNTING) {
-    bool found;
-    if (find_hider(frame, e, extent, all, fragment->next, &found))
-      return HSR_E_NOMEM;
-    if (found) {
-      const struct fragment *hider =
-          (struct fragment *)frame->hiders.items + fragment->next++;
-      *outcome = cut(frame, e, fragment, &hider->from, &hider->to, left);
-    }
-    return HSR_OK;
-  }
-  fragment->next = next_volume(frame, e, extent, fragment->next);
-  if (fragment->next < end_of_volumes(frame)) {
-    uint32_t k = fragment->next++;
-    *outcome = test(frame, e, frame->sorted ? frame->boxes.near[k] : k,
-                    fragment, left);
-  }
-  return HSR_OK;
-}
-
-/* Tests the fragments on the stack, and what is left of them, against the
- * volumes that remain. */
-static enum hsr_status test_fragments(struct frame *frame, uint32_t e,
+/* Puts the fragment to the volumes that remain, as long as one piece of it is
+ * left. Returns the last outcome. */
+static enum hsr_status put_to_volumes(struct frame *frame, uint32_t e,
                                       const struct hsr_extent *extent,
-                                      const struct fragment *all) {
-  frame->hiders.n = frame->next_hider = 0;
+                                      struct fragment *fragment, int *outcome) {
+  *outcome = UNTOUCHED;
+  while (*outcome != WHOLE &&
+         (fragment->next < frame->n_way || find_more(frame, e, extent))) {
+    struct fragment left[2];
+    uint32_t v = frame->way[fragment->next++];
+    *outcome = test(frame, e, v, fragment, left);
+    if (*outcome == TWO_LEFT && !push(frame, &frame->stack, left[1]))
+      return HSR_E_NOMEM;
+    if (*outcome == ONE_LEFT || *outcome == TWO_LEFT)
+      *fragment = left[0];
+  }
+  return HSR_OK;
+}
+
+/* Puts the fragments on the stack, and what is left of them, to the volumes that
+ * remain. */
+static enum hsr_status test_fragments(struct frame *frame, uint32_t e,
+                                      const struct hsr_extent *extent) {
+  frame->n_way = frame->next_other = 0;
   while (frame->stack.n) {
     struct fragment fragment =
         ((struct fragment *)frame->stack.items)[--frame->stack.n];
     HSR_STEP(frame->tally, FRAGMENTS, hsr_edge_subject(frame->edges, e),
              HSR_NOTHING, HSR_NOWHERE, 0);
     int outcome;
-    do {
-      struct fragment left[2];
-      if (test_next(frame, e, extent, all, &fragment, &outcome, left) ||
-          (outcome == TWO_LEFT && !push(frame, &frame->stack, left[1])))
-        return HSR_E_NOMEM;
-      if (outcome == ONE_LEFT || outcome == TWO_LEFT)
-        fragment = left[0];
-    } while (outcome != WHOLE && outcome != -1);
-    if (outcome != WHOLE && !push(frame, &frame->visible, fragment))
+    if (put_to_volumes(frame, e, extent, &fragment, &outcome) ||
+        (outcome != WHOLE && !push(frame, &frame->visible, fragment)))
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -808,9 +747,9 @@ static bool hide_apart(struct frame *frame, uint32_t e,
   const struct hsr_sight *sight = &frame->sight;
   struct hsr_near_boxes *boxes = &frame->apart_boxes;
   hsr_near_boxes_find(boxes, box);
-  for (uint32_t k = hsr_near_boxes_next(boxes, 0);
+  for (uint32_t k = hsr_near_boxes_next(boxes, 0, boxes->n);
        k < boxes->n && frame->visible.n;
-       k = hsr_near_boxes_next(boxes, k + 1)) {
+       k = hsr_near_boxes_next(boxes, k + 1, boxes->n)) {
     uint32_t f = frame->apart[k];
     bool own = false, hidden = false;
     for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++)
@@ -818,8 +757,8 @@ static bool hide_apart(struct frame *frame, uint32_t e,
     if (own || hsr_sight_in_plane(sight, e, f))
       continue;
     frame->events.n = 0;
-    if (boxes->near[k] && hsr_sight_face(sight, e, f, frame->job->scratch,
-                                         &frame->events, &hidden))
+    if (hsr_sight_face(sight, e, f, frame->job->scratch, &frame->events,
+                       &hidden))
       return false;
     HSR_STEP(frame->tally, APART, hsr_edge_subject(edges, e), HSR_FACE(f),
              HSR_NOWHERE, hidden);
@@ -889,33 +828,64 @@ static bool is_relevant(const struct frame *frame, uint32_t e,
   return inside;
 }
 
-static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
-  struct fragment all;
-  if (!is_relevant(frame, e, &all))
-    return HSR_OK;
+/* Finds the bodies that may be in the way of edges of body b: `other`. A body may
+ * be in the way of its own. */
+static void find_others(struct frame *frame, uint32_t b) {
+  const struct collection *body = frame->bodies.items;
+  const struct hsr_image_box image = image_box(&body[b].extent);
+  struct hsr_near_boxes *boxes = &frame->body_boxes;
+  frame->n_others = 0;
+  hsr_near_boxes_find(boxes, &image);
+  for (uint32_t c = 0; c < boxes->n; c++) {
+    bool out =
+        !boxes->near[c] || is_out_of_the_way(&body[b].extent, &body[c].extent);
+    HSR_STEP(frame->tally, PAIRS, HSR_VOLUME(b), HSR_VOLUME(c), HSR_NOWHERE,
+             out);
+    if (!out)
+      frame->other[frame->n_others++] = c;
+  }
+}
+
+/* Draws the part `all` of an edge. */
+static enum hsr_status draw_edge(struct frame *frame, uint32_t e,
+                                 const struct fragment *all) {
   const uint32_t ends[2] = {frame->edges->a[e], frame->edges->b[e]};
   struct hsr_extent extent = extent_of(&frame->sight, ends, 2);
-  frame->stack.n = frame->visible.n = 0;
   struct hsr_image_box image = image_box(&extent);
-  if (frame->sorted) {
+  frame->stack.n = frame->visible.n = 0;
+  if (frame->sorted)
     frame->n_near = hsr_corner_boxes_find(&frame->boxes, &image,
                                           hsr_edge_subject(frame->edges, e));
-  } else {
-    hsr_near_boxes_find(&frame->near, &image);
-  }
-  if (!push(frame, &frame->stack, all) ||
-      test_fragments(frame, e, &extent, &all) ||
-      !hide_apart(frame, e, &image, &all))
+  if (!push(frame, &frame->stack, *all) || test_fragments(frame, e, &extent) ||
+      !hide_apart(frame, e, &image, all))
     return HSR_E_NOMEM;
-  return draw(frame, e, &all);
+  return draw(frame, e, all);
+}
+
+static enum hsr_status draw_body(struct frame *frame, uint32_t b) {
+  bool met = frame->sorted; /* its box has met those of the others */
+  for (uint32_t k = frame->first_edge[b]; k < frame->first_edge[b + 1]; k++) {
+    struct fragment all;
+    uint32_t e = frame->edge_of_body[k];
+    if (!is_relevant(frame, e, &all))
+      continue;
+    if (!met)
+      find_others(frame, b);
+    met = true;
+    if (draw_edge(frame, e, &all))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame frame;
   enum hsr_status status = begin(&frame, job);
-  for (uint32_t e = 0; !status && e < frame.edges->n; e++)
-    status = draw_edge(&frame, e);
+  for (uint32_t b = 0; !status && b < frame.volumes->n_bodies; b++)
+    status = draw_body(&frame, b);
+  if (!status)
+    status = hsr_drawing_sort(hsr_answer_drawing_of(job->answer));
   hsr_sight_free(&frame.sight);
   return status || job->tally->out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
@@ -1001,6 +971,12 @@ static const struct hsr_counter counters[] = {
     [BOX_SEARCH] = {"box search",
                     "boxes of volumes looked at to find those near an edge",
                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME, "not there|there"},
+    [PAIRS] =
+        {"collection pairs",
+         "minimax tests of bodies, which are collections of volumes, with "
+         "bodies whose edges are to be drawn",
+         HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_VOLUME,
+         "body in the way|body out of the way"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -1011,17 +987,20 @@ static const struct hsr_line outline[] = {
     {"for each object that is no closed solid before the eye: take it face by "
      "face",
      HSR_RAISES(TAKEN_APART)},
-    {"for each edge"},
+    {"for each object: which objects may be before it, by a minimax test?",
+     HSR_RAISES(PAIRS)},
+    {"for each of its edges"},
     {"  back-edge cull: does a front face have it?", HSR_RAISES(BACK_CULL)},
     {"  clipping cull: is it in the picture?", HSR_RAISES(CLIP_CULL)},
+    {"  for each volume of these objects"},
+    {"    minimax test: may the volume, or its whole object, be before it?",
+     HSR_RAISES(MINIMAX)},
+    {"      no: leave the object out", HSR_RAISES(COLLECTIONS)},
+    {"      no: leave the volume out", HSR_RAISES(VOLUMES)},
+    {"    is the edge in a front plane of the volume?", HSR_RAISES(OWN)},
     {"  for the edge, and for each fragment that is split off",
      HSR_RAISES(FRAGMENTS)},
-    {"    for each volume"},
-    {"      minimax test: may the volume, or its whole object, be before it?",
-     HSR_RAISES(MINIMAX)},
-    {"        no: leave the object out", HSR_RAISES(COLLECTIONS)},
-    {"        no: leave the volume out", HSR_RAISES(VOLUMES)},
-    {"      is the edge in a front plane of the volume?", HSR_RAISES(OWN)},
+    {"    for each volume that is left"},
     {"      edge/volume test: where does the linear programme hold?",
      HSR_RAISES(TEST)},
     {"        narrow the fragment by a plane or by a contour edge",
@@ -1040,11 +1019,13 @@ static const struct hsr_step steps[] = {
     {"clipping cull", CLIP_CULL, HSR_KIND_EDGE_WINDOW, "100 E_s",
      predict_clip_cull},
     {"minimax",
-     MINIMAX,
+     PAIRS,
      HSR_KIND_BOX,
      NULL,
      NULL,
-     {{BOX_SORT, HSR_KIND_BOX}, {BOX_SEARCH, HSR_KIND_BOX}}},
+     {{MINIMAX, HSR_KIND_BOX},
+      {BOX_SORT, HSR_KIND_BOX},
+      {BOX_SEARCH, HSR_KIND_BOX}}},
     {"edge/volume test", TEST, HSR_KIND_EDGE_VOLUME, "100 E_s f C_t, f = 4",
      predict_test},
     {NULL}};
@@ -1066,6 +1047,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .taxonomy = HSR_OBJECT_SPACE_VOLUMES,
     .coherence = "object: a volume leaves at most two pieces of an edge",
     .restrictions = HSR_CC | HSR_TP,
+    .lifted = HSR_NP,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_SEGMENTS, .how = HSR_VISIBLE_ONLY}},
     .sorts = sorts,

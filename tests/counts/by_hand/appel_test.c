@@ -7,6 +7,7 @@
  * All 8 are contour edges, since they have a face on one side only.
  * Searches: F and N share no vertex, so each has one. Initial visibility: 2
  *   faces for each of the 2 vertices (2, 2) and (4, 1), which are not hidden.
+ * Faces in line: (2, 2) is in F's box alone, (4, 1) in N's alone.
  * Edge intersection: each of 8 edges with 8 contour edges.
  *   Within a rectangle: an edge shares vertices with itself and its 2
  *   neighbours, and its box is apart from that of the opposite edge:
@@ -14,6 +15,8 @@
  *   F upper and lower, N left and right cross: 4 pairs. N is nearer: F's edges
  *   find nearer contour edges, N's edges farther ones:  4 nearer, 4 farther
  *   the 12 other pairs of F and N are apart, both ways: 24 apart
+ * Boxes overlap: the 32 pairs that are not apart.
+ * Vorticities: the 8 that cross. Those that share a vertex are not asked.
  * Crossings: the 4 nearer ones.
  * No edge touches another's face; no vertex belongs to two faces: no pierced
  *   faces, no correction, no faces apart.
@@ -27,6 +30,10 @@ static const struct hand_count of_bar[] = {
     {"searches", 2},
     {"initial visibility", 4},
     {"initial visibility", 0, "hides"},
+    {"faces in line", 2},
+    {"boxes overlap", 32},
+    {"vorticities", 8},
+    {"vorticities", 4, "inside"},
     {"edge intersection", 64},
     {"edge intersection", 32, "boxes apart"},
     {"edge intersection", 24, "share a vertex"},
@@ -41,7 +48,8 @@ static const struct hand_count of_bar[] = {
 
 /* As above, with these differences. Only N's right edge crosses F's upper and
  *   lower edges: 2 pairs; the 14 others are apart, both ways.
- * Initial visibility: N hides F's first vertex (2, 2): 1 of 4.
+ * Initial visibility: N hides F's first vertex (2, 2): 1 of 4. It is in the boxes
+ *   of both, and N's first vertex (1, 1) in N's alone.
  * Promoted from it: to (10, 2), past the crossing: hidden by 0; to (2, 6):
  *   hidden by 1; from there to (10, 6): hidden by 0. No vertex of N is hidden:
  *   1 in all.
@@ -53,6 +61,10 @@ static const struct hand_count of_corner[] = {
     {"searches", 2},
     {"initial visibility", 4},
     {"initial visibility", 1, "hides"},
+    {"faces in line", 2 + 1},
+    {"boxes overlap", 28},
+    {"vorticities", 4},
+    {"vorticities", 2, "inside"},
     {"edge intersection", 64},
     {"edge intersection", 8 + 28, "boxes apart"},
     {"edge intersection", 24, "share a vertex"},
@@ -71,7 +83,7 @@ static const struct hand_count of_corner[] = {
  *   on the same side of it in the picture. So the 4 front edges are contours.
  *   The two faces of each of the 8 other edges lie on opposite sides.
  * One search, of 6 faces, for vertex 0: each face has a corner there, or does
- *   not cover it.
+ *   not cover it. It is in the boxes of those 3 that have a corner there.
  * Edge intersection: 12 edges with 4 contour edges:
  *   4 front edges: 3 share a vertex, 1 apart              12, 4
  *   4 edges from front to back: 2 share, 2 apart           8, 8
@@ -95,6 +107,8 @@ static const struct hand_count of_box[] = {
     {"searches", 1},
     {"initial visibility", 6},
     {"initial visibility", 0, "hides"},
+    {"faces in line", 3},
+    {"boxes overlap", 12 + 8},
     {"edge intersection", 48},
     {"edge intersection", 4 + 8 + 16, "boxes apart"},
     {"edge intersection", 12 + 8, "share a vertex"},

@@ -12,6 +12,7 @@ static const struct hand_count of_bar[] = {
     {"edge cull", 8},
     {"searches", 2},
     {"initial visibility", 4},
+    {"faces in line", 2},
     {"edge intersection", 64},
     {"edge intersection", 32, "boxes apart"},
     {"edge intersection", 24, "share a vertex"},
@@ -32,6 +33,7 @@ static const struct hand_count of_corner[] = {
     {"edge cull", 8},
     {"searches", 2},
     {"initial visibility", 4},
+    {"faces in line", 3},
     {"edge intersection", 64},
     {"crossings", 2},
     {"promoted", 6},
@@ -45,17 +47,13 @@ static const struct hand_count of_corner[] = {
     {NULL}};
 
 /* 28 of 48 are apart, and the others share a vertex. */
-static const struct hand_count of_box[] = {{"edge cull", 24},
-                                           {"searches", 1},
-                                           {"initial visibility", 6},
-                                           {"edge intersection", 48},
-                                           {"correction", 19},
-                                           {"promoted", 7},
-                                           {"hiding", 4},
-                                           {"sorts to save", 8},
-                                           {"intervals drawn", 12},
-                                           {"boxes overlap", 20},
-                                           {NULL}};
+static const struct hand_count of_box[] = {
+    {"edge cull", 24},         {"searches", 1},
+    {"initial visibility", 6}, {"faces in line", 3},
+    {"edge intersection", 48}, {"correction", 19},
+    {"promoted", 7},           {"hiding", 4},
+    {"sorts to save", 8},      {"intervals drawn", 12},
+    {"boxes overlap", 20},     {NULL}};
 
 int main(void) {
   struct tap tap = plan(3);

@@ -6,12 +6,12 @@
 /* Back-edge cull: 8 edges, each a side of one face. Clipping cull: all 8 are in
  * the picture.
  * Bodies apart: F and N are open, so each is a volume without thickness.
- * Minimax tests, of the body and, unless that is out of the way, of its volume:
- *   F's edges with F: 2 each           8    they lie in its front plane: own
- *   F upper and lower with N: 2 each   4
- *   F left and right with N: 1 each    2    out of the way: rejected
- *   N's edges with F: 1 each           4    F is farther: rejected
- *   N's edges with N: 2 each           8    own
+ * Collection pairs: F with F and N; N with F, which is farther, and with N.
+ * Minimax tests of edges with the bodies that are left, which are a volume each:
+ *   F's edges with F                   4    they lie in its front plane: own
+ *   F upper and lower with N           2
+ *   F left and right with N            2    out of the way: rejected
+ *   N's edges with N                   4    own
  * Edge/volume tests: F upper and lower with N. Each leaves two pieces.
  * Fragments: 8 edges, and 2 pieces that wait.
  * Conditions: each test has the 4 edges of N and its plane; something is left
@@ -22,12 +22,12 @@ static const struct hand_count of_bar[] = {
     {"back-edge cull", 8, "exists"},
     {"clipping cull", 8},
     {"clipping cull", 8, "inside"},
-    {"minimax", 26},
+    {"collection pairs", 4},
+    {"collection pairs", 1, "body out of the way"},
+    {"minimax", 12},
     {"minimax", 4 + 2 + 4, "body in the way"},
-    {"minimax", 2 + 4, "body out of the way"},
-    {"minimax", 4 + 2 + 4, "volume in the way"},
-    {"minimax", 0, "volume out of the way"},
-    {"collections rejected", 6},
+    {"minimax", 2, "body out of the way"},
+    {"collections rejected", 2},
     {"own volumes", 8},
     {"edge/volume test", 2},
     {"edge/volume test", 2, "two pieces left"},
@@ -42,19 +42,14 @@ static const struct hand_count of_bar[] = {
 
 /* As above, except that F left is also tested with N's volume; F right is not.
  * F upper and lower leave one piece each, F left is wholly hidden. */
-static const struct hand_count of_corner[] = {{"back-edge cull", 8},
-                                              {"clipping cull", 8},
-                                              {"minimax", 8 + 6 + 1 + 4 + 8},
-                                              {"collections rejected", 5},
-                                              {"own volumes", 8},
-                                              {"edge/volume test", 3},
-                                              {"hidden whole", 1},
-                                              {"one piece left", 2},
-                                              {"fragments", 8},
-                                              {"conditions", 15},
-                                              {"bodies apart", 2},
-                                              {"intervals drawn", 10},
-                                              {NULL}};
+static const struct hand_count of_corner[] = {
+    {"back-edge cull", 8},       {"clipping cull", 8},
+    {"collection pairs", 4},     {"minimax", 4 + 4 + 4},
+    {"collections rejected", 1}, {"own volumes", 8},
+    {"edge/volume test", 3},     {"hidden whole", 1},
+    {"one piece left", 2},       {"fragments", 8},
+    {"conditions", 15},          {"bodies apart", 2},
+    {"intervals drawn", 10},     {NULL}};
 
 /* A triangle, near, whose box overlaps the lower left corner of F: the corner
  * is above its long side. */
@@ -62,8 +57,9 @@ static const struct hand_object beside[] = {
     HAND_RECTANGLE(4, 1, 10, 4, 8),
     {3, 1, {{1, 3, 4}, {5, 7, 4}, {1, 7, 4}}, {{3, {0, 1, 2}}}}};
 
-/* Minimax: F's edges with F 8; F left and lower with the triangle 2 each, F
- *   upper and right 1 each; the triangle's edges with F 1 each, with itself 2.
+/* Minimax: F's edges with F 4 and with the triangle 4, of which upper and right
+ *   are rejected; the triangle's edges with itself 3. F is farther than it: a
+ *   collection pair rejects it.
  * Edge/volume tests: F left and lower: untouched.
  * Conditions: the first edge of a face is the one that ends at its first
  *   vertex. So the edge x = 1 comes first, which leaves all; then the long
@@ -71,8 +67,9 @@ static const struct hand_object beside[] = {
 static const struct hand_count of_beside[] = {
     {"back-edge cull", 7},
     {"clipping cull", 7},
-    {"minimax", 8 + 4 + 2 + 3 + 6},
-    {"collections rejected", 2 + 3},
+    {"collection pairs", 4},
+    {"minimax", 4 + 4 + 3},
+    {"collections rejected", 2},
     {"own volumes", 7},
     {"edge/volume test", 2},
     {"untouched", 2},
@@ -85,15 +82,20 @@ static const struct hand_count of_beside[] = {
     {NULL}};
 
 /* One convex solid, 12 edges, each a side of two faces.
- * Minimax: 2 for each edge. The front is the only front plane, and its 4 edges
+ * Minimax: 1 for each edge. The front is the only front plane, and its 4 edges
  *   lie in it. The 8 others are wholly hidden, after the 4 conditions of the
  *   contour, which is the front's rim, and the condition of the front plane. */
-static const struct hand_count of_box[] = {
-    {"back-edge cull", 24},  {"clipping cull", 12},
-    {"minimax", 24},         {"own volumes", 4},
-    {"edge/volume test", 8}, {"hidden whole", 8},
-    {"fragments", 12},       {"conditions", 40},
-    {"intervals drawn", 12}, {NULL}};
+static const struct hand_count of_box[] = {{"back-edge cull", 24},
+                                           {"clipping cull", 12},
+                                           {"collection pairs", 1},
+                                           {"minimax", 12},
+                                           {"own volumes", 4},
+                                           {"edge/volume test", 8},
+                                           {"hidden whole", 8},
+                                           {"fragments", 12},
+                                           {"conditions", 40},
+                                           {"intervals drawn", 12},
+                                           {NULL}};
 
 int main(void) {
   struct tap tap = plan(4);

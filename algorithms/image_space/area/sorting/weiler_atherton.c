@@ -385,8 +385,7 @@ static const struct hsr_counter counters[] = {
                   "polygons examined against a clip polygon; what of them is "
                   "left is examined again",
                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                  "boxes apart|outside|divided or inside",
-                  .key = "examination"},
+                  "boxes apart|outside|divided or inside"},
     [CLIPPED] = {"pieces", "pieces that clipping made, inside and outside",
                  HSR_SPLIT, HSR_OF_FACE, HSR_OF_FACE, "inside|outside"},
     [COMPARED] = {"depth comparisons",
