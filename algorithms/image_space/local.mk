@@ -40,7 +40,9 @@ algorithm_files += \
   %D%/point/watkins.h \
   %D%/point/watkins_runs.c \
   %D%/point/watkins_z.c \
-  %D%/point/yzx.c
+  %D%/point/yzx.c \
+  %D%/point/yzx_list.c \
+  %D%/point/yzx_list.h
 # These files count nothing and are compiled once.
 libcore_a_SOURCES += \
   %D%/area/tiling/grove.c \

@@ -78,22 +78,21 @@ void hsr_keeper_end(struct hsr_keeper *keeper);
         "faces asked whether they are where they were, and the eye on the "    \
         "same side of their planes",                                           \
         HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING,                              \
-        "new, moved or turned|as it was", .key = "face-confirmed"              \
+        "new, moved or turned|as it was"                                       \
   }
 #define HSR_KEPT_ARRANGED                                                      \
   {                                                                            \
     "relations kept",                                                          \
         "relations of the last frame, by which a piece follows another",       \
         HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,                                  \
-        "the other has its place|the other is put first",                      \
-        .key = "relation-kept"                                                 \
+        "the other has its place|the other is put first"                       \
   }
 #define HSR_KEPT_HELD                                                          \
   {                                                                            \
     "relations held",                                                          \
         "pairs that tests 1 to 3 left, whose order is known from the last "    \
         "frame",                                                               \
-        HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, .key = "relation-held"        \
+        HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE                                \
   }
 
 /* For priority_list.c alone, in a list with a keeper. hsr_kept_take: begins a
