@@ -170,7 +170,8 @@ EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/peers/make %D%/peers/mistakes %D%/peers/mistakes.md \
   %D%/peers/then-and-now %D%/peers/then-and-now.md \
   %D%/peers/drawings %D%/peers/drawings.md %D%/peers/strokes \
-  %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
+  %D%/1974/README.md %D%/1974/coherence %D%/1974/coherence.txt \
+  %D%/1974/counts.ndjson %D%/1974/tables.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
   %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
   %D%/swan/splats \

@@ -41,6 +41,8 @@ algorithm_files += \
   %D%/point/watkins_runs.c \
   %D%/point/watkins_z.c \
   %D%/point/yzx.c \
+  %D%/point/yzx_list.c \
+  %D%/point/yzx_list.h \
   %D%/stages/items.c \
   %D%/stages/items.h \
   %D%/stages/stages.c

@@ -13,6 +13,8 @@ algorithm_files += \
   %D%/fixed/schumacker.c \
   %D%/fixed/schumacker_newell.c \
   %D%/fixed/schumacker_watkins.c \
+  %D%/per_frame/kept_order.c \
+  %D%/per_frame/kept_order.h \
   %D%/per_frame/newell.c \
   %D%/per_frame/newell.h \
   %D%/per_frame/newell_watkins.c \

@@ -6,6 +6,9 @@
  *
  *   watkins  house  view 1  Y sort=255, X merge=1739, ...
  *
+ * Of what keeps a state from frame to frame, a line is also of a walk: a turn
+ * around the point looked at, from view 1 on.
+ *
  * What takes grids only is counted on grids. What makes further kinds of
  * answers is counted when it makes those as well: SCENE:mix=linear,
  * SCENE:shadows=cast.
@@ -20,6 +23,7 @@
 #include "tests/draw.h"
 #include "tests/tap.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,8 +39,24 @@ enum {
   N_GRIDS = sizeof grids / sizeof *grids,
   M = 41,
   N = 29,
-  VIEWS = 2
+  VIEWS = 2,
+  FRAMES = 8, /* of a walk, in steps of */
+  DEGREES = 3
 };
+
+/* All counts that are not zero, and the end of the line. */
+static void write_counts(const struct hsr_algorithm *a,
+                         const struct hsr_tally *tally, FILE *out) {
+  const char *between = "";
+  for (int k = 0; a->counters && a->counters[k].name; k++) {
+    if (!tally->count[k])
+      continue;
+    fprintf(out, "%s%s=%llu", between, a->counters[k].name,
+            (unsigned long long)tally->count[k]);
+    between = ", ";
+  }
+  fprintf(out, "\n");
+}
 
 /* The line of one view. `choice` is NULL for the standard one. */
 static void count_view(const struct hsr_algorithm *a,
@@ -50,15 +70,46 @@ static void count_view(const struct hsr_algorithm *a,
   bool drawn = draw_chosen(a, choice, &worlds->world, &view, &answer, &tally);
   hsr_answer_free(&answer);
   fprintf(out, "%s\t%s\tview %u\t", a->name, scene, number + 1);
-  const char *between = drawn ? "" : "refused";
-  for (int k = 0; drawn && a->counters && a->counters[k].name; k++) {
-    if (!tally.count[k])
-      continue;
-    fprintf(out, "%s%s=%llu", between, a->counters[k].name,
-            (unsigned long long)tally.count[k]);
-    between = ", ";
+  if (drawn)
+    write_counts(a, &tally, out);
+  else
+    fprintf(out, "refused\n");
+}
+
+/* Frame k of a walk. */
+static void turn(const struct hsr_camera *first, int k, struct hsr_view *view) {
+  struct hsr_camera camera = *first;
+  const double angle = k * DEGREES * acos(-1) / 180;
+  double x = first->eye[0] - first->at[0], z = first->eye[2] - first->at[2];
+  camera.eye[0] = first->at[0] + x * cos(angle) + z * sin(angle);
+  camera.eye[2] = first->at[2] + z * cos(angle) - x * sin(angle);
+  must_view(view, &camera, M, N);
+}
+
+/* The line of a walk: one prepared object draws all frames. */
+static void count_walk(const struct hsr_algorithm *a,
+                       const struct both_worlds *worlds, const char *scene,
+                       FILE *out) {
+  static uint32_t ids[M * N];
+  struct hsr_setup setup;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_tally tally = {.trace = NULL};
+  struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+  must_setup(&setup, a, NULL, &worlds->world);
+  for (int k = 0; k < FRAMES; k++) {
+    struct hsr_view view;
+    turn(&worlds->scene->views[0], k, &view);
+    struct hsr_job job = {
+        .view = &view, .scratch = &scratch, .tally = &tally, .answer = &answer};
+    hsr_arena_reset(&scratch);
+    if (hsr_setup_render(&setup, &job, &err))
+      bail("%s: %s", a->name, err.text);
   }
-  fprintf(out, "%s\n", drawn ? "" : between);
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  fprintf(out, "%s\t%s\twalk of %d\t", a->name, scene, FRAMES);
+  write_counts(a, &tally, out);
 }
 
 /* The counts of the first view, for each further kind. */
@@ -88,6 +139,8 @@ static char *count_all(const struct hsr_algorithm *a) {
     open_worlds(&worlds, name);
     for (uint32_t v = 0; v < VIEWS && v < worlds.scene->n_views; v++)
       count_view(a, NULL, &worlds, name, v, out);
+    if (a->flags & HSR_FRAME_STATE && hsr_own_kind(a) == &hsr_answer_ids)
+      count_walk(a, &worlds, name, out);
     count_also(a, &worlds, name, out);
     close_worlds(&worlds);
   }

@@ -11,6 +11,11 @@
  *             painted so far
  * Ties        those of priority_list.h; faces of one plane that share a sample
  *             are in one cluster
+ * Options     output=beads: into Newell's beads instead of a frame buffer. The
+ *             text has the frame buffer; the sorting order Zp ZYX is that of
+ *             beads, as the survey writes Z(XY) where Newell's is on a frame
+ *             buffer. So what is painted costs as with newell-frame-buffer, or,
+ *             with beads, as with newell
  * Departures  Those of priority_list.h. A loose face (cluster_faces.h) is
  *             painted after all clusters, where it is nearer than what is
  *             there; these comparisons are among the thickness checks. Faces
@@ -20,6 +25,17 @@
  *             and faces of different clusters are never compared */
 #include "algorithms/list_priority/fixed/cluster_faces.h"
 #include "algorithms/list_priority/per_frame/newell.h"
+
+enum { OUTPUT }; /* option */
+enum { FRAME_BUFFER, BEADS };
+static const struct hsr_word outputs[] = {
+    [FRAME_BUFFER] = {"frame-buffer", "on a frame buffer", 0},
+    [BEADS] = {"beads", "into beads, as Newell's", 0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [OUTPUT] = {"output", "what segments are painted on", outputs, 0, BEADS,
+                FRAME_BUFFER},
+    {NULL}};
 
 struct schumacker_newell {
   struct hsr_screen screen;
@@ -44,7 +60,7 @@ static enum hsr_status render(const struct hsr_job *job,
   struct schumacker_newell schumacker_newell, *s = &schumacker_newell;
   if (reserve(s, job))
     return hsr_fail_nomem(err);
-  s->newell.frame_buffer = true;
+  s->newell.frame_buffer = job->option[OUTPUT] == FRAME_BUFFER;
   hsr_newell_open(&s->newell, &job->view->window);
   for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
     hsr_cluster_faces_take(&s->cluster, cluster);
@@ -53,21 +69,27 @@ static enum hsr_status render(const struct hsr_job *job,
   hsr_cluster_faces_take_thick(&s->cluster);
   for (uint32_t k = 0; k < s->cluster.n_loose; k++)
     hsr_newell_paint_unordered(&s->newell, s->cluster.loose[k]);
+  hsr_newell_show(&s->newell);
   return s->newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 /* --- What it is and counts ------------------------------------------------ */
 
-/* Newell's counters are from NEWELL on. */
-static const struct hsr_use uses[] = {
-    {&hsr_cluster_order_part}, {&hsr_list_part}, {&hsr_painting_part}, {NULL}};
+static const struct hsr_use uses[] = {{&hsr_cluster_order_part},
+                                      {&hsr_list_part},
+                                      {&hsr_painting_part},
+                                      {&hsr_beads_part},
+                                      {NULL}};
 
 static const struct hsr_line outline[] = {
     {"for each cluster, from the farthest, by the separating planes",
      HSR_RAISES(HSR_INTER_CLUSTER)},
     {"  ", .part = &hsr_list_part},
     {"  ", .part = &hsr_painting_part},
-    {"  ", .part = &hsr_painting_part, .group = HSR_FRAME_BUFFER_LINES},
+    {"      with beads: merge it among those of its scan line",
+     HSR_RAISES(HSR_BEAD_MERGE)},
+    {"      paint it on the frame buffer, or show the beads in the end",
+     HSR_RAISES(HSR_NEWELL_WRITTEN)},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -93,4 +115,5 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .sorts = sorts,
     .parts = uses,
     .outline = outline,
+    .options = options,
     .render = render};

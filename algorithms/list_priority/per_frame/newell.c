@@ -23,6 +23,7 @@
  * Cost        segments 10 F_r H_f, X merge F_r H_f S_v / 4, and those of
  *             priority_list.h */
 #include "algorithms/list_priority/per_frame/newell.h"
+#include "algorithms/list_priority/per_frame/kept_order.h"
 #include "common/answers/kinds/transparent.h"
 
 #include <stdlib.h>
@@ -30,6 +31,11 @@
 
 /* Of the survey's ways to find what P may obscure. */
 enum { INDEX_SORT, GROUPS, AGAIN };
+
+/* Of the last frame's order. */
+enum { CONFIRMED, ARRANGED, RELATIONS_HELD };
+static const struct hsr_kept_counters kept_counters = {CONFIRMED, ARRANGED,
+                                                       RELATIONS_HELD};
 
 enum { SPECIAL }; /* option */
 enum { ALONG_THE_LIST, BY_GROUPS, LATERAL };
@@ -314,7 +320,7 @@ static void show_beads(struct hsr_newell *s) {
 enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
                                    const struct hsr_job *job,
                                    const struct hsr_screen *screen,
-                                   struct hsr_previous *previous,
+                                   struct hsr_keeper *keeper,
                                    size_t most_faces) {
   const struct hsr_window *w = &job->view->window;
   *s = (struct hsr_newell){.job = job,
@@ -322,7 +328,7 @@ enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
                            .ids = job->answer->ids,
                            .ids_stride = (size_t)job->answer->m};
   s->row = HSR_NEW(job->scratch, uint32_t, (size_t)(w->y1 - w->y0));
-  return s->row ? hsr_list_reserve(&s->list, job, screen, previous, most_faces)
+  return s->row ? hsr_list_reserve(&s->list, job, screen, keeper, most_faces)
                 : HSR_E_NOMEM;
 }
 
@@ -380,7 +386,7 @@ static enum hsr_status reserve_glass(struct hsr_newell *s,
 }
 
 static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
-                           struct hsr_previous *previous,
+                           struct hsr_keeper *keeper,
                            struct hsr_list_index *index,
                            struct hsr_error *err) {
   struct hsr_screen screen;
@@ -388,7 +394,8 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
   struct hsr_glass glass;
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
-      hsr_newell_reserve(&newell, job, &screen, previous, screen.n_relevant))
+      (keeper && hsr_keeper_begin(keeper, job, &screen, kept_counters)) ||
+      hsr_newell_reserve(&newell, job, &screen, keeper, screen.n_relevant))
     return hsr_fail_nomem(err);
   newell.frame_buffer = frame_buffer;
   newell.list.index = index;
@@ -399,7 +406,11 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
                    screen.n_relevant);
   if (hsr_answer_colours_of(job->answer))
     hsr_glass_settle(&glass, HSR_NEWELL_THICKNESS, HSR_NEWELL_WRITTEN);
-  return newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+  if (newell.list.out_of_memory)
+    return hsr_fail_nomem(err);
+  if (keeper)
+    hsr_keeper_end(keeper);
+  return HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -423,13 +434,8 @@ static enum hsr_status prepare_previous(const struct hsr_world *world,
                                         const long *option, void **prepared,
                                         struct hsr_error *err) {
   (void)option;
-  struct hsr_previous *previous =
-      malloc(sizeof *previous + world->n_faces * sizeof *previous->order);
-  if (!previous)
-    return hsr_fail_nomem(err);
-  *previous = (struct hsr_previous){.n_faces = world->n_faces};
-  *prepared = previous;
-  return HSR_OK;
+  *prepared = hsr_keeper_new(world, 1);
+  return *prepared ? HSR_OK : hsr_fail_nomem(err);
 }
 
 static enum hsr_status render_previous(const struct hsr_job *job,
@@ -470,7 +476,28 @@ static const struct hsr_line outline[] = {
     {"", .part = &hsr_beads_part},
     {NULL}};
 
+static const struct hsr_counter counters_previous[] = {
+    [CONFIRMED] = HSR_KEPT_FACES,
+    [ARRANGED] = HSR_KEPT_ARRANGED,
+    [RELATIONS_HELD] = HSR_KEPT_HELD,
+    {NULL}};
+
+static const struct hsr_step steps_previous[] = {
+    {"Newell special",
+     CONFIRMED,
+     1,
+     NULL,
+     NULL,
+     {{ARRANGED, 1}, {RELATIONS_HELD, 1}}},
+    {NULL}};
+
 static const struct hsr_line outline_previous[] = {
+    {"for each face: is it where it was, and the eye on the same side of it?",
+     HSR_RAISES(CONFIRMED)},
+    {"take the pieces of the last frame; put each after those that it followed",
+     HSR_RAISES(ARRANGED)},
+    {"of two pieces whose order a plane told there: it holds",
+     HSR_RAISES(RELATIONS_HELD)},
     {"", .part = &hsr_list_part},
     {"", .part = &hsr_painting_part},
     {"", .part = &hsr_beads_part},
@@ -500,8 +527,8 @@ static const struct hsr_sort sorts_frame_buffer[] = {
     {NULL}};
 
 static const struct hsr_sort sorts_previous[] = {
-    {"faces", "Z", "insertion sort of the last frame's order", "once a frame"},
-    {"faces", "XYZ", "Newell special", "once a frame"},
+    {.part = &hsr_list_part},
+    {"faces", "XYZ", "by relations of the last frame", "once a frame"},
     {.part = &hsr_beads_part},
     {NULL}};
 
@@ -625,7 +652,9 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .flags = HSR_FRAME_STATE | HSR_FOLLOWS,
     .sorts = sorts_previous,
     .parts = uses_previous,
+    .counters = counters_previous,
+    .steps = steps_previous,
     .outline = outline_previous,
     .prepare = prepare_previous,
     .render = render_previous,
-    .release = free};
+    .release = hsr_keeper_free};

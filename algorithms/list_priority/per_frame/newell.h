@@ -36,7 +36,7 @@ struct hsr_newell {
 enum hsr_status hsr_newell_reserve(struct hsr_newell *newell,
                                    const struct hsr_job *job,
                                    const struct hsr_screen *screen,
-                                   struct hsr_previous *previous,
+                                   struct hsr_keeper *keeper,
                                    size_t most_faces);
 
 /* Solves a window, which lies within the view's: writes the visible face of all

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Newell's priority computer: see priority_list.h. */
+#include "algorithms/list_priority/per_frame/kept_order.h"
 #include "algorithms/list_priority/per_frame/priority_pieces.h"
 
 #include <string.h>
@@ -18,10 +19,8 @@ static struct hsr_bounds clip_bounds(struct hsr_bounds b,
       b.x1 < w->x1 ? b.x1 : w->x1, b.y1 < w->y1 ? b.y1 : w->y1};
 }
 
-/* Adds a piece, whose polygon and cuts are given, if it has samples. Returns
- * its number, or NONE. */
-static uint32_t add_piece(struct hsr_priority_list *s,
-                          struct hsr_list_piece piece) {
+uint32_t hsr_list_add(struct hsr_priority_list *s,
+                      struct hsr_list_piece piece) {
   hsr_depth_range(s->screen, piece.polygon, &piece.nearest, &piece.farthest);
   piece.part.bounds = clip_bounds(
       piece.polygon.outline ? hsr_outline_bounds(s->screen, piece.polygon)
@@ -39,6 +38,7 @@ static uint32_t add_piece(struct hsr_priority_list *s,
     return NONE;
   }
   uint32_t p = (uint32_t)s->pieces.n - 1;
+  piece.left = NONE;
   *piece_at(s, p) = piece;
   return p;
 }
@@ -78,38 +78,7 @@ static void sort_digit(struct hsr_priority_list *s, int digit,
     uint32_t p = from[k];
     to[begin[(piece_at(s, p)->bucket >> shift) % RADIX]++] = p;
     HSR_STEP(s->tally, HSR_LIST_Z_SORT, subject(s, p), HSR_NOTHING, *s->window,
-             digit ? 3 : 0);
-  }
-}
-
-/* Takes the order of the last frame, and after it the pieces that it did not
- * paint, and puts it right by an insertion sort. */
-static void sort_previous(struct hsr_priority_list *s) {
-  const struct hsr_previous *previous = s->previous;
-  uint32_t n = 0;
-  for (uint32_t k = 0; k < previous->n; k++) {
-    uint32_t p = s->piece_of[previous->order[k]];
-    if (p != NONE && !piece_at(s, p)->marker) {
-      piece_at(s, p)->marker = 1; /* taken */
-      s->order[n++] = p;
-    }
-  }
-  for (uint32_t p = 0; p < s->pieces.n; p++)
-    if (!piece_at(s, p)->marker)
-      s->order[n++] = p;
-  for (uint32_t k = 0; k < n; k++) {
-    uint32_t p = s->order[k], to = k;
-    piece_at(s, p)->marker = 0;
-    for (; to; to--) {
-      uint32_t before = s->order[to - 1];
-      bool in_order = piece_at(s, before)->bucket <= piece_at(s, p)->bucket;
-      HSR_STEP(s->tally, HSR_LIST_Z_SORT, subject(s, p), subject(s, before),
-               *s->window, in_order ? 1 : 2);
-      if (in_order)
-        break;
-      s->order[to] = s->order[to - 1];
-    }
-    s->order[to] = p;
+             digit);
   }
 }
 
@@ -124,13 +93,30 @@ static void link_pieces(struct hsr_priority_list *s, uint32_t before,
     piece_at(s, after)->previous = before;
 }
 
+/* Links the list in the order of order[], and finds `rest`. */
 static void link_list(struct hsr_priority_list *s) {
-  uint32_t before = NONE;
-  for (size_t k = 0; k < s->pieces.n; k++) {
-    link_pieces(s, before, s->order[k]);
-    before = s->order[k];
+  uint32_t after = NONE, rest = UINT32_MAX;
+  for (size_t k = s->pieces.n; k-- > 0;) {
+    uint32_t p = s->order[k], bucket = piece_at(s, p)->bucket;
+    rest = bucket < rest ? bucket : rest;
+    piece_at(s, p)->rest = rest;
+    link_pieces(s, p, after);
+    after = p;
   }
-  link_pieces(s, before, NONE);
+  link_pieces(s, NONE, after);
+}
+
+/* Makes room to sort all pieces: of the last frame there may be more than faces.
+ */
+static bool make_room(struct hsr_priority_list *s) {
+  uint32_t n = (uint32_t)s->pieces.n;
+  if (n > s->room) {
+    s->order = HSR_NEW(s->job->scratch, uint32_t, 2 * (size_t)n);
+    s->other = HSR_NEW(s->job->scratch, uint32_t, 2 * (size_t)n);
+    s->room = 2 * n;
+  }
+  s->out_of_memory |= !s->order || !s->other;
+  return !s->out_of_memory;
 }
 
 void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
@@ -140,29 +126,28 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
   s->halves_used = 0;
   s->spans.piece = NONE;
   s->attempt = 1;
-  for (uint32_t k = 0; k < n; k++) {
-    uint32_t f = faces[k];
-    s->thick[f] = false;
-    add_piece(s, (struct hsr_list_piece){.part = {.face = f},
-                                         .polygon = {.face = f}});
-  }
+  s->n_faces = n;
+  s->head = NONE;
+  s->under_way = true;
+  for (uint32_t k = 0; k < n; k++)
+    s->thick[faces[k]] = false;
+  if (s->keeper)
+    hsr_kept_take(s, faces, n);
+  for (uint32_t k = 0; k < n && !s->keeper; k++)
+    hsr_list_add(s, (struct hsr_list_piece){.part = {.face = faces[k]},
+                                            .polygon = {.face = faces[k]}});
+  if (!make_room(s))
+    return;
   choose_buckets(s);
-  if (s->previous && s->previous->n) {
-    memset(s->piece_of, 0xff, s->previous->n_faces * sizeof *s->piece_of);
-    for (uint32_t p = 0; p < s->pieces.n; p++)
-      s->piece_of[piece_at(s, p)->part.face] = p;
-    sort_previous(s);
-  } else {
-    for (uint32_t p = 0; p < s->pieces.n; p++)
-      s->order[p] = p;
-    sort_digit(s, 0, s->order, s->other);
-    sort_digit(s, 1, s->other, s->order);
-  }
+  for (uint32_t p = 0; p < s->pieces.n; p++)
+    s->order[p] = p;
+  sort_digit(s, 0, s->order, s->other);
+  sort_digit(s, 1, s->other, s->order);
+  if (s->keeper)
+    hsr_kept_arrange(s);
   link_list(s);
   if (s->index)
     hsr_index_sort(s);
-  if (s->previous)
-    s->previous->n = 0;
 }
 
 /* --- The tests: may P obscure Q? ------------------------------------------ */
@@ -326,7 +311,10 @@ static bool are_apart(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
     int n_b = n_a ? hsr_piece_rows_spans(&rows, b->cuts, b->n_cuts, j, columns,
                                          s->tally)
                   : 0;
-    if (spans_meet(s->window, of_p, n_a, columns, n_b))
+    bool meet = spans_meet(s->window, of_p, n_a, columns, n_b);
+    HSR_STEP(s->tally, HSR_LIST_OVERLAP_ROWS, subject(s, p), subject(s, q),
+             HSR_ON(s->window->x0, s->window->x1, j), meet);
+    if (meet)
       return false;
   }
   return true;
@@ -377,8 +365,12 @@ static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
 /* The six tests, in order: may P obscure Q? */
 bool hsr_list_may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
   enum hsr_special decided = test_minimax(s, p, q);
-  if (decided == HSR_P_MAY_OBSCURE) {
+  if (decided == HSR_P_MAY_OBSCURE && s->keeper && hsr_kept_holds(s, p, q)) {
+    decided = HSR_HELD;
+  } else if (decided == HSR_P_MAY_OBSCURE) {
     decided = test_planes(s, p, q);
+    if (s->keeper && (decided == HSR_P_BEYOND_Q || decided == HSR_Q_BEFORE_P))
+      hsr_kept_note(s, p, q);
     HSR_STEP(s->tally, HSR_LIST_PLANES, subject(s, p), subject(s, q),
              *s->window,
              decided == HSR_P_MAY_OBSCURE ? 0
@@ -400,7 +392,7 @@ static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p) {
     return hsr_index_find(s, p, bucket);
   for (uint32_t q = piece_at(s, p)->next; q != NONE; q = piece_at(s, q)->next) {
     const struct hsr_list_piece *piece = piece_at(s, q);
-    if (piece->bucket > bucket && !piece->marker) {
+    if (piece->rest > bucket && !piece->marker) {
       HSR_STEP(s->tally, HSR_LIST_SPECIAL, subject(s, p), subject(s, q),
                *s->window, HSR_BEYOND_Q_ENDS);
       return NONE;
@@ -423,6 +415,8 @@ static void insert(struct hsr_priority_list *s, uint32_t p) {
     before = at;
     at = piece_at(s, at)->next;
   }
+  uint32_t rest = at == NONE ? bucket : piece_at(s, at)->rest;
+  piece_at(s, p)->rest = rest < bucket ? rest : bucket;
   link_pieces(s, before, p);
   link_pieces(s, p, at);
 }
@@ -466,10 +460,11 @@ static void add_half(struct hsr_priority_list *s,
   struct hsr_polygon left =
       hsr_divide_outline(s->screen, whole->polygon, cut, outline, s->scratch);
   s->halves_used -= (room - left.n) * sizeof *outline;
-  uint32_t p =
-      add_piece(s, (struct hsr_list_piece){
-                       .part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts},
-                       .polygon = left});
+  struct hsr_piece part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts};
+  uint32_t p = hsr_list_add(
+      s, (struct hsr_list_piece){.part = part, .polygon = left, .kept = NONE});
+  if (p == NONE && s->keeper)
+    hsr_kept_unseen(s, &part, left);
   if (p == NONE)
     return;
   piece_at(s, p)->bucket = bucket_of(s, piece_at(s, p)->farthest);
@@ -554,14 +549,14 @@ static void resolve(struct hsr_priority_list *s, uint32_t q) {
 enum hsr_status hsr_list_reserve(struct hsr_priority_list *s,
                                  const struct hsr_job *job,
                                  const struct hsr_screen *screen,
-                                 struct hsr_previous *previous,
-                                 size_t most_faces) {
+                                 struct hsr_keeper *keeper, size_t most_faces) {
   struct hsr_arena *arena = job->scratch;
   size_t n_faces = job->world->n_faces;
   *s = (struct hsr_priority_list){.job = job,
                                   .tally = job->tally,
                                   .screen = screen,
-                                  .previous = previous,
+                                  .keeper = keeper,
+                                  .room = (uint32_t)most_faces,
                                   .head = NONE};
   for (uint32_t r = 0; r < screen->n_relevant; r++) {
     uint32_t n = hsr_face_size(job->world, screen->relevant[r]);
@@ -574,17 +569,9 @@ enum hsr_status hsr_list_reserve(struct hsr_priority_list *s,
                      (size_t)(job->view->window.y1 - job->view->window.y0));
   s->order = HSR_NEW(arena, uint32_t, most_faces);
   s->other = HSR_NEW(arena, uint32_t, most_faces);
-  s->piece_of = HSR_NEW(arena, uint32_t, previous ? n_faces : 0);
-  return s->thick && s->columns && s->spans.row && s->order && s->other &&
-                 s->piece_of
+  return s->thick && s->columns && s->spans.row && s->order && s->other
              ? HSR_OK
              : HSR_E_NOMEM;
-}
-
-/* Notes a face for the next frame. */
-static void remember(struct hsr_previous *previous, uint32_t f) {
-  if (previous && previous->n < previous->n_faces)
-    previous->order[previous->n++] = f;
 }
 
 const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
@@ -597,29 +584,28 @@ const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
     take_out(s, p);
     piece_at(s, p)->gone = true;
     s->attempt++;
-    remember(s->previous, piece_at(s, p)->part.face);
+    if (s->keeper)
+      hsr_kept_leave(s, p);
     return &piece_at(s, p)->part;
   }
+  if (s->keeper && s->under_way)
+    hsr_kept_close(s);
+  s->under_way = false;
   return NULL;
 }
 
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"Z sort",
-     "pieces put into buckets of depth; comparisons, where the last "
-     "frame's "
-     "order is the start",
-     HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,
-     "put into a bucket by the low digit|in order|out of order|put into a "
-     "bucket by the high digit",
+    {"Z sort", "pieces put into buckets of depth", HSR_SORT, HSR_OF_PIECE,
+     HSR_OF_NOTHING, "put into a bucket by the low digit|by the high digit",
      .key = "list-sort"},
     {"Newell special",
      "pieces that may come before P in depth, asked about by the six tests",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
      "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
-     "overlap|left to the samples|P may obscure Q",
+     "overlap|left to the samples|P may obscure Q|known from the last frame",
      .key = "list-test"},
     {"minimax tests",
      "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
@@ -633,6 +619,8 @@ static const struct hsr_counter counters[] = {
      "6: left to the samples"},
     {"overlap tests", "test 6: pairs tested for overlap on the screen",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "test 6: overlap|test 6: apart"},
+    {"overlap rows", "test 6: rows on which the samples of both are compared",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "apart|meet"},
     {"interchanges", "pieces moved to the far end of the list", HSR_SORT,
      HSR_OF_PIECE, HSR_OF_PIECE, .key = "list-move"},
     {"divisions", "pieces divided by the plane of another", HSR_SPLIT,
@@ -663,6 +651,7 @@ static const struct hsr_step steps[] = {
       {HSR_LIST_PLANES, HSR_KIND_FACES},
       {HSR_LIST_DIVISIONS, HSR_KIND_FACES},
       {HSR_LIST_INSERTIONS, HSR_KIND_LIST}}},
+    {"overlap on rows", HSR_LIST_OVERLAP_ROWS, HSR_KIND_LINE},
     {"circle search", HSR_LIST_CIRCLES, HSR_KIND_FACES},
     {NULL}};
 
@@ -683,6 +672,8 @@ static const struct hsr_line lines[] = {
      HSR_RAISES(HSR_LIST_PLANES)},
     {"    do they overlap on the screen (test 6)?",
      HSR_RAISES(HSR_LIST_OVERLAPS)},
+    {"      if no edge separates them: do their samples meet on a row?",
+     HSR_RAISES(HSR_LIST_OVERLAP_ROWS)},
     {"  if P may obscure Q, which bears no marker"},
     {"    move Q to the far end, before P, with a marker: it is the new P",
      HSR_RAISES(HSR_LIST_INTERCHANGES)},

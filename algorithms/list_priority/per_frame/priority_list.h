@@ -14,8 +14,10 @@
  *             wholly before P in depth. Marker: the last attempt in which the
  *             piece was moved.
  * Invariants  The pieces without a marker are in the list by the bucket of
- *             their farthest depth, farthest first. A piece leaves the list
- *             when it may obscure no piece that is still there.
+ *             their farthest depth, farthest first, unless the last frame says
+ *             otherwise (kept_order.h). Of each, `rest` is the farthest bucket
+ *             from it on. A piece leaves the list when it may obscure no piece that
+ *             is still there.
  * Ties        faces of one plane: the lower id obscures the higher
  * Departures  - Depth is that along the line of sight, which is the same
  *             measure for all pieces on a ray.
@@ -24,6 +26,12 @@
  *             - A face that is not flat is thick. Where two thick faces touch
  *             each other within their thickness, the samples where they meet
  *             decide.
+ *             - Test 6 is one of samples. An edge that separates both faces
+ *             tells that they are apart. Where there is none, their samples are
+ *             compared row by row, and each row is counted. So two faces that
+ *             overlap between samples are apart, and which faces are divided
+ *             depends on the size of the picture. The paper calls the test
+ *             "particularly troublesome", and gives none.
  *             - P or Q is divided by the plane of the other only if that passes
  *             through it. If neither plane does, the pieces with the attempt's
  *             marker form a circle: all pairs of them are searched for a piece
@@ -44,10 +52,7 @@
 extern "C" {
 #endif
 
-/* The order in which n of the n_faces faces left the last frame's list. */
-struct hsr_previous {
-  uint32_t n, n_faces, order[];
-};
+struct hsr_keeper; /* kept_order.h */
 
 /* Other ways of finding the pieces that P may obscure (priority_index.c): by
  * groups of pieces in depth, or by cells of the screen. */
@@ -95,6 +100,7 @@ struct hsr_priority_list {
    * samples in the window. */
   bool parts;
   bool out_of_memory;
+  bool under_way; /* the list has not been found to be empty */
 
   bool *thick;  /* by face: between two thick faces the samples may decide */
   int *columns; /* room for the spans of the largest face */
@@ -107,12 +113,12 @@ struct hsr_priority_list {
    * leaves. */
   uint32_t attempt;
   double buckets_per_q;
-  uint32_t *order, *other; /* room for the Z sort */
+  uint32_t *order, *other, room; /* room for the Z sort */
 
   struct hsr_list_index *index; /* NULL: the list itself is searched */
 
-  struct hsr_previous *previous; /* NULL: every frame starts anew */
-  uint32_t *piece_of;            /* for `previous`, by face: its piece */
+  struct hsr_keeper *keeper; /* NULL: every frame starts anew */
+  uint32_t n_faces;          /* of this list */
 
   unsigned char *halves; /* memory for outlines and cuts of divided pieces */
   size_t halves_used, halves_room;
@@ -122,13 +128,12 @@ struct hsr_priority_list {
 
 /* Begins a frame whose lists have no more than most_faces faces. Memory from
  * job->scratch; it grows if faces are divided, and serves the next list, too.
- * `previous` has the last frame's order, and gets this frame's; then there is
- * one list a frame. NULL: every frame starts anew. HSR_E_NOMEM. */
+ * `keeper` has the last frame's orders, and gets this frame's; its frame has
+ * begun (kept_order.h). NULL: every frame starts anew. HSR_E_NOMEM. */
 enum hsr_status hsr_list_reserve(struct hsr_priority_list *list,
                                  const struct hsr_job *job,
                                  const struct hsr_screen *screen,
-                                 struct hsr_previous *previous,
-                                 size_t most_faces);
+                                 struct hsr_keeper *keeper, size_t most_faces);
 
 /* Makes a new list: the Z sort of n faces in a window, which lies within the
  * view's and is borrowed as long as the list. */
@@ -150,6 +155,7 @@ enum {
   HSR_LIST_MINIMAX,
   HSR_LIST_PLANES,
   HSR_LIST_OVERLAPS,
+  HSR_LIST_OVERLAP_ROWS,
   HSR_LIST_INTERCHANGES,
   HSR_LIST_DIVISIONS,
   HSR_LIST_INSERTIONS,
@@ -163,11 +169,12 @@ enum hsr_special {
   HSR_APART_IN_Z,
   HSR_APART_IN_X,
   HSR_APART_IN_Y,
-  HSR_P_BEYOND_Q,   /* of the plane of Q */
-  HSR_Q_BEFORE_P,   /* of the plane of P */
-  HSR_NO_OVERLAP,   /* on the screen */
-  HSR_TO_SAMPLES,   /* of thick faces: the samples decide */
-  HSR_P_MAY_OBSCURE /* no test decided */
+  HSR_P_BEYOND_Q,    /* of the plane of Q */
+  HSR_Q_BEFORE_P,    /* of the plane of P */
+  HSR_NO_OVERLAP,    /* on the screen */
+  HSR_TO_SAMPLES,    /* of thick faces: the samples decide */
+  HSR_P_MAY_OBSCURE, /* no test decided */
+  HSR_HELD           /* known from the last frame: kept_order.h */
 };
 
 #ifdef __cplusplus
