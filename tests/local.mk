@@ -191,6 +191,7 @@ tap_scripts = \
   %D%/tree/files.test \
   %D%/tree/generated.test \
   %D%/tree/keys.test \
+  %D%/tree/prices.test \
   %D%/tree/table.test \
   %D%/view/view.test
 
@@ -255,6 +256,7 @@ quick_scripts = \
   %D%/tree/arrows.test \
   %D%/tree/files.test \
   %D%/tree/keys.test \
+  %D%/tree/prices.test \
   %D%/tree/table.test
 .PHONY: bench-check check-module check-quick distcheck-sanitized list-tests
 # As many jobs as there are processors, unless make was told a number.

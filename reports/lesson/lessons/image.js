@@ -198,9 +198,8 @@ export const watkins = {
   "Two segments are compared by the depths of their ends: if the nearest end of one " +
     "is deeper than the farthest end of the other, all is known. If these do not " +
     "tell, the longer segment is divided at its midpoint. A half that lies outside of " +
-    "the span is dropped, and the other one is compared again: a logarithmic search, " +
-    "for which the survey reckons with 30 operations. If both halves reach into the " +
-    "span, the span is divided there: the left part is searched first, and the right " +
+    "the span is dropped, and the other one is compared again: a logarithmic search. " +
+    "If both halves reach into the span, the span is divided there: the left part is searched first, and the right " +
     "part only if one face is nearer in all of the left part. Where two faces " +
     "penetrate, this finds the sample from which on the other one is nearer."],
   source: "The survey, chapter III, scan lines, figures 12, 27b and 28; Watkins 1970",
