@@ -55,6 +55,7 @@ enum hsr_part_number {
   HSR_PART_FOLDS,
   HSR_PART_TEXTURES,
   HSR_PART_BUILT,
+  HSR_PART_PRIORITY_SEARCH,
   HSR_N_PARTS
 };
 

@@ -12,6 +12,7 @@ algorithm_files += \
   %D%/fixed/cluster_order.h \
   %D%/fixed/schumacker.c \
   %D%/fixed/schumacker_newell.c \
+  %D%/fixed/schumacker_newell_watkins.c \
   %D%/fixed/schumacker_watkins.c \
   %D%/per_frame/kept_order.c \
   %D%/per_frame/kept_order.h \
@@ -22,4 +23,6 @@ algorithm_files += \
   %D%/per_frame/priority_index.c \
   %D%/per_frame/priority_list.c \
   %D%/per_frame/priority_list.h \
-  %D%/per_frame/priority_pieces.h
+  %D%/per_frame/priority_pieces.h \
+  %D%/per_frame/priority_scan.c \
+  %D%/per_frame/priority_scan.h

@@ -27,7 +27,8 @@ const LIKE = { "zbuffer-fast": "zbuffer", "bsp-front": "bsp-painter",
   "newell-previous": "newell", "warnock-vertices": "warnock",
   "warnock-depth": "warnock", "warnock-watkins": "warnock",
   "warnock-newell": "warnock", "schumacker-newell": "schumacker",
-  "schumacker-watkins": "schumacker", "newell-watkins": "newell",
+  "schumacker-watkins": "schumacker", "schumacker-newell-watkins": "schumacker",
+  "newell-watkins": "newell",
   "hzbuffer-moving": "hzbuffer", "tiling-lazy": "tiling", "tiling-merged": "tiling",
   oracle: "raycast" };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The orders of sorting. all.js says what a lesson is.
-import { countOf, perEach, times, withOutcome } from "../telling/figures.js";
+import { perEach } from "../telling/figures.js";
 
 const NEARER = "Is the solid one nearer or farther than the dashed one, here?";
 
@@ -39,10 +39,6 @@ export const sortStages = {
     ["The nearest is shown in all of the span", { name: "shown", pick: "largest" }],
     ["Half of the picture", { name: "shown", at: 0.5 }],
   ],
-  find: ["How many faces are searched for depth in a span?", (run) => {
-    const all = countOf(run, "depths in spans") + countOf(run, "depths at samples");
-    return `${perEach(run, "depths in spans", countOf(run, "shown"), "span")} ${times(
-      withOutcome(run, "depths in spans", "nearer"))} of all ${times(all)} searches ` +
-      "find a nearer one in a span.";
-  }],
+  find: ["How many faces are searched for depth in a span?",
+    (run) => perEach(run, "depths in spans", "shown")],
 };

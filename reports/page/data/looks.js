@@ -37,7 +37,7 @@ const KNOWN = {
   romney: [2, 0], loutrel: [2, 3],
   newell: [3, 0], "newell-frame-buffer": [3, 1], "newell-previous": [3, 2],
   "warnock-newell": [3, 3], "schumacker-newell": [3, 4],
-  "schumacker-watkins": [6, 5],
+  "schumacker-watkins": [6, 5], "schumacker-newell-watkins": [6, 8],
   yzx: [4, 0], painter: [4, 5],
   bouknight: [5, 0], galimberti: [5, 3],
   schumacker: [6, 0], "bsp-painter": [6, 1], "bsp-front": [6, 2],

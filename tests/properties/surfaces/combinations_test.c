@@ -212,8 +212,56 @@ static void check_thickness(struct tap *tap, const char *algorithm,
   hsr_scene_delete(scene);
 }
 
+/* Schumacker, Newell and Watkins: one view twice, from one prepared object. */
+static void check_three(struct tap *tap, const char *name) {
+  static uint32_t wanted[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = must_open(name);
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_world world;
+  struct hsr_view view;
+  struct hsr_setup setup;
+  struct count frame[2];
+  must_world(&world, scene);
+  must_view(&view, &scene->views[0], M, N);
+  draw("oracle", scene, M, N);
+  memcpy(wanted, ids, sizeof wanted);
+  long wrong = 0;
+  const struct hsr_algorithm *a =
+      hsr_algorithm_find("schumacker-newell-watkins")->counting;
+  must_setup(&setup, a, NULL, &world);
+  for (int k = 0; k < 2; k++) {
+    struct hsr_answer answer = hsr_answer_of_ids(ids, M, N);
+    frame[k] = (struct count){a, {.out_of_memory = false}};
+    struct hsr_job job = {.view = &view,
+                          .scratch = &scratch,
+                          .tally = &frame[k].tally,
+                          .answer = &answer};
+    hsr_arena_reset(&scratch);
+    if (hsr_setup_render(&setup, &job, &err))
+      bail("%s: %s", name, err.text);
+    for (int i = 0; i < M * N; i++)
+      wrong += ids[i] != wanted[i];
+  }
+  ok(tap,
+     !wrong && of(&frame[0], "priority search") > 0 &&
+         of(&frame[0], "thickness checks") == 0 &&
+         frame[0].tally.depths_compared == 0,
+     "%s: priority numbers are compared, no depths (%ld wrong)", name, wrong);
+  ok(tap,
+     5 * of(&frame[1], "plane tests") < of(&frame[0], "plane tests") &&
+         of(&frame[1], "relations held") > 0 && !of(&frame[1], "divisions"),
+     "%s: the order within clusters is kept: %llu plane tests, then %llu", name,
+     (unsigned long long)of(&frame[0], "plane tests"),
+     (unsigned long long)of(&frame[1], "plane tests"));
+  hsr_setup_free(&setup);
+  hsr_world_free(&world);
+  hsr_arena_free(&scratch);
+  hsr_scene_delete(scene);
+}
+
 int main(void) {
-  struct tap tap = plan(20);
+  struct tap tap = plan(25);
   check_depths(&tap, "house");
   check_depths(&tap, "harbor");
   check_depths(&tap, "cyclic-overlap");
@@ -224,6 +272,9 @@ int main(void) {
   check_clusters(&tap, "schumacker-newell", "cyclic-overlap", true);
   check_clusters(&tap, "schumacker-watkins", "harbor", false);
   check_clusters(&tap, "schumacker-watkins", "cyclic-overlap", true);
+  check_three(&tap, "house");
+  check_three(&tap, "harbor");
+  check_thickness(&tap, "schumacker-newell-watkins", "thickness checks");
   check_thickness(&tap, "newell", "thickness checks");
   check_thickness(&tap, "newell-watkins", "thickness checks");
   check_thickness(&tap, "warnock-newell", "Newell: thickness checks");

@@ -390,10 +390,11 @@ static void check_loose(struct tap *tap, const char *name) {
 int main(void) {
   enum { N_IMAGE = sizeof image_rules / sizeof *image_rules - 1 };
   enum { N_LIST = sizeof list_rules / sizeof *list_rules - 1 };
-  struct tap tap = plan(N_IMAGE + N_LIST + 4);
+  struct tap tap = plan(N_IMAGE + N_LIST + 5);
   check_loose(&tap, "schumacker");
   check_loose(&tap, "schumacker-newell");
   check_loose(&tap, "schumacker-watkins");
+  check_loose(&tap, "schumacker-newell-watkins");
   check_loose(&tap, "bsp-painter");
   check_rules(&tap, image_rules, image_scenes, false);
   check_rules(&tap, list_rules, list_scenes, true);
