@@ -1033,6 +1033,7 @@ static const struct hsr_step steps[] = {
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing", "cull", "once a frame"},
     {"edges", "clipping", "cull", "once a frame"},
+    {"objects", "X, Y, Z", "minimax, exhaustive search", "once a frame"},
     {"volumes", "before an edge",
      "exhaustive search: minimax, linear programme", "once an edge"},
     {NULL}};

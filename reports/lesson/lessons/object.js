@@ -22,8 +22,9 @@ export const roberts = {
     "have been asked or nothing is left: a linear programme, as the survey says. Its two " +
     "unknowns are a place along the edge and a place along the line of sight.",
   "Boxes come first: if the box of an edge’s image and that of a volume are apart, or " +
-    "the edge is nearer, the volume cannot hide it. Whole bodies are left out so. " +
-    "Even so the number of box tests grows as edges times bodies."],
+    "the edge is nearer, the volume cannot hide it. Whole bodies are left out so, first of " +
+    "all from the edges of another body. Even so that takes as many box tests as " +
+    "there are pairs of bodies."],
   source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   moments: [
     ["The volume hides the middle, thin and dotted: two pieces are left",
@@ -35,8 +36,8 @@ export const roberts = {
       { of: "minimax", outcome: "body out of the way", with: ["two", "a"],
         pick: "apart" }, "Solid: the edge. Dashed: the body. Can it hide the edge?",
       { "body out of the way": "no, by its box", "body in the way": "perhaps" }],
-    ["The boxes overlap: the volume is in the way, perhaps",
-      { of: "minimax", outcome: "volume in the way", before: "two" }],
+    ["The boxes overlap: the body is in the way, perhaps",
+      { of: "minimax", outcome: "body in the way", before: "two" }],
     ["A front plane of the volume: of the edge, some lies behind it",
       { name: "conditions", like: /some left/, before: "two" }],
     ["One of the two pieces waits as a fragment of its own",
