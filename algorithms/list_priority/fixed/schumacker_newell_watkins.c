@@ -106,13 +106,14 @@ static const struct hsr_counter counters[] = {[CONFIRMED] = HSR_KEPT_FACES,
                                               [RELATIONS_HELD] = HSR_KEPT_HELD,
                                               {NULL}};
 
-static const struct hsr_step steps[] = {{"Newell special",
-                                         CONFIRMED,
-                                         1,
-                                         NULL,
-                                         NULL,
-                                         {{ARRANGED, 1}, {RELATIONS_HELD, 1}}},
-                                        {NULL}};
+static const struct hsr_step steps[] = {
+    {"Newell special",
+     CONFIRMED,
+     HSR_KIND_PLANE,
+     NULL,
+     NULL,
+     {{ARRANGED, HSR_KIND_LIST}, {RELATIONS_HELD, HSR_KIND_NUMBERS}}},
+    {NULL}};
 
 static const struct hsr_line outline[] = {
     {"for each face: is it where it was, and the eye on the same side of it?",

@@ -485,10 +485,10 @@ static const struct hsr_counter counters_previous[] = {
 static const struct hsr_step steps_previous[] = {
     {"Newell special",
      CONFIRMED,
-     1,
+     HSR_KIND_PLANE,
      NULL,
      NULL,
-     {{ARRANGED, 1}, {RELATIONS_HELD, 1}}},
+     {{ARRANGED, HSR_KIND_LIST}, {RELATIONS_HELD, HSR_KIND_NUMBERS}}},
     {NULL}};
 
 static const struct hsr_line outline_previous[] = {

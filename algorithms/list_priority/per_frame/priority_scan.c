@@ -123,7 +123,7 @@ static const struct hsr_line lines[] = {
     {NULL}};
 
 static const struct hsr_step steps[] = {
-    {"priority search", HSR_PRIORITY_SEARCH, 1, NULL, NULL}, {NULL}};
+    {"priority search", HSR_PRIORITY_SEARCH, HSR_KIND_NUMBERS}, {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"segments", "Z", "search by priority number", "once a sample span"},
