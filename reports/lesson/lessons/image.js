@@ -19,7 +19,8 @@ export const warnock = {
     "surrounds a window is called its surrounder. It surrounds the quarters, too; and " +
     "what is disjoint from a window is disjoint from its quarters. Neither is tested " +
     "again. Of all surrounders the nearest one is the critical one: it is compared " +
-    "with the planes of the other faces at the corners of the window. The faces come " +
+    "with the planes of the other faces at the corners of the window, since a plane is at " +
+    "all four corners, even where its face is not. The faces come " +
     "in order of depth, so that the search ends at the first one that is behind a " +
     "surrounder.",
   "There are no scan lines. A window is done with all its quarters before the next " +
@@ -37,17 +38,16 @@ export const warnock = {
       { of: "window-test", outcome: "surrounder", pick: "largest",
         where: (run, e) => e.window?.width > 1 }, WINDOW, KINDS],
     ["A face is disjoint from this window: it is left out, here and in its quarters",
-      { of: "window-test", outcome: "disjoint", pick: "largest",
-        where: isLarge }, WINDOW, KINDS],
+      { of: "window-test", outcome: "disjoint", where: isLarge }, WINDOW, KINDS],
     ["A face intersects this window: it covers a part of it",
       { of: "window-test", outcome: "intersecter", pick: "largest",
         where: isSmall }, WINDOW, KINDS],
     ["This face surrounds the larger window: its quarter inherits that, without a test",
       { name: "inherited surrounders", pick: "largest" }],
-    ["The dashed face is a surrounder. The solid one is behind it at all four corners",
+    ["The dashed face is the critical surrounder. The solid one is behind it at all corners",
       { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One face is left before the surrounder, which is shown where that face is not",
+    ["One face is left before the surrounder: where it is not, the surrounder is shown",
       { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
     ["Half of the windows are done", { name: "windows", at: 0.5 }],
@@ -185,6 +185,15 @@ function endsSpan(run, e) {
 
 const isDivision = (run, k) => k >= 0 && k < run.trace.kept &&
   run.event(k).counter.key === "depth-division";
+// Whether the span that begins where these segments are compared shows the first one.
+function showsNext(run, e) {
+  const c = run.counterOf("span"), { trace } = run;
+  for (let k = e.k + 1; k < trace.kept && trace.y[k] === e.window.y; k++)
+    if (trace.counter[k] === c && trace.x[k] === e.window.x)
+      return trace.a0[k] === trace.a0[e.k];
+  return false;
+}
+
 const isFirst = (run, e) => !isDivision(run, e.k - 1) && e.window.width > 2;
 const isAtOnce = (run, e) => isFirst(run, e) && run.event(e.k - 1).counter !== e.counter;
 
@@ -199,9 +208,10 @@ export const watkins = {
     "is deeper than the farthest end of the other, all is known. If these do not " +
     "tell, the longer segment is divided at its midpoint. A half that lies outside of " +
     "the span is dropped, and the other one is compared again: a logarithmic search. " +
-    "If both halves reach into the span, the span is divided there: the left part is searched first, and the right " +
-    "part only if one face is nearer in all of the left part. Where two faces " +
-    "penetrate, this finds the sample from which on the other one is nearer."],
+    "If both halves reach into the span, the span is divided there: the left part is " +
+    "searched first, and the right part only if one face is nearer in all of the left " +
+    "part. Otherwise the span ends where the order changes, and what is right of it " +
+    "waits for the next span. So it is where two faces penetrate."],
   source: "The survey, chapter III, scan lines, figures 12, 27b and 28; Watkins 1970",
   needs: [{ of: "depth-division", instead: "penetration",
     why: "In this scene the ends of segments always tell: nothing is divided." }],
@@ -217,12 +227,13 @@ export const watkins = {
       "Is the segment of this face inside the span?"],
     ["The visible segment is shown in one span, over the edge of what it hides",
       { of: "span", real: true, after: "over" }],
-    ["A segment begins to the right of the span’s end: outside",
+    ["A segment that ends before the span, or begins behind it: outside",
       { of: "span-cull", outcome: "outside", with: ["over", "row"], after: "over",
         pick: "largest" }, "Is the segment of this face inside the span?"],
     ["Here the solid segment comes to be nearer: the span’s right end moves to here",
       { of: "depth-search", outcome: "nearer", real: true, after: "over",
-        where: endsSpan, pick: "largest", id: "ends" }, NEARER],
+        where: (run, e) => endsSpan(run, e) && showsNext(run, e), pick: "largest",
+        id: "ends" }, NEARER],
     ["So this span ends before it, and the next one begins there",
       { of: "span", after: "ends" }],
     ["The depths of two segments overlap: their ends do not tell",
@@ -230,7 +241,7 @@ export const watkins = {
         real: true, where: isFirst, id: "open" }],
     ["One segment is divided at its midpoint", { of: "depth-division",
       after: "open" }],
-    ["The half is compared again", { of: "depth-search", after: "open" }],
+    ["One part is compared again", { of: "depth-search", after: "open" }],
     ["The ends of these two tell at once", { of: "depth-search", real: true,
       where: isAtOnce, after: "over", pick: "largest", like: /nearer|farther/ }, NEARER],
     ["Half of the lines are done", { of: "span", at: 0.5 }],

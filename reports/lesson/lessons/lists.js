@@ -76,9 +76,10 @@ export const newell = {
   idea: "The painter’s list, made safe",
   text: ["Sort the pieces by their farthest points, and paint from the back. Before P " +
     "is painted, up to six tests ask of each Q that comes after it: may P obscure Q? " +
-    "The cheap tests come first, and the first that says no ends them. If none says " +
-    "no, Q is moved to the place before P in the list: it will be painted first. It gets " +
-    "a marker, and is the new P.",
+    "The cheap tests come first, and the first that says no ends them. A test can prove " +
+    "that P does not obscure Q, but never that it does. If none says no, Q is moved to " +
+    "the place before P in the list: it will be painted first. It gets a marker, and is " +
+    "the new P.",
   "Three bars, each over the next, have no order. The list notices it when a piece " +
     "that has a marker is to be moved again. Then that piece is divided by the plane " +
     "of the other, and the halves find their places in the list. Two faces that " +
@@ -101,6 +102,8 @@ export const newell = {
       { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
     ["Q is moved before P in the list, to be painted first; it has a marker now",
       { of: "list-move", before: "again", id: "moved" }],
+    ["The first Q that is moved: it bears a marker from now on, a filled corner in the list",
+      { of: "list-move" }],
     ["P is solid, Q is dashed. No test says no: P may obscure Q",
       { of: "list-test", like: /may obscure/, before: "moved" }, TEST],
     ["A half finds its place in the list", { of: "list-insertion", after: "cut" }],
@@ -120,8 +123,9 @@ export const newell = {
     ["Another circle, another division", { of: "list-division", after: "cut" }],
     ["P is in order: its rows are generated", { of: "list-segment", pick: "widest",
       id: "rows" }],
-    ["On its row it overwrites what it covers", { name: "X merge", outcome: "covered",
-      after: "rows", pick: "widest", or: { name: "X merge", outcome: "covered" } }],
+    ["The new piece overwrites what it covers on this row: here, all of this face",
+      { name: "X merge", outcome: "covered", after: "rows", pick: "widest",
+        or: { name: "X merge", outcome: "covered" } }],
     ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],
   ],
   find: ["Which of the six tests decides most often?", (run) =>

@@ -48,7 +48,7 @@ export const roberts = {
       { of: "edge-volume", outcome: "untouched", pick: "largest", among: EARLY,
         id: "none" },
       VOLUME],
-    ["An edge of the contour: all of the fragment is beside it, so nothing is hidden",
+    ["All of the fragment is beside this edge of the contour: nothing may be hidden",
       { name: "conditions", outcome: "contour: nothing left", before: "none" }],
     ["The volume hides the whole fragment: nothing of it is left to draw",
       { of: "edge-volume", outcome: "hidden whole", pick: "largest", among: EARLY },

@@ -88,7 +88,10 @@ export function player(state, changed) {
 
   function move(direction, level = state.level) {
     stop();
-    if (question.open()) return;
+    if (question.open()) {
+      question.remind();
+      return;
+    }
     const to = moved(now(), direction, level);
     if (!asks(now(), to)) go(to);
   }

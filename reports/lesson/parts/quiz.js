@@ -26,7 +26,7 @@ export function quiz(answered) {
         element.hidden = true;
         answered(question);
       } }, "Go on");
-      reply.append(h("b", {}, isRight ? "Yes" : `No: ${label}`), ". ",
+      reply.replaceChildren(h("b", {}, isRight ? "Yes" : `No: ${label}`), ". ",
         eventWords(run, run.event(question.k - 1)), ". ", h("small", {}, scored()),
         " ", on);
       on.focus({ preventScroll: true });
@@ -37,6 +37,13 @@ export function quiz(answered) {
     element.firstChild.focus({ preventScroll: true });
   }
 
+  // Somebody wants to go on without an answer.
+  function remind() {
+    const reply = element.querySelector("p[role=status]");
+    if (!reply.textContent)
+      reply.textContent = "Choose an answer first; the key q goes on without questions.";
+  }
+
   // At the end of a run with n questions.
   function result(n) {
     element.hidden = false;
@@ -45,7 +52,7 @@ export function quiz(answered) {
       ? `; this run has ${n}.` : "."));
   }
 
-  return { element, ask, result, score: () => score,
+  return { element, ask, remind, result, score: () => score,
     isAnswered: ({ k }) => done.has(k),
     hide: () => { element.hidden = true; },
     open: () => !element.hidden && Boolean(element.querySelector(".buttons")) };
