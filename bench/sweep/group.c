@@ -679,18 +679,16 @@ static json_t *counts_json(const struct place_run *run, int k) {
   return counts;
 }
 
-/* The faces that the core left out; NULL if there were none, or nobody counted. */
+/* The faces that the core left out; null: nobody counted. */
 static json_t *culled_json(const struct place_run *run, int k) {
   const struct cell *cell = &run->shared->cells[k];
-  json_t *culled = NULL;
   if (!run->entrant[k]->listed || is_program(run->entrant[k]))
-    return NULL;
+    return json_null();
+  json_t *culled = json_object();
   for (int c = 0; c < HSR_N_CULLS; c++)
-    if (cell->culled[c]) {
-      culled = culled ? culled : json_object();
+    if (cell->culled[c])
       json_object_set_new(culled, hsr_cull_name[c],
                           json_integer((json_int_t)cell->culled[c]));
-    }
   return culled;
 }
 
@@ -744,7 +742,7 @@ static json_t *cell_record(const struct place_run *run, int k) {
       e->listed &&
       hsr_choice_flags(e->listed->plain, &e->choice) & HSR_KNOWN_WRONG;
   json_t *record = json_pack(
-      "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so* so so}",
+      "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so so so}",
       "record", "cell", "run", run->sweep->run, "scene", run->place.scene,
       "view", run->place.view, "width", run->place.m, "height", run->place.n,
       "algorithm", e->name, "peer", !e->listed, "known_wrong", known_wrong,

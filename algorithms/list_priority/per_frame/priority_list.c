@@ -598,7 +598,9 @@ const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
 
 static const struct hsr_counter counters[] = {
     {"Z sort", "pieces put into buckets of depth", HSR_SORT, HSR_OF_PIECE,
-     HSR_OF_NOTHING, "put into a bucket by the low digit|by the high digit",
+     HSR_OF_NOTHING,
+     "put into a bucket by the low digit|put into a "
+     "bucket by the high digit",
      .key = "list-sort"},
     {"Newell special",
      "pieces that may come before P in depth, asked about by the six tests",

@@ -16,7 +16,7 @@
  * first finds the near face nearer. The second begins with that face and finds
  * the far one farther. */
 static const struct hand_count of_deck[] = {{"Y sort", 6},
-                                            {"X merge", 9},
+                                            {"X merge", 10},
                                             {"X sort", 13},
                                             {"span cull", 18},
                                             {"span cull", 9, "turned on"},

@@ -129,6 +129,8 @@ static const struct hand_count of_in_front[] = {
     {"plane tests", 1, "tests 4 to 6: may obscure"},
     {"overlap tests", 1},
     {"overlap tests", 1, "test 6: overlap"},
+    {"overlap rows", 1},
+    {"overlap rows", 1, "meet"},
     {"interchanges", 1},
     {"segments", 6},
     {"spans written", 17},
@@ -153,6 +155,8 @@ static const struct hand_count of_in_front[] = {
  *            painted.
  *   P, first half: the half is in front of P's plane, by its cut: test 5. P is
  *            painted, and then the first half.
+ * Overlap rows: where no edge tells, the first row that both have is enough to
+ *            see that they meet: one row for each of the 4 overlap tests.
  * Segments: 3 each. X merge: P covers n's bead on 3 rows. Spans: gap, first
  * half, P, gap on 3 rows; 1 on 5. */
 static const struct hand_object penetrate[] = {HAND_SLANT(1, 1, 5, 4, 16, 4),
@@ -168,6 +172,8 @@ static const struct hand_count of_penetrate[] = {
     {"plane tests", 4, "tests 4 to 6: may obscure"},
     {"overlap tests", 4},
     {"overlap tests", 4, "test 6: overlap"},
+    {"overlap rows", 4},
+    {"overlap rows", 4, "meet"},
     {"interchanges", 3},
     {"divisions", 1},
     {"insertions", 2},

@@ -45,7 +45,7 @@
  * A segment that begins within the span, enters or stays, is inside:
  * 2 + 6 + 10 + 6 + 2 = 26 of 40. All comparisons find the later face nearer. */
 static const struct hand_count of_deck[] = {{"Y sort", 6},
-                                            {"X merge", 9},
+                                            {"X merge", 10},
                                             {"X sort", 13},
                                             {"span cull", 3 + 9 + 16 + 9 + 3},
                                             {"span cull", 26, "inside"},

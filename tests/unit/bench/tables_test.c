@@ -139,7 +139,7 @@ static const struct hsr_step *step_of(const struct hsr_algorithm *a,
     if (s->predict)
       foretold[n++] = s;
   }
-  return foretold[(int)(fabs(stray(w)) * n)];
+  return n ? foretold[(int)(fabs(stray(w)) * n)] : NULL;
 }
 
 /* Adds an algorithm, or a variant, on all scenes at once, so that a step strays
@@ -154,9 +154,12 @@ static void give_algorithm(struct results *results,
     double decades = w->wildness * stray(w), exponent = w->bend * stray(w);
     const struct hsr_step *step = step_of(a, c, w);
     for (int s = 0; s < 9; s++) {
-      double count = step->predict(&table1[s]) /
-                     hsr_kinds[step->kind - HSR_FIRST_KIND].price *
-                     pow(10, decades) * pow(faces[s] / 2500, exponent);
+      const double foretold =
+          step ? step->predict(&table1[s]) /
+                     hsr_kinds[step->kind - HSR_FIRST_KIND].price
+               : faces[s];
+      double count =
+          foretold * pow(10, decades) * pow(faces[s] / 2500, exponent);
       must(!json_object_set_new(
           counts[s], a->counters[c].name,
           json_integer((json_int_t)fmin(ceil(count), 0x1p62))));
