@@ -152,9 +152,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell_watkins) = {
               "Combinations of Sorting\"",
     .taxonomy = HSR_LIST_PRIORITY_FIXED,
     .sort_order = "Zp ZYXZ",
-    .coherence =
-        "frame; cluster; depth; scan line; edge; floating right end of "
-        "the sample span",
+    .coherence = "frame; cluster; depth; scan line; edge",
     .restrictions = HSR_CF | HSR_LS,
     .subjects = 1 << HSR_FACES,
     .makes = {{HSR_IDS}},
