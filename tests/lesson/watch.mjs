@@ -635,13 +635,13 @@ async function lessons(file) {
     assert.deepEqual(await drawn("The edge starts as one fragment", boxes), [0]);
   });
   await test("a step is saved as SVG", async () => {
-    await go("#/?a=newell&k=25");
+    await go("#/?a=newell&k=40");
     await page.click(".more summary");
     const saved = page.waitForEvent("download");
     await page.click("text=Save this step as SVG");
-    const file25 = await saved;
-    assert.equal(file25.suggestedFilename(), "newell-25.svg");
-    assert.match(readFileSync(await file25.path(), "utf8"), /is divided by the plane/);
+    const file40 = await saved;
+    assert.equal(file40.suggestedFilename(), "newell-40.svg");
+    assert.match(readFileSync(await file40.path(), "utf8"), /is divided by the plane/);
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
   const figures = { painter: 1, zbuffer: 1, raycast: 1, "bsp-painter": 1, roberts: 1,

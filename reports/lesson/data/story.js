@@ -86,7 +86,8 @@ function divisionsOf(run, { i, j }) {
         if (kinds[trace.counter[e]] === "sort")
           run.facesOf(e).forEach((f) => circle.add(f));
       for (let e = begin; e <= k; e++)
-        if (run.facesOf(e).every((f) => circle.has(f))) found.add(e);
+        if (run.facesOf(e).every((f) => circle.has(f)) &&
+            (trace.height[e] !== 1 || trace.y[e] === j)) found.add(e);
     }
     if (/split|span|accept/.test(kind) || (kind === "sort" && begin === k))
       begin = k + 1; // halves are put back at once
