@@ -78,8 +78,8 @@ static bool is_prior(void *context, const struct hsr_watkins_segment *f,
   *end = r;
   if (have_order(s, f->face, g->face)) {
     bool prior = f->piece > g->piece;
-    HSR_STEP(s->list.tally, HSR_PRIORITY_SEARCH, HSR_PIECE(f->face, f->piece),
-             HSR_PIECE(g->face, g->piece), HSR_ON(l, r, j), prior);
+    HSR_STEP(s->list.tally, HSR_PRIORITY_SEARCH, HSR_FACE(f->face),
+             HSR_FACE(g->face), HSR_ON(l, r, j), prior);
     return prior;
   }
   bool nearer = ask_sample(s, f->face, g->face, l, j);
@@ -108,7 +108,7 @@ enum hsr_status hsr_priority_scan_solve(struct hsr_priority_scan *s) {
 
 static const struct hsr_counter counters[] = {
     {"priority search", "comparisons of two segments' priority numbers",
-     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "less|greater",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "less|greater",
      .key = "place-search"},
     {"thickness checks",
      "comparisons in depth where faces that are not flat touch", HSR_COMPARE,
