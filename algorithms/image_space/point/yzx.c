@@ -266,10 +266,6 @@ static void find_crossings(struct scan *s) {
   s->n_crossings = n;
 }
 
-static inline struct hsr_window the_row(const struct scan *s) {
-  return HSR_ON(s->edges.window->x0, s->edges.window->x1, s->j);
-}
-
 static bool is_nearer(const struct scan *s, uint32_t f, uint32_t g, int i) {
   HSR_TOUCH(s->tally, i, s->j);
   bool nearer = hsr_nearer(s->screen, f, g, i, s->j, s->tally);

@@ -55,7 +55,7 @@ const KNOWN = {
   "shadow-oracle": [6, 6],
   "error-bounded": [4, 6], "weiler-atherton": [4, 7], "a-buffer": [2, 1],
   "octree-raycast": [5, 1], "zz-buffer": [3, 7], meagher: [4, 4],
-  naylor: [6, 4], pvs: [5, 2],
+  naylor: [6, 4], pvs: [5, 2], "sort-stages": [4, 8],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.
