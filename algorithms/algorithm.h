@@ -54,6 +54,8 @@ enum {
                            numbers of faces, and nothing of where they are */
   HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes a roster only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
+  HSR_OWN_TILES = 1 << 9, /* divides a window into tiles itself, and draws these
+                             on the threads that the job allows */
   HSR_LAID_OUT_UNLESS_LARGE = 1 << 10, /* with HSR_INSTANCED: goes through all
                       faces. To save memory it takes a roster of HSR_LARGE to
                       HSR_MOST_LAID_OUT faces, for its own kind of answer */
@@ -112,6 +114,14 @@ struct hsr_passes {
   void *whom;
 };
 
+/* Who watches a job whose algorithm has HSR_OWN_TILES. One thread calls `tell`
+ * now and then, with the share of the window that is drawn, from 0 to 1. If it
+ * returns false, render returns HSR_E_STOPPED without a text. */
+struct hsr_watch {
+  bool (*tell)(void *whom, double share);
+  void *whom;
+};
+
 /* One picture to make. Everything is borrowed for the call. */
 struct hsr_job {
   const struct hsr_world *world;
@@ -132,6 +142,11 @@ struct hsr_job {
 
   /* For algorithms that draw in passes: to be called after each. Or NULL. */
   const struct hsr_passes *passes;
+
+  /* For algorithms with HSR_OWN_TILES. */
+  int threads;                   /* that it may use; below 1: one */
+  int tile;                      /* pixels a side; 0: as suits it */
+  const struct hsr_watch *watch; /* or NULL */
 };
 
 /* Row j of the ids that a job asks for, from column 0 on. */

@@ -59,6 +59,7 @@ algorithm_files += \
   %D%/splats/splat_put.c \
   %D%/splats/splat_put_avx2.c \
   %D%/splats/splat_put_avx512.c \
+  %D%/splats/splat_tiles.c \
   %D%/splats/splat_twin.h \
   %D%/splats/splat_weigh.c \
   %D%/splats/splats.h

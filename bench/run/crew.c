@@ -32,6 +32,7 @@ struct parts {
   const struct hsr_view *view;
   struct hsr_answer *answer;
   int width, height, across, all;
+  int threads; /* that a part may use itself */
   struct queue queue;
   bool *is_own; /* which parts this rank has drawn; NULL: there is one rank */
 };
@@ -125,6 +126,19 @@ static bool begin_part(struct progress_of_crew *p) {
   return goes_on;
 }
 
+/* The same of an algorithm that draws the whole picture in its own tiles. */
+static bool tell_share(void *whom, double share) {
+  struct progress_of_crew *p = whom;
+  pthread_mutex_lock(&p->turn);
+  if (!p->stopped)
+    p->stopped = !p->watch.tell(
+        p->watch.whom, ((double)p->before + (p->begun - 1 + share) / p->all) /
+                           (double)p->pictures);
+  bool goes_on = !p->stopped;
+  pthread_mutex_unlock(&p->turn);
+  return goes_on;
+}
+
 static enum hsr_status say_stopped(struct hsr_error *err) {
   return hsr_fail(err, HSR_E_STOPPED, "stopped by whoever asked for it");
 }
@@ -144,11 +158,17 @@ static void work(void *context, int thread) {
     if (parts->is_own)
       parts->is_own[k] = true;
     hsr_arena_reset(&worker->scratch);
+    const struct hsr_watch watch = {tell_share, &crew->progress};
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .answer = parts->answer};
+                          .answer = parts->answer,
+                          .threads = parts->threads,
+                          .tile = (int)parts->setup->choice.window,
+                          .watch = crew->progress.watch.tell ? &watch : NULL};
     worker->status = hsr_setup_render(parts->setup, &job, &worker->err);
+    if (worker->status == HSR_E_STOPPED)
+      say_stopped(&worker->err);
     if (worker->status)
       break;
   }
@@ -171,18 +191,19 @@ static int side_for(double samples, long n) {
   return side > LEAST_SIDE ? side : LEAST_SIDE;
 }
 
-/* Divides the picture into squares if these are chosen, or for several ranks;
- * otherwise into bands for several threads, or for those who watch: at least
- * `bands` of them. */
+/* A picture is one part for an algorithm that divides it itself. Others it divides
+ * into squares if these are chosen, or for several ranks; otherwise into bands
+ * for several threads, or for those who watch: at least `bands` of them. */
 static void divide(struct parts *parts, int threads, int bands, bool by_ranks) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
-  int window = (int)parts->setup->choice.window;
+  bool whole = parts->setup->flags & HSR_OWN_TILES && !by_ranks;
+  int window = whole ? 0 : (int)parts->setup->choice.window;
   if (!window && by_ranks)
     window = side_for((double)columns * rows, (long)threads * ranks_count());
   parts->width = window ? window : columns;
   int least = threads > 1 ? 4 * threads : 1;
-  bands = bands > least ? bands : least;
+  bands = whole ? 1 : bands > least ? bands : least;
   parts->height = window ? window : bands > 1 ? rows / bands + 1 : rows;
   parts->across = (columns + parts->width - 1) / parts->width;
   parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
@@ -280,8 +301,12 @@ static enum hsr_status draw(struct crew *crew, const struct hsr_setup *setup,
   if (crew->together && whole && ranks_own())
     return HSR_OK; /* rank 0 makes it alone */
   bool alone = whole || setup->flags & HSR_FRAME_STATE;
-  int threads = alone ? 1 : crew->n;
-  struct parts parts = {.setup = setup, .view = view, .answer = answer};
+  bool own_tiles = setup->flags & HSR_OWN_TILES && !together;
+  int threads = alone || own_tiles ? 1 : crew->n;
+  struct parts parts = {.setup = setup,
+                        .view = view,
+                        .answer = answer,
+                        .threads = own_tiles && !alone ? crew->n : 1};
   divide(&parts, threads, alone ? 1 : crew->progress.watch.parts, together);
   crew->progress.begun = 0;
   crew->progress.all = parts.all;

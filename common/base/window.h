@@ -9,4 +9,13 @@ struct hsr_window {
   int x0, y0, x1, y1;
 };
 
+/* What two windows have in common; where that is nothing, x0 >= x1 or y0 >= y1. */
+static inline struct hsr_window hsr_window_meet(const struct hsr_window *a,
+                                                const struct hsr_window *b) {
+  struct hsr_window w = {
+      a->x0 > b->x0 ? a->x0 : b->x0, a->y0 > b->y0 ? a->y0 : b->y0,
+      a->x1 < b->x1 ? a->x1 : b->x1, a->y1 < b->y1 ? a->y1 : b->y1};
+  return w;
+}
+
 #endif

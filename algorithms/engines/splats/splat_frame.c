@@ -95,7 +95,8 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .window = job->view->window,
                            .way_from = 0,
                            .way_to = 1,
-                           .twin = hsr_splats_twin()};
+                           .twin = hsr_splats_twin(),
+                           .visits = 1};
   if (!allocate(s))
     return HSR_E_NOMEM;
   fill_terms(s);
@@ -106,21 +107,7 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
   return HSR_OK;
 }
 
-/* --- Batches -------------------------------------------------------------- */
-
-static void draw_batch(struct hsr_splats *s) {
-  struct hsr_splat_batch *b = &s->batch;
-  if (!b->n)
-    return;
-  hsr_splats_place(s);
-  int n = 0;
-  for (int k = 0; k < b->n; k++)
-    n += hsr_splats_take(s, k, &s->placed[n]);
-  hsr_splats_shade(s, s->placed, n);
-  for (int k = 0; k < n; k++)
-    s->draw(s, &s->placed[k]);
-  b->n = 0;
-}
+/* --- Samples -------------------------------------------------------------- */
 
 /* What a colour needs is far away in memory, so it is asked for early. */
 static inline void ask_for_colour(const struct hsr_grid *g, uint32_t cell) {
@@ -133,8 +120,9 @@ static inline void ask_for_colour(const struct hsr_grid *g, uint32_t cell) {
  * gives nothing to any pixel, unless weights are wanted. */
 static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
                 uint32_t j, uint32_t k) {
-  struct hsr_splat_batch *b = &s->batch;
-  while (n) {
+  s->visited += n;
+  while (n && !s->stopped) {
+    struct hsr_splat_samples *b = hsr_splats_samples(s);
     const uint32_t room = HSR_SPLAT_BATCH - (uint32_t)b->n,
                    here = n < room ? n : room;
     int at = b->n;
@@ -153,7 +141,7 @@ static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
     b->n = at;
     n -= here;
     if (at == HSR_SPLAT_BATCH)
-      draw_batch(s);
+      hsr_splats_close_batch(s, false);
   }
 }
 
@@ -232,10 +220,9 @@ static void visit_piece(struct hsr_splats *s, uint32_t j, uint32_t k,
   enum { OUT, FULL, IN };
   const struct hsr_grid *g = s->grid;
   struct hsr_window box = may_touch(s, j, k, g->x[begin], g->x[end - 1]);
-  int where = box.x0 >= box.x1 || box.y0 >= box.y1 ? OUT
-              : s->is_hidden && s->is_hidden(s, s->most_opacity, 65536, &box)
-                  ? FULL
-                  : IN;
+  int where = box.x0 >= box.x1 || box.y0 >= box.y1                    ? OUT
+              : hsr_splats_is_hidden(s, s->most_opacity, 65536, &box) ? FULL
+                                                                      : IN;
   HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE,
            where);
   if (where != IN)
@@ -256,7 +243,7 @@ static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
     begin = hsr_grid_first_from(g, begin, end, lo);
   if (hi < g->n[0] - 1)
     end = hsr_grid_first_from(g, begin, end, hi + 1);
-  uint32_t most = s->is_hidden ? PIECE : end - begin;
+  uint32_t most = s->how->is_hidden ? PIECE : end - begin;
   for (uint32_t left = end - begin; left;) {
     uint32_t n = left < most ? left : most,
              from = step > 0 ? end - left : begin + left - n;
@@ -288,6 +275,15 @@ int32_t hsr_splats_split(const struct hsr_splats *s, int a) {
   return hsr_grid_split(s->grid->bound[a], s->grid->n[a], s->view->eye[a]);
 }
 
+/* Draws what is left. */
+static enum hsr_status end_visit(struct hsr_splats *s) {
+  hsr_splats_close_batch(s, false);
+  hsr_splats_flush(s);
+  s->visit++;
+  s->visited = 0;
+  return s->stopped ? HSR_E_STOPPED : HSR_OK;
+}
+
 enum hsr_status hsr_splats_visit(struct hsr_splats *s,
                                  enum hsr_grid_order order, int nesting,
                                  bool front, struct hsr_error *err) {
@@ -299,8 +295,7 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
   }
   enum hsr_status status =
       hsr_grid_visit(order, nesting, front, &seen, visit_run, s, err);
-  draw_batch(s);
-  return status;
+  return status ? status : end_visit(s);
 }
 
 /* --- Slices --------------------------------------------------------------- */
@@ -328,7 +323,7 @@ enum hsr_status hsr_splats_open_slices(struct hsr_splats *s, int axis) {
   return axis == 0 ? sort_by_x(s) : HSR_OK;
 }
 
-void hsr_splats_visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
+static void visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
   const struct hsr_grid *g = s->grid;
   uint32_t all = g->n[0] - 1;
   if (axis == 2)
@@ -342,7 +337,15 @@ void hsr_splats_visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
       const struct hsr_splat_sample *sample = &s->sample[c];
       add(s, sample->cell, 1, 1, sample->row % g->n[1], sample->row / g->n[1]);
     }
-  draw_batch(s);
+}
+
+enum hsr_status hsr_splats_visit_slices(struct hsr_splats *s, int axis,
+                                        uint32_t first, uint32_t n, int step) {
+  for (uint32_t k = 0; k < n && !s->stopped; k++) {
+    visit_slice(s, axis, first + (uint32_t)step * k);
+    hsr_splats_close_batch(s, true);
+  }
+  return end_visit(s);
 }
 
 /* --- What it counts ------------------------------------------------------- */

@@ -8,14 +8,16 @@
 enum { OPACITY = HSR_SPLAT_OPACITY };
 
 enum hsr_status hsr_splats_open(struct hsr_splats *s,
+                                const struct hsr_splat_tile *tile,
                                 struct hsr_splat_picture *picture) {
-  const struct hsr_window *w = &s->window;
+  const struct hsr_window *w = &tile->window;
   struct hsr_arena *arena = s->job->scratch;
   size_t stride = (size_t)(w->x1 - w->x0) + HSR_SPLAT_LANES,
          count = stride * (size_t)(w->y1 - w->y0 + HSR_SPLAT_SPARE);
   bool is_sum = s->splatting.model == HSR_XRAY,
        has_weight = s->splatting.normalise;
-  *picture = (struct hsr_splat_picture){.stride = stride, .count = count};
+  *picture =
+      (struct hsr_splat_picture){.window = w, .stride = stride, .count = count};
   if (is_sum)
     picture->sum = hsr_arena_array(arena, count, sizeof *picture->sum);
   else
@@ -59,8 +61,8 @@ void hsr_splats_fold(struct hsr_splats *s, struct hsr_splat_picture *sums,
                      struct hsr_splat_picture *picture) {
   for (int j = where->y0; j < where->y1; j++)
     for (int i = where->x0; i < where->x1; i++) {
-      size_t from = hsr_splats_at(s, sums, i, j),
-             to = hsr_splats_at(s, picture, i, j);
+      size_t from = hsr_splats_at(sums, i, j),
+             to = hsr_splats_at(picture, i, j);
       uint64_t none = 0;
       if (!memcmp(sums->rgba[from], &none, sizeof none) &&
           !(sums->weight && sums->weight[from]))
@@ -91,11 +93,11 @@ void hsr_splats_write(struct hsr_splats *s, int i, int j,
 
 void hsr_splats_finish(struct hsr_splats *s,
                        const struct hsr_splat_picture *picture) {
-  const struct hsr_window *w = &s->window;
+  const struct hsr_window *w = picture->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
       uint64_t E[HSR_SPLAT_CHANNELS] = {0};
-      size_t at = hsr_splats_at(s, picture, i, j);
+      size_t at = hsr_splats_at(picture, i, j);
       for (int c = 0; c <= OPACITY; c++)
         E[c] = picture->rgba[at][c];
       if (picture->weight)

@@ -69,7 +69,7 @@ static void spread_row(const double sum[HSR_TERMS], int at, int n,
 
 /* The samples of a batch come in rows. */
 static void gather(const struct hsr_splats *s, struct lanes *l) {
-  const struct hsr_splat_batch *b = &s->batch;
+  const struct hsr_splat_samples *b = s->batch->of;
   const struct hsr_view *v = s->view;
   const uint32_t *j = b->at[1], *k = b->at[2];
   for (int at = 0, end; at < b->n; at = end) {
@@ -113,6 +113,7 @@ static void place(const struct hsr_splats *restrict s,
                depth_off = 0x1p-49 * s->most[3] + 0x1p-52 * near;
   const struct hsr_window window = s->window;
   const int32_t plain_energy = (int32_t)s->plain_energy;
+  const int n = b->of->n;
   const double perspective = v->parallel ? 0 : 1,
                antialias = s->splatting.antialias ? 1 : 0;
   const double by_far[4] = {v->screen[0][0], v->screen[1][0],
@@ -170,7 +171,7 @@ static void place(const struct hsr_splats *restrict s,
     b->y1[k] =
         hsr_splats_end_pixel(middle_y + reach_y - top, window.y0, window.y1);
     b->is_small[k] = good;
-    bool counts = good & (k < b->n);
+    bool counts = good & (k < n);
     most[PER_SINE2][k] = counts ? per_sine2 : 0;
     most[ETA][k] = counts ? eta : 0;
     most[MOVED][k] = counts ? hsr_max(xx, yy) * (off * off) : 0;
@@ -236,12 +237,12 @@ static void bound_errors(double most[MOST][HSR_SPLAT_BATCH],
                                     8 + moved / 33));
 }
 
-void hsr_splats_place(struct hsr_splats *s) {
+static void place_batch(struct hsr_splats *s) {
   struct lanes lanes;
   double most[MOST][HSR_SPLAT_BATCH];
   gather(s, &lanes);
-  place(s, &lanes, &s->batch, most);
-  bound_errors(most, &s->batch);
+  place(s, &lanes, s->batch, most);
+  bound_errors(most, s->batch);
 }
 
 /* --- Single splats -------------------------------------------------------- */
@@ -263,10 +264,10 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *s,
 }
 
 static bool is_beyond_near(struct hsr_splats *s, int k, const uint32_t at[3]) {
-  double depth = s->batch.depth[k], near = s->view->near;
+  double depth = s->batch->depth[k], near = s->view->near;
   double error = 0x1p-49 * s->most[3] + 0x1p-52 * near;
-  if (s->batch.is_beyond[k] || depth - near < -error)
-    return s->batch.is_beyond[k];
+  if (s->batch->is_beyond[k] || depth - near < -error)
+    return s->batch->is_beyond[k];
   s->tally->exact[HSR_ASK_FOOTPRINT]++;
   struct hsr_splat splat = hsr_splats_exact(s, at);
   return hsr_exact_is_beyond_near(&splat, &s->tally->out_of_memory);
@@ -275,8 +276,8 @@ static bool is_beyond_near(struct hsr_splats *s, int k, const uint32_t at[3]) {
 /* e. In parallel projection it is that of the last splat if their cells have the
  * same sizes. */
 static uint32_t energy_of(struct hsr_splats *s, int k, const uint32_t at[3]) {
-  if (s->batch.energy[k] >= 0)
-    return (uint32_t)s->batch.energy[k];
+  if (s->batch->energy[k] >= 0)
+    return (uint32_t)s->batch->energy[k];
   struct hsr_splat splat = hsr_splats_exact(s, at);
   struct hsr_splats_energy *last = &s->last;
   bool same = s->view->parallel;
@@ -373,10 +374,10 @@ static void tighten(const struct hsr_splats *s, struct hsr_placed *p) {
  * hsr_splats_stretch fills them. They are not set to 0 here, since that would take
  * longer than all of the rest. */
 static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
-  p->cell = b->cell[k];
+  p->cell = b->of->cell[k];
   for (int a = 0; a < 3; a++)
-    p->at[a] = b->at[a][k];
-  p->opacity = b->opacity[k];
+    p->at[a] = b->of->at[a][k];
+  p->opacity = b->of->opacity[k];
   p->x = b->x[k];
   p->y = b->y[k];
   p->scale = b->scale[k];
@@ -397,11 +398,13 @@ static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
   p->box = (struct hsr_window){b->x0[k], b->y0[k], b->x1[k], b->y1[k]};
 }
 
-bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
-  const struct hsr_splat_batch *b = &s->batch;
+/* Makes *p of splat k of the batch, but for its colour. False if by the definition
+ * there is no such splat, or it is not in the window, or hidden. */
+static bool take(struct hsr_splats *s, int k, struct hsr_placed *p) {
+  const struct hsr_splat_batch *b = s->batch;
   bool may_move = s->splatting.blur && s->view->before.exists;
   if (!may_move && (b->x0[k] >= b->x1[k] || b->y0[k] >= b->y1[k]))
-    return leave(s, b->cell[k]);
+    return leave(s, b->of->cell[k]);
   fill(b, k, p);
   if (!is_beyond_near(s, k, p->at))
     return leave(s, p->cell);
@@ -413,7 +416,31 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     return leave(s, p->cell);
   if (!p->is_blurred || s->way_from == s->way_to)
     p->energy = energy_of(s, k, p->at);
-  if (s->is_hidden && s->is_hidden(s, p->opacity, p->energy, &p->box))
+  if (hsr_splats_is_hidden(s, p->opacity, p->energy, &p->box))
     return leave_hidden(s, p);
+  return true;
+}
+
+int hsr_splats_place(struct hsr_splats *s,
+                     const struct hsr_splat_samples *samples,
+                     struct hsr_placed placed[HSR_SPLAT_BATCH]) {
+  int n = 0;
+  s->batch->of = samples;
+  place_batch(s);
+  for (int k = 0; k < samples->n; k++)
+    n += take(s, k, &placed[n]);
+  hsr_splats_shade(s, placed, n);
+  return n;
+}
+
+bool hsr_splats_clip(const struct hsr_splats *s, const struct hsr_placed *p,
+                     const struct hsr_window *w, struct hsr_placed *clipped) {
+  struct hsr_window box = hsr_window_meet(&p->box, w);
+  if (box.x0 >= box.x1 || box.y0 >= box.y1)
+    return false;
+  *clipped = *p;
+  clipped->box = box;
+  clipped->dx = (float)(hsr_sample_x(s->view, box.x0) - p->x);
+  clipped->dy = (float)(hsr_sample_y(s->view, box.y0) - p->y);
   return true;
 }

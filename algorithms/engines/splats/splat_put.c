@@ -54,10 +54,10 @@ static inline void put_pixel(const struct hsr_placed *p,
   put_channels(picture, at, D, way);
 }
 
-void hsr_splats_add(const struct hsr_splats *s, const struct hsr_placed *p,
+void hsr_splats_add(const struct hsr_placed *p,
                     struct hsr_splat_picture *picture, int i, int j,
                     uint32_t weight) {
-  put_pixel(p, picture, hsr_splats_at(s, picture, i, j), weight, HSR_PUT_ADD);
+  put_pixel(p, picture, hsr_splats_at(picture, i, j), weight, HSR_PUT_ADD);
 }
 
 /* --- For every machine ---------------------------------------------------- */
@@ -75,7 +75,7 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
         HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
                  HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
         HSR_TOUCH(s->tally, x + l, j);
-        put_pixel(p, picture, hsr_splats_at(s, picture, x + l, j),
+        put_pixel(p, picture, hsr_splats_at(picture, x + l, j),
                   s->weight[index[l]], way);
       }
     }

@@ -93,7 +93,7 @@ ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   const struct column c = column_of(f, p->dx, past);
   const __m256 dy = f_all(p->dy);
   __m256 row = f->row;
-  size_t at = hsr_splats_at(s, picture, x, box->y0);
+  size_t at = hsr_splats_at(picture, x, box->y0);
   for (int j = box->y0; j < box->y1; j += rows) {
     __m256 Y = _mm256_add_ps(dy, row);
     __m256 kappa = blurred ? blurred_kappa_of(f, &c, Y) : kappa_of(f, &c, Y);

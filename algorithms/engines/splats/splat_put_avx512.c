@@ -144,7 +144,7 @@ ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   const __m512 dy = f_all(p->dy);
   const __m512i beyond = _mm512_set1_epi32(HSR_FOOTPRINT);
   __m512 row = f->row;
-  size_t at = hsr_splats_at(s, picture, x, box->y0);
+  size_t at = hsr_splats_at(picture, x, box->y0);
   for (int left = box->y1 - box->y0; left > 0; left -= rows) {
     __m512 Y = _mm512_add_ps(dy, row);
     __m512 kappa = blurred ? blurred_kappa_of(f, &c, Y) : kappa_of(f, &c, Y);

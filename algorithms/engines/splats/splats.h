@@ -22,11 +22,17 @@
  *             of each pixel is looked up for the pixel's own ray.
  * Cost        splats, and pixels of their footprints
  *
- * Files: splat_frame.c visits the samples of the grid in order; splat_light.c
- * gives them colours; splat_kernel.c makes the kernels' tables; splat_place.c
- * finds where splats are; splat_weigh.c finds the weights in their pixels,
- * splat_blur.c those of blurred splats; splat_put.c composites them into
- * pixels; splat_picture.c keeps the pixels. */
+ * Tiles       the window is drawn in tiles, each with pixels of its own. Splats
+ *             are placed and shaded once, in sequence, and those of a tile are
+ *             put into it in that sequence. So the picture does not depend on
+ *             the tiles, nor on the threads that draw them.
+ *
+ * Files: splat_frame.c visits the samples of the grid in order; splat_tiles.c
+ * hands splats out to the tiles; splat_light.c gives them colours;
+ * splat_kernel.c makes the kernels' tables; splat_place.c finds where splats
+ * are; splat_weigh.c finds the weights in their pixels, splat_blur.c those of
+ * blurred splats; splat_put.c composites them into pixels; splat_picture.c keeps
+ * the pixels. */
 #ifndef HSR_ALGORITHMS_SPLATS_H
 #define HSR_ALGORITHMS_SPLATS_H
 
@@ -85,17 +91,22 @@ enum {
   HSR_TERMS
 };
 
-/* Splats that are about to be drawn, in sequence. */
-struct hsr_splat_batch {
+/* Samples that are about to be placed together, in sequence. */
+struct hsr_splat_samples {
   int n;
 
-  /* Of each splat: its cell of the grid, the cell's indices, its opacity. */
+  /* Of each: its cell of the grid, the cell's indices, its opacity. */
   uint32_t cell[HSR_SPLAT_BATCH], at[3][HSR_SPLAT_BATCH],
       opacity[HSR_SPLAT_BATCH];
+};
 
-  /* The rest is filled in by hsr_splats_place. Where the splat's middle is on
-   * the screen, in pixels; and kappa of the pixel (dx, dy) from there: (xx dx^2
-   * + 2 xy dx dy + yy dy^2) / (1 + p dx + q dy)^2. */
+/* Where the splats of samples are. */
+struct hsr_splat_batch {
+  const struct hsr_splat_samples *of; /* borrowed */
+
+  /* Where the splat's middle is on the screen, in pixels; and kappa of the pixel
+   * (dx, dy) from there: (xx dx^2 + 2 xy dx dy + yy dy^2) / (1 + p dx + q
+   * dy)^2. */
   double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH];
   float xx[HSR_SPLAT_BATCH], xy[HSR_SPLAT_BATCH], yy[HSR_SPLAT_BATCH],
       p[HSR_SPLAT_BATCH], q[HSR_SPLAT_BATCH];
@@ -171,6 +182,37 @@ enum hsr_splat_way {
 
 struct hsr_splats;
 struct hsr_splat_picture;
+struct hsr_splat_round;
+
+/* A part of the window that one thread draws at a time, and what the module
+ * keeps of it. */
+struct hsr_splat_tile {
+  struct hsr_window window;
+  void *model;
+};
+
+/* How a module composites. All is called for one tile; for different tiles on
+ * several threads at once. */
+struct hsr_splats_module {
+  size_t size; /* of a tile's model, which is all 0 before `open` */
+
+  /* Opens a tile's model, with memory from job->scratch. HSR_E_NOMEM. */
+  enum hsr_status (*open)(struct hsr_splats *, struct hsr_splat_tile *);
+
+  /* Draws a splat whose box is in the tile and not empty. */
+  void (*draw)(struct hsr_splats *, struct hsr_splat_tile *,
+               const struct hsr_placed *);
+
+  /* After the last splat of a slice; NULL unless slices are visited. */
+  void (*fold)(struct hsr_splats *, struct hsr_splat_tile *);
+
+  /* Do splats of at most this opacity and energy add nothing to any pixel of
+   * the box, which is in the tile? NULL: no splat is left out. Otherwise rows
+   * of samples are tested in pieces. */
+  bool (*is_hidden)(const struct hsr_splats *, const struct hsr_splat_tile *,
+                    uint32_t opacity, uint32_t energy,
+                    const struct hsr_window *);
+};
 
 /* Composites a splat that is_small into a picture without weights. */
 typedef void hsr_splats_putter(struct hsr_splats *splats,
@@ -217,41 +259,73 @@ struct hsr_splats {
    * drawn unstretched, at that point of its way. */
   double way_from, way_to;
 
-  struct hsr_splats_energy last;
-  struct hsr_splat_batch batch;
-  /* Those of the batch to be drawn. */
-  struct hsr_placed placed[HSR_SPLAT_BATCH];
-
-  /* Set by the module: draws a splat. */
-  void (*draw)(struct hsr_splats *, const struct hsr_placed *);
-
-  /* Set by the module: do splats of at most this opacity and energy add nothing
-   * to any pixel of the box? NULL: no splat is left out. Otherwise rows of
-   * samples are tested in pieces. */
-  bool (*is_hidden)(const struct hsr_splats *, uint32_t opacity,
-                    uint32_t energy, const struct hsr_window *);
   uint32_t most_opacity;   /* that any sample has, by the palette */
-  void *model;             /* the module's own */
   hsr_splats_putter *twin; /* of hsr_splats_twin */
+
+  const struct hsr_splats_module *how; /* hsr_splats_divide sets it */
+  const void *common;          /* the module's own, which all tiles share */
+  struct hsr_splat_tile *tile; /* row after row */
+  int width, height, across;   /* of a tile, in pixels; tiles a row */
+  uint32_t n_tiles;
+  struct hsr_splat_round *round; /* what is being handed out to the tiles */
+
+  /* A thread's own. */
+  struct hsr_splats_energy last;
+  struct hsr_splat_batch *batch;
+
+  /* How often the grid will be visited, how often it was, and samples of it that
+   * were visited this time: for who watches the job. */
+  int visits, visit;
+  uint32_t visited;
+  bool stopped; /* who watches wants no more */
 };
 
-/* Begins a frame of a job, which is borrowed. The module sets draw, is_hidden
- * and model afterwards. Memory from job->scratch. HSR_E_NOMEM. */
+/* Begins a frame of a job, which is borrowed. Memory from job->scratch.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_splats_begin(struct hsr_splats *splats,
                                  const struct hsr_job *job);
 
-/* Calls splats->draw for every splat that may be seen in the window, in an
- * order of the grid. order, nesting and front are those of hsr_grid_visit.
- * HSR_E_NOMEM. */
+/* Divides splats->window into tiles, of which how->open is called for each.
+ * *how is static. HSR_E_NOMEM. */
+enum hsr_status hsr_splats_divide(struct hsr_splats *splats,
+                                  const struct hsr_splats_module *how);
+
+/* After a change of splats->window to one that is not larger: the tiles lie in
+ * it from now on. Their models stay. */
+void hsr_splats_lay(struct hsr_splats *splats);
+
+/* Draws every splat that may be seen in the window, in an order of the grid.
+ * order, nesting and front are those of hsr_grid_visit. HSR_E_NOMEM;
+ * HSR_E_STOPPED, without a text, if who watches the job stops it. */
 enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
                                  enum hsr_grid_order order, int nesting,
                                  bool front, struct hsr_error *err);
 
 /* hsr_splats_open_slices makes ready for slices of the grid across an axis:
- * HSR_E_NOMEM. Then hsr_splats_visit_slice, for any slice k, calls splats->draw
- * for the splats of that slice. */
+ * HSR_E_NOMEM. hsr_splats_visit_slices draws n of them from `first` on, each of
+ * which is followed by how->fold: up or down. HSR_E_STOPPED, as before. */
 enum hsr_status hsr_splats_open_slices(struct hsr_splats *splats, int axis);
-void hsr_splats_visit_slice(struct hsr_splats *splats, int axis, uint32_t k);
+enum hsr_status hsr_splats_visit_slices(struct hsr_splats *splats, int axis,
+                                        uint32_t first, uint32_t n, int step);
+
+/* Calls part(context, tile) for each tile, on the threads of the job. */
+void hsr_splats_each(struct hsr_splats *splats,
+                     void (*part)(struct hsr_splats *,
+                                  struct hsr_splat_tile *));
+
+/* --- For splat_frame.c ---------------------------------------------------- */
+
+/* Samples to be drawn next, in sequence, are added to what this returns. When
+ * it is full, or the visit ends, hsr_splats_close_batch draws them, at once or
+ * later. `folds`: a slice ends. hsr_splats_flush draws what is left. */
+struct hsr_splat_samples *hsr_splats_samples(const struct hsr_splats *splats);
+void hsr_splats_close_batch(struct hsr_splats *splats, bool folds);
+void hsr_splats_flush(struct hsr_splats *splats);
+
+/* Whether how->is_hidden holds in all tiles that the box meets. False if there
+ * is no such function. */
+bool hsr_splats_is_hidden(const struct hsr_splats *splats, uint32_t opacity,
+                          uint32_t energy, const struct hsr_window *box);
 
 /* The last cell along an axis whose lower bound is not above the eye; -1:
  * none. */
@@ -313,13 +387,17 @@ static inline int32_t hsr_splats_end_pixel(double z, int32_t from, int32_t to) {
   return (int32_t)hsr_min(hsr_max(z + 1, from), to);
 }
 
-/* Places the splats of the batch: fills all but cell, at and opacity. */
-void hsr_splats_place(struct hsr_splats *splats);
+/* Places and shades the splats of samples, at most HSR_SPLAT_BATCH. Returns how
+ * many of them are in the window and not hidden: placed[]. */
+int hsr_splats_place(struct hsr_splats *splats,
+                     const struct hsr_splat_samples *samples,
+                     struct hsr_placed placed[HSR_SPLAT_BATCH]);
 
-/* Makes *placed of splat k of the batch, but for its colour. False if by the
- * definition there is no such splat, or it is not in the window, or hidden. */
-bool hsr_splats_take(struct hsr_splats *splats, int k,
-                     struct hsr_placed *placed);
+/* Makes *clipped the part of a splat in a window. False if there is none. */
+bool hsr_splats_clip(const struct hsr_splats *splats,
+                     const struct hsr_placed *placed,
+                     const struct hsr_window *window,
+                     struct hsr_placed *clipped);
 
 /* kappa rounded down, the index of weight[], for HSR_SPLAT_LANES pixels from x
  * on in row j; HSR_FOOTPRINT where the splat does not cover a pixel. */
@@ -364,22 +442,24 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
 
 /* --- The picture ---------------------------------------------------------- */
 
-/* The channels of the pixels of the window, row after row: E of a picture, or
- * sums of D. To the right of each row there is room for the lanes, and below
+/* The channels of the pixels of a tile, row after row: E of a picture, or sums
+ * of D. To the right of each row there is room for the lanes, and below
  * the last one there are HSR_SPLAT_SPARE rows to spare.
  *
  * In E opacities stay below 65536. So do colours, which are not more than the
  * opacity. Of sums 65535 is the most that counts. Weights may be larger. */
 struct hsr_splat_picture {
-  uint16_t (*rgba)[4]; /* NULL if there is `sum` */
-  uint32_t (*sum)[4];  /* of the model xray; else NULL */
-  uint64_t *weight;    /* with the option normalise; else NULL */
-  size_t stride;       /* pixels from a row to the next */
-  size_t count;        /* pixels in all */
+  const struct hsr_window *window; /* of the tile; borrowed */
+  uint16_t (*rgba)[4];             /* NULL if there is `sum` */
+  uint32_t (*sum)[4];              /* of the model xray; else NULL */
+  uint64_t *weight;                /* with the option normalise; else NULL */
+  size_t stride;                   /* pixels from a row to the next */
+  size_t count;                    /* pixels in all */
 };
 
-/* Allocates a picture, all 0, from the job's scratch. HSR_E_NOMEM. */
+/* Allocates a picture of a tile, all 0, from the job's scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_splats_open(struct hsr_splats *splats,
+                                const struct hsr_splat_tile *tile,
                                 struct hsr_splat_picture *picture);
 
 /* Makes all of a picture 0. */
@@ -394,18 +474,16 @@ static inline void hsr_splats_widen(struct hsr_window *w,
   w->y1 = by->y1 > w->y1 ? by->y1 : w->y1;
 }
 
-/* The part of the window that is widened first: none. */
-static inline struct hsr_window hsr_splats_none(const struct hsr_splats *s) {
-  const struct hsr_window *w = &s->window;
+/* The part of a window that is widened first: none. */
+static inline struct hsr_window hsr_splats_none(const struct hsr_window *w) {
   return (struct hsr_window){w->x1, w->y1, w->x0, w->y0};
 }
 
 /* The index of pixel (i, j) in a picture. */
-static inline size_t hsr_splats_at(const struct hsr_splats *splats,
-                                   const struct hsr_splat_picture *picture,
+static inline size_t hsr_splats_at(const struct hsr_splat_picture *picture,
                                    int i, int j) {
-  return (size_t)(j - splats->window.y0) * picture->stride +
-         (size_t)(i - splats->window.x0);
+  return (size_t)(j - picture->window->y0) * picture->stride +
+         (size_t)(i - picture->window->x0);
 }
 
 /* The fastest twin of hsr_splats_put for this machine; NULL: there is none. */
@@ -431,13 +509,12 @@ void hsr_splats_settle(const struct hsr_splats *splats,
 #endif
 
 /* Adds to pixel (i, j) what a splat gives by this weight. */
-void hsr_splats_add(const struct hsr_splats *splats,
-                    const struct hsr_placed *placed,
+void hsr_splats_add(const struct hsr_placed *placed,
                     struct hsr_splat_picture *picture, int i, int j,
                     uint32_t weight);
 
-/* Composites sums over a picture, in a part of the window, and makes the sums
- * 0. */
+/* Composites sums over a picture of the same tile, in a part of it, and makes
+ * the sums 0. */
 void hsr_splats_fold(struct hsr_splats *splats, struct hsr_splat_picture *sums,
                      const struct hsr_window *where,
                      struct hsr_splat_picture *picture);
@@ -446,7 +523,7 @@ void hsr_splats_fold(struct hsr_splats *splats, struct hsr_splat_picture *sums,
 void hsr_splats_write(struct hsr_splats *splats, int i, int j,
                       const uint64_t E[HSR_SPLAT_CHANNELS]);
 
-/* Writes the answers of the whole window. */
+/* Writes the answers of a tile. */
 void hsr_splats_finish(struct hsr_splats *splats,
                        const struct hsr_splat_picture *picture);
 

@@ -68,32 +68,35 @@ static const struct hsr_option options[] = {
 
 struct model {
   struct hsr_splat_picture picture;
-  uint32_t most;  /* the greatest opacity that a splat gives to a pixel */
   uint32_t *room; /* the greatest of each block, when it was last looked at */
   int blocks;     /* a row */
   int drawn;      /* splats since the last look, and where they were */
   struct hsr_window where;
+  uint32_t (*sum)[4]; /* with `accumulate`: of the frames so far */
+  uint64_t *weight;
 };
 
 /* --- Over ----------------------------------------------------------------- */
 
-static void draw_over(struct hsr_splats *s, const struct hsr_placed *p) {
-  struct model *m = s->model;
+static void draw_over(struct hsr_splats *s, struct hsr_splat_tile *tile,
+                      const struct hsr_placed *p) {
+  struct model *m = tile->model;
   hsr_splats_put(s, p, &m->picture, HSR_PUT_OVER);
 }
 
 /* --- Under ---------------------------------------------------------------- */
 
-static size_t blocks_of(const struct hsr_splats *s, const struct model *m) {
-  int height = s->window.y1 - s->window.y0;
+static size_t blocks_of(const struct model *m) {
+  const struct hsr_window *w = m->picture.window;
+  int height = w->y1 - w->y0;
   return (size_t)(height + BLOCK - 1) / BLOCK * (size_t)m->blocks;
 }
 
-static void empty_blocks(const struct hsr_splats *s, struct model *m) {
-  for (size_t k = 0; k < blocks_of(s, m); k++)
+static void empty_blocks(struct model *m) {
+  for (size_t k = 0; k < blocks_of(m); k++)
     m->room[k] = 65536;
   m->drawn = 0;
-  m->where = hsr_splats_none(s);
+  m->where = hsr_splats_none(m->picture.window);
 }
 
 /* The most that a splat gives to a pixel, be it opacity or weight. */
@@ -104,19 +107,19 @@ static uint32_t most_given(const struct hsr_splats *s, uint32_t opacity,
 }
 
 static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
-  m->blocks = (s->window.x1 - s->window.x0 + BLOCK - 1) / BLOCK;
-  m->room = HSR_NEW(s->job->scratch, uint32_t, blocks_of(s, m));
+  const struct hsr_window *w = m->picture.window;
+  m->blocks = (w->x1 - w->x0 + BLOCK - 1) / BLOCK;
+  m->room = HSR_NEW(s->job->scratch, uint32_t, blocks_of(m));
   if (!m->room)
     return HSR_E_NOMEM;
-  empty_blocks(s, m);
-  m->most = most_given(s, s->most_opacity, 65536);
+  empty_blocks(m);
   return HSR_OK;
 }
 
 /* The greatest room of a block: by the least opacity of each of its columns. */
-static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
-                        int x0, int y0) {
-  int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
+static uint32_t room_of(const struct model *m, int x0, int y0) {
+  const struct hsr_window *w = m->picture.window;
+  int width = w->x1 - w->x0, height = w->y1 - w->y0;
   int columns = width - x0 < BLOCK ? width - x0 : BLOCK,
       rows = height - y0 < BLOCK ? height - y0 : BLOCK;
   const struct hsr_splat_picture *picture = &m->picture;
@@ -137,38 +140,40 @@ static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
   return 65536 - opacity;
 }
 
-/* The blocks that a part of the window touches: indices, and one more. */
-static struct hsr_window blocks_in(const struct hsr_splats *s,
+/* The blocks that a part of the tile touches: indices, and one more. */
+static struct hsr_window blocks_in(const struct model *m,
                                    const struct hsr_window *box) {
-  int x = s->window.x0, y = s->window.y0;
+  int x = m->picture.window->x0, y = m->picture.window->y0;
   return (struct hsr_window){(box->x0 - x) / BLOCK, (box->y0 - y) / BLOCK,
                              (box->x1 - x + BLOCK - 1) / BLOCK,
                              (box->y1 - y + BLOCK - 1) / BLOCK};
 }
 
-static int count_blocks(const struct hsr_splats *s,
-                        const struct hsr_window *box) {
-  const struct hsr_window blocks = blocks_in(s, box);
+static int count_blocks(const struct model *m, const struct hsr_window *box) {
+  const struct hsr_window blocks = blocks_in(m, box);
   return (blocks.x1 - blocks.x0) * (blocks.y1 - blocks.y0);
 }
 
-static void look_at_blocks(struct hsr_splats *s, struct model *m) {
-  const struct hsr_window blocks = blocks_in(s, &m->where);
+static void look_at_blocks(const struct hsr_splats *s, struct model *m) {
+  /* the greatest opacity that a splat gives to a pixel */
+  const uint32_t most = most_given(s, s->most_opacity, 65536);
+  const struct hsr_window blocks = blocks_in(m, &m->where);
   for (int y = blocks.y0; y < blocks.y1; y++)
     for (int x = blocks.x0; x < blocks.x1; x++) {
       uint32_t *room = &m->room[(size_t)y * (size_t)m->blocks + (size_t)x];
-      if (*room * m->most >= 65536)
-        *room = room_of(s, m, BLOCK * x, BLOCK * y);
+      if (*room * most >= 65536)
+        *room = room_of(m, BLOCK * x, BLOCK * y);
     }
   m->drawn = 0;
-  m->where = hsr_splats_none(s);
+  m->where = hsr_splats_none(m->picture.window);
 }
 
-static bool is_hidden(const struct hsr_splats *s, uint32_t opacity,
+static bool is_hidden(const struct hsr_splats *s,
+                      const struct hsr_splat_tile *tile, uint32_t opacity,
                       uint32_t energy, const struct hsr_window *box) {
-  const struct model *m = s->model;
+  const struct model *m = tile->model;
   uint32_t most = most_given(s, opacity, energy);
-  const struct hsr_window blocks = blocks_in(s, box);
+  const struct hsr_window blocks = blocks_in(m, box);
   for (int y = blocks.y0; y < blocks.y1; y++)
     for (int x = blocks.x0; x < blocks.x1; x++)
       if (m->room[(size_t)y * (size_t)m->blocks + (size_t)x] * most >= 65536)
@@ -176,15 +181,44 @@ static bool is_hidden(const struct hsr_splats *s, uint32_t opacity,
   return true;
 }
 
-static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
-  struct model *m = s->model;
+static void draw_under(struct hsr_splats *s, struct hsr_splat_tile *tile,
+                       const struct hsr_placed *p) {
+  struct model *m = tile->model;
   hsr_splats_put(s, p, &m->picture, HSR_PUT_UNDER);
   hsr_splats_widen(&m->where, &p->box);
-  if (++m->drawn >= FEW && m->drawn >= count_blocks(s, &m->where))
+  if (++m->drawn >= FEW && m->drawn >= count_blocks(m, &m->where))
     look_at_blocks(s, m);
 }
 
 /* --- A frame -------------------------------------------------------------- */
+
+static bool accumulates(const struct hsr_splats *s) {
+  return s->job->option[ACCUMULATE] && s->splatting.blur;
+}
+
+static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  struct hsr_arena *arena = s->job->scratch;
+  if (hsr_splats_open(s, tile, &m->picture) || open_blocks(s, m))
+    return HSR_E_NOMEM;
+  if (!accumulates(s))
+    return HSR_OK;
+  m->sum = hsr_arena_zeroed(arena, m->picture.count, sizeof *m->sum);
+  if (m->picture.weight)
+    m->weight = HSR_NEW_ZEROED(arena, uint64_t, m->picture.count);
+  return m->sum && (m->weight || !m->picture.weight) ? HSR_OK : HSR_E_NOMEM;
+}
+
+static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  hsr_splats_finish(s, &((struct model *)tile->model)->picture);
+}
+
+static const struct hsr_splats_module over = {
+    .size = sizeof(struct model), .open = open, .draw = draw_over};
+static const struct hsr_splats_module under = {.size = sizeof(struct model),
+                                               .open = open,
+                                               .draw = draw_under,
+                                               .is_hidden = is_hidden};
 
 static enum hsr_status draw(struct hsr_splats *s, struct hsr_error *err) {
   const long *option = s->job->option;
@@ -194,60 +228,54 @@ static enum hsr_status draw(struct hsr_splats *s, struct hsr_error *err) {
 
 /* --- Motion blur by an accumulation buffer -------------------------------- */
 
-/* Adds a picture and makes it empty. */
-static void move_to(struct hsr_splat_picture *picture, uint32_t (*sum)[4],
-                    uint64_t *weight) {
-  for (size_t k = 0; k < picture->count; k++) {
+/* Adds a picture to the sums, and makes it empty. */
+static void add_frame(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  (void)s;
+  for (size_t k = 0; k < m->picture.count; k++) {
     for (int c = 0; c < 4; c++)
-      sum[k][c] += picture->rgba[k][c];
-    if (weight)
-      weight[k] += picture->weight[k];
+      m->sum[k][c] += m->picture.rgba[k][c];
+    if (m->weight)
+      m->weight[k] += m->picture.weight[k];
   }
-  hsr_splats_clear(picture);
+  hsr_splats_clear(&m->picture);
+  empty_blocks(m);
+}
+
+/* Makes a picture the mean of the frames. */
+static void take_mean(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  uint32_t n = (uint32_t)s->visits;
+  for (size_t k = 0; k < m->picture.count; k++) {
+    for (int c = 0; c < 4; c++)
+      m->picture.rgba[k][c] = (uint16_t)(m->sum[k][c] / n);
+    if (m->weight)
+      m->picture.weight[k] = m->weight[k] / n;
+  }
 }
 
 /* Frames at equal distances on the way, each with the weight 1 / n (thesis,
  * 4.1). */
-static enum hsr_status accumulate(struct hsr_splats *s, struct model *m, int n,
-                                  struct hsr_error *err) {
-  size_t count = m->picture.count;
-  uint32_t(*sum)[4] = hsr_arena_zeroed(s->job->scratch, count, sizeof *sum);
-  uint64_t *weight = m->picture.weight
-                         ? HSR_NEW_ZEROED(s->job->scratch, uint64_t, count)
-                         : NULL;
-  if (!sum || (m->picture.weight && !weight))
-    return hsr_fail_nomem(err);
+static enum hsr_status accumulate(struct hsr_splats *s, struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
-  for (int k = 0; k < n && !status; k++) {
-    s->way_from = s->way_to = (double)k / (n - 1);
+  s->visits = frames_of[s->job->option[ACCUMULATE]];
+  for (int k = 0; k < s->visits && !status; k++) {
+    s->way_from = s->way_to = (double)k / (s->visits - 1);
     status = draw(s, err);
-    move_to(&m->picture, sum, weight);
-    empty_blocks(s, m);
+    hsr_splats_each(s, add_frame);
   }
-  for (size_t k = 0; k < count; k++) {
-    for (int c = 0; c < 4; c++)
-      m->picture.rgba[k][c] = (uint16_t)(sum[k][c] / (uint32_t)n);
-    if (weight)
-      m->picture.weight[k] = weight[k] / (uint64_t)n;
-  }
+  hsr_splats_each(s, take_mean);
   return status;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_splats s;
-  struct model m = {.drawn = 0};
-  if (hsr_splats_begin(&s, job) || hsr_splats_open(&s, &m.picture) ||
-      open_blocks(&s, &m))
+  if (hsr_splats_begin(&s, job) ||
+      hsr_splats_divide(&s, s.splatting.model == HSR_UNDER ? &under : &over))
     return hsr_fail_nomem(err);
-  int frames = frames_of[job->option[ACCUMULATE]];
-  s.model = &m;
-  s.draw = s.splatting.model == HSR_UNDER ? draw_under : draw_over;
-  s.is_hidden = s.splatting.model == HSR_UNDER ? is_hidden : NULL;
-  enum hsr_status status = frames > 1 && s.splatting.blur
-                               ? accumulate(&s, &m, frames, err)
-                               : draw(&s, err);
-  hsr_splats_finish(&s, &m.picture);
+  enum hsr_status status = (accumulates(&s) ? accumulate : draw)(&s, err);
+  hsr_splats_each(&s, finish);
   return status;
 }
 
@@ -283,7 +311,7 @@ const struct hsr_algorithm HSR_ALGORITHM(splat) = {
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
     .makes = {{HSR_COMPOSITED, 1 << HSR_OVER | 1 << HSR_UNDER}},
-    .flags = HSR_INSTANCED,
+    .flags = HSR_INSTANCED | HSR_OWN_TILES,
     .parts = uses,
     .outline = outline,
     .options = options,

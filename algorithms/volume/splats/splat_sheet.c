@@ -20,8 +20,18 @@ struct model {
   struct hsr_window drawn; /* of the sheet */
 };
 
-static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
-  struct model *m = s->model;
+static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  m->drawn = hsr_splats_none(&tile->window);
+  return hsr_splats_open(s, tile, &m->picture) ||
+                 hsr_splats_open(s, tile, &m->sheet)
+             ? HSR_E_NOMEM
+             : HSR_OK;
+}
+
+static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
+                 const struct hsr_placed *p) {
+  struct model *m = tile->model;
   hsr_splats_widen(&m->drawn, &p->box);
   hsr_splats_put(s, p, &m->sheet, HSR_PUT_ADD);
 }
@@ -35,30 +45,35 @@ static int sheet_axis(const struct hsr_view *view) {
   return axis;
 }
 
-static void draw_sheet(struct hsr_splats *s, int axis, uint32_t k) {
-  struct model *m = s->model;
-  m->drawn = hsr_splats_none(s);
-  hsr_splats_visit_slice(s, axis, k);
+static void fold(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
   hsr_splats_fold(s, &m->sheet, &m->drawn, &m->picture);
+  m->drawn = hsr_splats_none(&tile->window);
 }
+
+static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  hsr_splats_finish(s, &((struct model *)tile->model)->picture);
+}
+
+static const struct hsr_splats_module how = {
+    .size = sizeof(struct model), .open = open, .draw = draw, .fold = fold};
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_splats s;
-  struct model m;
   int axis = sheet_axis(job->view);
-  if (hsr_splats_begin(&s, job) || hsr_splats_open(&s, &m.picture) ||
-      hsr_splats_open(&s, &m.sheet) || hsr_splats_open_slices(&s, axis))
+  if (hsr_splats_begin(&s, job) || hsr_splats_divide(&s, &how) ||
+      hsr_splats_open_slices(&s, axis))
     return hsr_fail_nomem(err);
-  s.model = &m;
-  s.draw = draw;
-  int64_t n = s.grid->n[axis], q = hsr_splats_split(&s, axis);
-  for (int64_t k = n - 1; k > q; k--)
-    draw_sheet(&s, axis, (uint32_t)k);
-  for (int64_t k = 0; k <= q; k++)
-    draw_sheet(&s, axis, (uint32_t)k);
-  hsr_splats_finish(&s, &m.picture);
-  return HSR_OK;
+  uint32_t n = s.grid->n[axis],
+           near = (uint32_t)(hsr_splats_split(&s, axis) + 1);
+  s.visits = 2;
+  enum hsr_status status =
+      hsr_splats_visit_slices(&s, axis, n - 1, n - near, -1);
+  if (!status)
+    status = hsr_splats_visit_slices(&s, axis, 0, near, 1);
+  hsr_splats_each(&s, finish);
+  return status;
 }
 
 /* --- What it is and counts ------------------------------------------------ */
@@ -93,7 +108,7 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_sheet) = {
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
     .makes = {{HSR_COMPOSITED, 1 << HSR_SHEET}},
-    .flags = HSR_INSTANCED,
+    .flags = HSR_INSTANCED | HSR_OWN_TILES,
     .parts = uses,
     .outline = outline,
     .render = render};

@@ -20,8 +20,12 @@
 
 enum { MOST_BYTES = 1 << 25, PARTS = HSR_FOOTPRINT_PARTS };
 
+/* A tile's. */
 struct model {
   struct hsr_splat_picture picture, *bucket;
+};
+
+struct depths {
   int n;               /* buckets */
   double from, each;   /* the first begins there, and they are so deep */
   double off;          /* how far an end may be off */
@@ -31,7 +35,7 @@ struct model {
 /* --- Depths --------------------------------------------------------------- */
 
 /* One bucket, if all of the grid is in one depth or before near. */
-static void find_depths(struct hsr_splats *s, struct model *m) {
+static void find_depths(struct hsr_splats *s, struct depths *m) {
   const struct hsr_view *v = s->view;
   double from = INFINITY, to = -INFINITY;
   for (int a = 0; a < 3; a++) {
@@ -82,7 +86,7 @@ static struct passage passage_of(const struct hsr_splats *s,
 /* lambda at the end of bucket b. */
 static int part_before(struct hsr_splats *s, const struct hsr_placed *p, int i,
                        int j, const struct passage *ray, int b) {
-  const struct model *m = s->model;
+  const struct depths *m = s->common;
   double past = m->from + (b + 1) * m->each - ray->nearest;
   double parts = fabs(past) * ray->parts;
   double error =
@@ -100,15 +104,16 @@ static int part_before(struct hsr_splats *s, const struct hsr_placed *p, int i,
 }
 
 /* The first bucket that the kernel may reach along this ray, or the last. */
-static int bucket_at(const struct model *m, double depth) {
+static int bucket_at(const struct depths *m, double depth) {
   double b = floor((depth - m->from) / m->each);
   return b > 0 ? b < m->n - 1 ? (int)b : m->n - 1 : 0;
 }
 
 /* Puts the splat into the buckets of a pixel. */
-static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
-                       int j, int kappa) {
-  struct model *m = s->model;
+static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p,
+                       struct hsr_splat_picture *buckets, int i, int j,
+                       int kappa) {
+  const struct depths *m = s->common;
   const struct passage ray = passage_of(s, p, i, j);
   double reach = (PARTS + 1) / ray.parts + ray.off + m->off;
   int b = m->n > 1 ? bucket_at(m, ray.nearest - reach) : 0;
@@ -117,13 +122,15 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
     uint32_t here = hsr_splats_between(s->before[part + PARTS], kappa);
     if (here > before)
-      hsr_splats_add(s, p, &m->bucket[b], i, j, here - before);
+      hsr_splats_add(p, &buckets[b], i, j, here - before);
     before = here;
     more = part < PARTS;
   }
 }
 
-static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
+static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
+                 const struct hsr_placed *p) {
+  struct model *m = tile->model;
   int32_t index[HSR_SPLAT_LANES];
   HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
            p->box, 2);
@@ -135,7 +142,7 @@ static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
           HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
                    HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
           HSR_TOUCH(s->tally, x + l, j);
-          draw_pixel(s, p, x + l, j, index[l]);
+          draw_pixel(s, p, m->bucket, x + l, j, index[l]);
         }
     }
 }
@@ -152,51 +159,61 @@ static enum hsr_status open_parts(struct hsr_splats *s) {
   return HSR_OK;
 }
 
-/* The buffer of a strip of the window, which s->window is from here on. */
-static enum hsr_status open_strip(struct hsr_splats *s, struct model *m) {
+/* The buffers of a strip of the window, which s->window is from here on. */
+static void choose_strip(struct hsr_splats *s, const struct depths *depths) {
   struct hsr_window *w = &s->window;
-  int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * m->n *
-                (int64_t)sizeof *m->picture.rgba;
+  int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * depths->n *
+                (int64_t)sizeof *((struct hsr_splat_picture *)NULL)->rgba;
   int64_t rows = MOST_BYTES / row > 0 ? MOST_BYTES / row : 1;
   if (rows < w->y1 - w->y0)
     w->y1 = w->y0 + (int)rows;
-  m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, (size_t)m->n);
-  if (!m->bucket || hsr_splats_open(s, &m->picture))
+}
+
+static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  size_t n = (size_t)((const struct depths *)s->common)->n;
+  m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, n);
+  if (!m->bucket || hsr_splats_open(s, tile, &m->picture))
     return HSR_E_NOMEM;
-  for (int b = 0; b < m->n; b++)
-    if (hsr_splats_open(s, &m->bucket[b]))
+  for (size_t b = 0; b < n; b++)
+    if (hsr_splats_open(s, tile, &m->bucket[b]))
       return HSR_E_NOMEM;
   return HSR_OK;
 }
 
-static enum hsr_status draw_strip(struct hsr_splats *s, struct model *m,
-                                  struct hsr_error *err) {
-  enum hsr_status status = hsr_splats_visit(s, HSR_PBTF, 0, false, err);
-  for (int b = m->n - 1; b >= 0 && !status; b--)
-    hsr_splats_fold(s, &m->bucket[b], &s->window, &m->picture);
+static const struct hsr_splats_module how = {
+    .size = sizeof(struct model), .open = open, .draw = draw};
+
+static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  const struct depths *depths = s->common;
+  for (int b = depths->n - 1; b >= 0; b--)
+    hsr_splats_fold(s, &m->bucket[b], &tile->window, &m->picture);
   hsr_splats_finish(s, &m->picture);
   hsr_splats_clear(&m->picture);
-  return status;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_splats s;
-  struct model m;
+  struct depths depths;
   const struct hsr_window *all = &job->view->window;
   if (hsr_splats_begin(&s, job) || open_parts(&s))
     return hsr_fail_nomem(err);
-  find_depths(&s, &m);
-  s.model = &m;
-  s.draw = draw;
-  enum hsr_status status = open_strip(&s, &m);
-  if (status)
+  find_depths(&s, &depths);
+  s.common = &depths;
+  choose_strip(&s, &depths);
+  if (hsr_splats_divide(&s, &how))
     return hsr_fail_nomem(err);
+  enum hsr_status status = HSR_OK;
   int rows = s.window.y1 - s.window.y0;
+  s.visits = (all->y1 - all->y0 + rows - 1) / rows;
   for (int y = all->y0; y < all->y1 && !status; y += rows) {
     s.window.y0 = y;
     s.window.y1 = y + rows < all->y1 ? y + rows : all->y1;
-    status = draw_strip(&s, &m, err);
+    hsr_splats_lay(&s);
+    status = hsr_splats_visit(&s, HSR_PBTF, 0, false, err);
+    hsr_splats_each(&s, finish);
   }
   return status;
 }
@@ -233,7 +250,7 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
     .makes = {{HSR_COMPOSITED, 1 << HSR_VOLUME}},
-    .flags = HSR_INSTANCED,
+    .flags = HSR_INSTANCED | HSR_OWN_TILES,
     .parts = uses,
     .outline = outline,
     .render = render};

@@ -19,8 +19,9 @@ struct model {
   int drawn; /* since the last move */
 };
 
-static enum hsr_status open_sums(struct hsr_splats *s, struct model *m) {
-  if (hsr_splats_open(s, &m->picture))
+static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  if (hsr_splats_open(s, tile, &m->picture))
     return HSR_E_NOMEM;
   m->all = hsr_arena_zeroed(s->job->scratch, m->picture.count, sizeof *m->all);
   return m->all ? HSR_OK : HSR_E_NOMEM;
@@ -36,8 +37,9 @@ static void move_sums(struct model *m) {
   m->drawn = 0;
 }
 
-static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
-  struct model *m = s->model;
+static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
+                 const struct hsr_placed *p) {
+  struct model *m = tile->model;
   hsr_splats_put(s, p, &m->picture, HSR_PUT_SUM);
   if (++m->drawn == MOST_SPLATS)
     move_sums(m);
@@ -46,10 +48,10 @@ static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
 /* Adds what was drawn to the sums of an answer that is made of parts. */
 static void add_to(uint64_t *sums, struct hsr_splats *s,
                    const struct model *m) {
-  const struct hsr_window *w = &s->window;
+  const struct hsr_window *w = m->picture.window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
-      size_t at = hsr_splats_at(s, &m->picture, i, j);
+      size_t at = hsr_splats_at(&m->picture, i, j);
       uint64_t *sum =
           sums + HSR_SPLAT_SUMS * ((size_t)j * (size_t)s->view->m + (size_t)i);
       for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
@@ -59,8 +61,9 @@ static void add_to(uint64_t *sums, struct hsr_splats *s,
     }
 }
 
-static void finish(struct hsr_splats *s, struct model *m) {
-  const struct hsr_window *w = &s->window;
+static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  const struct hsr_window *w = &tile->window;
   uint64_t *sums = hsr_answer_splat_sums_of(s->job->answer);
   move_sums(m);
   if (sums) {
@@ -70,7 +73,7 @@ static void finish(struct hsr_splats *s, struct model *m) {
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
       uint64_t E[HSR_SPLAT_CHANNELS] = {0};
-      size_t at = hsr_splats_at(s, &m->picture, i, j);
+      size_t at = hsr_splats_at(&m->picture, i, j);
       for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
         E[c] = s->splatting.normalise
                    ? m->all[at][c]
@@ -81,16 +84,16 @@ static void finish(struct hsr_splats *s, struct model *m) {
     }
 }
 
+static const struct hsr_splats_module how = {
+    .size = sizeof(struct model), .open = open, .draw = draw};
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_splats s;
-  struct model m = {.drawn = 0};
-  if (hsr_splats_begin(&s, job) || open_sums(&s, &m))
+  if (hsr_splats_begin(&s, job) || hsr_splats_divide(&s, &how))
     return hsr_fail_nomem(err);
-  s.model = &m;
-  s.draw = draw;
   enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, 0, false, err);
-  finish(&s, &m);
+  hsr_splats_each(&s, finish);
   return status;
 }
 
@@ -121,7 +124,7 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_xray) = {
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
     .makes = {{HSR_COMPOSITED, 1 << HSR_XRAY, .how = HSR_SUMS}},
-    .flags = HSR_INSTANCED,
+    .flags = HSR_INSTANCED | HSR_OWN_TILES,
     .parts = uses,
     .outline = outline,
     .render = render};
