@@ -105,6 +105,7 @@ libbench_a_SOURCES = \
   %D%/ranks/sums.h \
   %D%/render/check.c \
   %D%/render/command.c \
+  %D%/render/exposure.c \
   %D%/render/fill.c \
   %D%/render/hint.c \
   %D%/render/notes.c \

@@ -166,6 +166,7 @@ tap_scripts = \
   %D%/command/programs_bench.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
+  %D%/command/splat_tiles.test \
   %D%/command/streams.test \
   %D%/command/tiles.test \
   %D%/command/volumes.test \

@@ -33,7 +33,9 @@ static enum hsr_status clear(struct render *r, struct hsr_error *err) {
 }
 
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
-  enum hsr_status status = clear(r, err);
+  enum hsr_status status = choose_exposure(r, err);
+  if (!status)
+    status = clear(r, err);
   if (status)
     return status;
   if (r->options->passes || r->options->uncertainty || r->options->certain) {

@@ -82,6 +82,7 @@ struct render {
   long frame;                   /* of --frames */
   long n_kept; /* frames that went on with what was prepared for the last one */
   long n_tiles, n_found; /* of --tiles: all, and those there were before */
+  double exposure;       /* that was chosen for an X-ray picture; 0: none */
   uint32_t n_faces;      /* of --sort-last: of all parts */
   long n_drawn;          /* parts, by this rank */
   double sent_bytes, sent_messages, compared; /* of their pictures */
@@ -108,6 +109,15 @@ enum hsr_status make_sheet(struct render *r, struct hsr_error *err);
 enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
                                const struct hsr_variant *variant,
                                struct hsr_error *err);
+
+/* For an X-ray picture whose exposure the user did not choose: chooses one by which
+ * the brightest channel of r->view is nearly white, and keeps to it in further
+ * pictures (bench/render/exposure.c). Fails as make_picture. */
+enum hsr_status choose_exposure(struct render *r, struct hsr_error *err);
+
+/* The same of the sums of all parts of a scene: an answer that is about to be made
+ * of them. */
+void expose_sums(struct render *r, struct hsr_answer *sums);
 
 /* What make_picture does: draws; makes the colours, r->shaded; writes. */
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err);

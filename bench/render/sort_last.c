@@ -202,6 +202,7 @@ static enum hsr_status shade_and_write(struct sorting *s,
 /* What was summed becomes the picture of rank 0. */
 static enum hsr_status finish_sums(struct sorting *s, struct hsr_error *err) {
   struct render *r = s->render;
+  expose_sums(s->render, &s->sums);
   s->summing->finish(&s->sums);
   r->view = s->view;
   r->answer = s->sums;

@@ -20,13 +20,14 @@
 #include "common/files/whole_file.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
-enum { MOST_PLAN = 4096 };
+enum { MOST_PLAN = 4096, MOST_EXPOSED = 1024 };
 
 struct tiles {
   struct render *render;
@@ -215,6 +216,18 @@ static enum hsr_status join(struct tiles *t, struct hsr_error *err) {
   return status;
 }
 
+/* All tiles have one exposure. A picture of at most MOST_EXPOSED pixels a side, of
+ * all that the tiles show, tells which. */
+static enum hsr_status expose(struct tiles *t, struct hsr_error *err) {
+  struct render *r = t->render;
+  int m = t->tiling.m, n = t->tiling.n, most = m > n ? m : n;
+  double by = most > MOST_EXPOSED ? (double)MOST_EXPOSED / most : 1;
+  int width = (int)ceil(m * by), height = (int)ceil(n * by);
+  enum hsr_status status =
+      hsr_view_init(&r->view, camera_of(r), width, height, err);
+  return status ? status : choose_exposure(r, err);
+}
+
 enum hsr_status make_tiles(struct render *r, struct hsr_error *err) {
   const struct render_options *o = r->options;
   struct tiles t = {.render = r,
@@ -227,6 +240,9 @@ enum hsr_status make_tiles(struct render *r, struct hsr_error *err) {
   if (status)
     return status;
   ranks_wait();
+  status = expose(&t, err);
+  if (status)
+    return status;
   t.progress = progress_begin(stderr);
   status = draw_tiles(&t, err);
   progress_end(&t.progress);

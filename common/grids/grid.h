@@ -4,7 +4,7 @@
  * which reaches half-way to the neighbouring samples.
  *
  * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
- *             thesis, Ohio State University, 1998, 2.2: a volume subset is kept
+ *             thesis, Ohio State University, 1998, 1.2.5: a volume subset is kept
  *             as a two-dimensional array of rows, each compact.
  * Cells       cell (i, j, k) is the box bound[0][i] .. bound[0][i + 1] along x,
  *             and likewise along y and z. Kept cells are numbered from 0, by k,

@@ -109,6 +109,11 @@ static int by_depth(const void *p, const void *q) {
   return a->b < b->b ? -1 : a->b > b->b;
 }
 
+/* Where cell k is along an axis. */
+static double middle_of(const struct hsr_grid_seen *s, int axis, uint32_t k) {
+  return s->at[axis] ? s->at[axis][k] : k;
+}
+
 static enum hsr_status visit_vbuffer(const struct visitor *v,
                                      struct hsr_error *err) {
   const struct hsr_grid_seen *s = v->seen;
@@ -121,8 +126,8 @@ static enum hsr_status visit_vbuffer(const struct visitor *v,
   for (size_t k = 0; k < n; k++) {
     slice[k].a = (uint32_t)(k / n_b);
     slice[k].b = (uint32_t)(k % n_b);
-    slice[k].depth = s->toward[axis[1]] * (double)slice[k].a +
-                     s->toward[axis[2]] * (double)slice[k].b;
+    slice[k].depth = s->toward[axis[1]] * middle_of(s, axis[1], slice[k].a) +
+                     s->toward[axis[2]] * middle_of(s, axis[2], slice[k].b);
   }
   qsort(slice, n, sizeof *slice, by_depth);
   struct loop outer = along_view(v, axis[0]);

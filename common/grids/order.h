@@ -41,8 +41,9 @@ enum hsr_grid_order {
   HSR_WBTF,    /* as btf, with the axis closest to the view direction as the
                   outermost loop, and the axis farthest from it as the innermost
                   (Westover 1990) */
-  HSR_VBUFFER, /* slices as in wbtf. Within a slice, cells are in order of their
-                  distance from the view plane (Upson and Keeler 1988) */
+  HSR_VBUFFER, /* slices as in wbtf. Within a slice, cells are in order of the
+                  distance of their middles from the view plane, in doubles
+                  (Upson and Keeler 1988) */
   /* These three are right in both projections. */
   HSR_PBTF,   /* each axis is divided at the eye, and the octants are visited
                  one after the other (Swan 1998) */
@@ -57,11 +58,13 @@ extern const char *const hsr_grid_order_name[HSR_GRID_ORDERS];
 
 /* A grid and an eye. */
 struct hsr_grid_seen {
-  uint32_t n[3];    /* cells, or samples; at least 1, at most 2^30 */
-  int32_t q[3];     /* hsr_grid_split of each axis; -1 to n - 1 */
-  double toward[3]; /* the view direction in the grid's axes, of any length.
+  uint32_t n[3];       /* cells, or samples; at least 1, at most 2^30 */
+  int32_t q[3];        /* hsr_grid_split of each axis; -1 to n - 1 */
+  double toward[3];    /* the view direction in the grid's axes, of any length.
                        Only btf, wbtf and vbuffer use it; they do not use q */
-  bool high_first;  /* visit high sides before low ones: for points only */
+  const double *at[3]; /* where the middle of each is along the axes, ascending;
+                          borrowed. Only vbuffer uses it. NULL: 1 apart */
+  bool high_first;     /* visit high sides before low ones: for points only */
 };
 
 /* Returns the index at which an axis is divided, q: the last of n ascending

@@ -3,7 +3,7 @@
  * factor by gradient, and light. docs/composited-picture.md says how the
  * numbers are used.
  *
- * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 1.1:
+ * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 1.2.1:
  *             tables classify a sample by its density and gradient, and shade
  *             it. */
 #ifndef HSR_COMMON_GRIDS_PALETTE_H

@@ -43,6 +43,7 @@ static struct hsr_grid_seen see(const struct hsr_cells *cells) {
     seen.n[a] = grid->n[a];
     seen.q[a] = hsr_grid_split(grid->bound[a], grid->n[a], view->eye[a]);
     seen.toward[a] = view->F[a];
+    seen.at[a] = grid->at[a];
   }
   return seen;
 }

@@ -292,6 +292,7 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
     seen.n[a] = s->grid->n[a];
     seen.q[a] = hsr_splats_split(s, a);
     seen.toward[a] = s->view->F[a];
+    seen.at[a] = s->grid->at[a];
   }
   enum hsr_status status =
       hsr_grid_visit(order, nesting, front, &seen, visit_run, s, err);

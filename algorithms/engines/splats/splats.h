@@ -17,7 +17,7 @@
  *             found exactly (common/exact/footprint.h). All that follows is in
  *             integers.
  * DDA         a point on the screen is a sum of three terms, one for each axis.
- *             Along a row of samples only one of them changes (thesis, 1.1).
+ *             Along a row of samples only one of them changes (thesis, 1.2.1).
  * Departures  A footprint is not drawn as a polygon with a texture: the weight
  *             of each pixel is looked up for the pixel's own ray.
  * Cost        splats, and pixels of their footprints

@@ -4,7 +4,7 @@
  *
  * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
  *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, Ohio State University,
- *             1998, 1.1 and 2.3
+ *             1998, 1.2.1 and 2.3
  * Full        the room of a pixel is 65536 less its opacity. From front to back, a
  *             splat adds nothing where there is too little room for it:
  *             docs/composited-picture.md. The greatest room of each block of

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An X-ray picture: all splats are added, in any order.
  *
- * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 1.1: a
+ * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, 1.2.4.1: a
  *             projection that is a plain sum is both faster and more exact by
  *             splatting than by casting rays.
  * Sums        of 32 bits, which are moved into sums of 64 bits before they can

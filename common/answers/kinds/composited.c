@@ -87,6 +87,10 @@ struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
       .threshold = real[THRESHOLD]};
 }
 
+void hsr_form_expose(struct hsr_form *form, double exposure) {
+  form->values.real[EXPOSURE] = exposure;
+}
+
 static size_t count(const struct hsr_answer *answer) {
   return CHANNELS * (size_t)answer->m * (size_t)answer->n;
 }

@@ -27,6 +27,9 @@ uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer);
 /* For a form of this kind: how the picture is splatted. */
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form);
 
+/* Chooses another exposure, from 0 to 1000. */
+void hsr_form_expose(struct hsr_form *form, double exposure);
+
 #ifdef __cplusplus
 }
 #endif

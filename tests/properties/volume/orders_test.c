@@ -370,6 +370,33 @@ static void check_parallel(struct tap *tap, enum hsr_grid_order order) {
      hsr_grid_order_name[order], v.wrong, v.pairs);
 }
 
+/* --- The sweep of the V-buffer -------------------------------------------- */
+
+/* Within a slice, cells come by the distance of their middles from the view plane,
+ * which is not the order of their indices where cells are of uneven sizes. */
+static void check_sweep(struct tap *tap) {
+  static const double x[3] = {0, 1, 10}, y[3] = {0, 3, 4}, z[2] = {0, 1};
+  static int when[MOST_CELLS];
+  struct hsr_grid_seen seen = {
+      .n = {3, 3, 2}, .q = {-1, -1, -1}, .toward = {1, 2, 5}, .at = {x, y, z}};
+  long wrong = 0, pairs = 0, unlike = 0;
+  visit(HSR_VBUFFER, 0, true, &seen, when);
+  for (int a = 0; a < 9; a++)
+    for (int b = 0; b < 9; b++) {
+      double near = x[a % 3] + 2 * y[a / 3], far = x[b % 3] + 2 * y[b / 3];
+      if (!(near < far))
+        continue;
+      pairs++;
+      wrong += when[a] > when[b];
+      unlike += a % 3 + 2 * (a / 3) > b % 3 + 2 * (b / 3);
+    }
+  ok(tap, pairs > 30 && unlike > 0 && !wrong,
+     "vbuffer: %ld of %ld pairs of a slice are not in order of their distance; "
+     "by "
+     "indices %ld would not be",
+     wrong, pairs, unlike);
+}
+
 /* --- Classes of views ----------------------------------------------------- */
 
 /* Notes the sets that are visited: bit k for the octant on the high side of
@@ -599,13 +626,14 @@ int main(void) {
       {"G", {15, 30, -15}, {1.05, .1, 1}, 60, 52101, {48, 24973, 16857, 16857}},
       {"H", {20.3, 30.2, 40.1}, {.1, .2, 1}, 45, 90000, {0, 0, 0, 0}}};
   enum { CAMERAS = sizeof cameras / sizeof *cameras };
-  struct tap tap =
-      plan(2 * HSR_GRID_ORDERS + 1 + 7 + 7 + HSR_GRID_ORDERS + 4 + 2 * CAMERAS);
+  struct tap tap = plan(2 * HSR_GRID_ORDERS + 1 + 7 + 7 + HSR_GRID_ORDERS + 1 +
+                        4 + 2 * CAMERAS);
   for (enum hsr_grid_order order = 0; order < HSR_GRID_ORDERS; order++)
     check_once(&tap, order);
   check_interleaved(&tap);
   check_points(&tap);
   check_cells(&tap);
+  check_sweep(&tap);
   for (enum hsr_grid_order order = 0; order < HSR_GRID_ORDERS; order++)
     check_parallel(&tap, order);
   check_classes(&tap);

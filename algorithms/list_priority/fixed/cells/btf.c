@@ -3,7 +3,7 @@
  *
  * Source      G. Frieder, D. Gordon and R. A. Reynolds, "Back-to-Front Display
  *             of Voxel-Based Objects", IEEE Computer Graphics and Applications
- *             5(1), 1985; J. E. Swan II, PhD thesis, 1998, 2.1.
+ *             5(1), 1985; J. E. Swan II, PhD thesis, 1998, 2.2.1.
  * Known wrong in perspective: the loops know the direction of the view and not
  *             the eye. Where the eye is within the extent of an axis, one
  *             direction along it cannot be right on both sides of the eye.

@@ -4,7 +4,7 @@
  *
  * Source      W. G. Aref and H. Samet, "Perspective Viewing of Objects
  *             Represented by Octrees", 1991; J. E. Swan II, PhD thesis, 1998,
- *             2.5.
+ *             2.2.3.
  * Departures  The tree is not stored: its nodes are halves of index ranges. A
  *             leaf is one cell.
  *

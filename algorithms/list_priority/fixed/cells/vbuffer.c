@@ -3,10 +3,11 @@
  * slice, cells by their distance from the view plane.
  *
  * Source      C. Upson and M. Keeler, "V-BUFFER: Visible Volume Rendering",
- *             SIGGRAPH 1988; J. E. Swan II, PhD thesis, 1998, 2.1.
+ *             SIGGRAPH 1988; J. E. Swan II, PhD thesis, 1998, 2.2.1.
  * Known wrong in perspective, as wbtf is, whose slices it has.
  * Departures  The paper says little of the sweep within a slice. Here it is a
- *             sort by distance, made once for all slices.
+ *             sort by the distance of the cells' middles, made once for all
+ *             slices.
  *
  * Notation, invariant, ties, further departures and cost are those of cells.h.
  */

@@ -3,7 +3,7 @@
  * direction and the innermost along the one farthest from it.
  *
  * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
- *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, 1998, 2.1.
+ *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, 1998, 2.2.1.
  * Known wrong in perspective, as btf is, though in fewer views.
  *
  * Notation, invariant, ties, departures and cost are those of cells.h. */
