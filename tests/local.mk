@@ -151,6 +151,7 @@ tap_scripts = \
   %D%/command/densities.test \
   %D%/command/drawings_page.test \
   %D%/command/examples.test \
+  %D%/command/exposure.test \
   %D%/command/full.test \
   %D%/command/generate.test \
   %D%/command/gltf.test \
