@@ -38,6 +38,7 @@ algorithm_files += \
   %D%/point/shadow_pairs.h \
   %D%/point/watkins.c \
   %D%/point/watkins.h \
+  %D%/point/watkins_regions.c \
   %D%/point/watkins_runs.c \
   %D%/point/watkins_z.c \
   %D%/point/yzx.c \
