@@ -196,8 +196,8 @@ static double lead(const struct hsr_screen *screen, uint32_t f, uint32_t g,
 }
 
 /* The first row from j to `last` + 1 up to which the lead is positive. */
-static int foresee(const struct hsr_screen *screen, uint32_t f, uint32_t g,
-                   struct side side, int j, int last) {
+static int foresee_side(const struct hsr_screen *screen, uint32_t f, uint32_t g,
+                        struct side side, int j, int last) {
   double now = lead(screen, f, g, side, j);
   if (!(now > 0))
     return j;
@@ -209,25 +209,68 @@ static int foresee(const struct hsr_screen *screen, uint32_t f, uint32_t g,
   return row > j && lead(screen, f, g, side, row) > 0 ? row + 1 : j + 1;
 }
 
+/* Whether at neither end of an edge the plane of g is nearer than that of f. */
+static bool is_first_at_ends(const struct hsr_scan *s, uint32_t f, uint32_t g,
+                             uint32_t e) {
+  const struct hsr_edge *line = &s->edge[e].line;
+  return hsr_vertex_nearer(&s->screen, f, g, line->a, s->tally) >= 0 &&
+         hsr_vertex_nearer(&s->screen, f, g, line->b, s->tally) >= 0;
+}
+
+static void count_forecast(const struct hsr_regions *r, uint32_t f, uint32_t g,
+                           int until) {
+  (void)f, (void)g, (void)until; /* for the trace */
+  const struct hsr_window *w = r->scan->window;
+  HSR_STEP(r->scan->tally, r->counters.forecasts, HSR_FACE(f), HSR_FACE(g),
+           HSR_ON(w->x0, w->x1, r->j), until > r->j + 1);
+}
+
+/* The same for an edge, or a side of the window. *touches: along another edge
+ * the two planes may have met; set if they may along this one. */
+static int foresee(const struct hsr_regions *r, uint32_t f, uint32_t g,
+                   uint32_t e, bool left, bool *touches, int until) {
+  const struct hsr_scan *s = r->scan;
+  struct side side;
+  int proved = r->j;
+  if (find_side(s, e, left, r->j, until - 1, &side))
+    proved = foresee_side(&s->screen, f, g, side, r->j, until - 1);
+  count_forecast(r, f, g, proved);
+  if (proved == until || *touches || e == NONE || s->edge[e].cut != HSR_NOT_CUT)
+    return proved;
+  *touches = is_first_at_ends(s, f, g, e);
+  count_forecast(r, f, g, *touches ? until : proved);
+  return *touches ? until : proved;
+}
+
 int hsr_regions_foresee(struct hsr_regions *r, uint32_t f, uint32_t g,
                         uint32_t left, uint32_t right, int until) {
   struct hsr_scan *s = r->scan;
   const uint32_t *plane = s->job->world->mesh.plane;
-  uint32_t edge[2] = {left, right};
-  for (int k = 0; k < 2; k++)
-    if (edge[k] != NONE && until > s->edge[edge[k]].end_row)
-      until = s->edge[edge[k]].end_row;
+  bool touches = false;
+  if (left != NONE && until > s->edge[left].end_row)
+    until = s->edge[left].end_row;
+  if (right != NONE && until > s->edge[right].end_row)
+    until = s->edge[right].end_row;
   if (until > s->window->y1)
     until = s->window->y1;
   if (plane[f] == plane[g])
     return f < g ? until : r->j;
-  for (int k = 0; k < 2 && until > r->j; k++) {
-    struct side side;
-    until = find_side(s, edge[k], k == 0, r->j, until - 1, &side)
-                ? foresee(&s->screen, f, g, side, r->j, until - 1)
-                : r->j;
-    HSR_STEP(s->tally, r->counters.forecasts, HSR_FACE(f), HSR_FACE(g),
-             HSR_ON(s->window->x0, s->window->x1, r->j), until > r->j + 1);
+  until = foresee(r, f, g, left, true, &touches, until);
+  return until > r->j + 1 ? foresee(r, f, g, right, false, &touches, until)
+                          : until;
+}
+
+bool hsr_regions_go_on(struct hsr_regions *r, uint32_t k, uint32_t end) {
+  const struct hsr_scan *s = r->scan;
+  for (; k <= end && k <= r->n_list; k++) {
+    uint32_t e = hsr_regions_before(r, k);
+    bool goes_on = e == NONE || s->edge[e].end_row > r->j + 1;
+    if (e != NONE)
+      HSR_STEP(s->tally, r->counters.ends, hsr_scan_subject(&s->edge[e]),
+               HSR_NOTHING, HSR_ON(s->window->x0, s->window->x1, r->j),
+               goes_on);
+    if (!goes_on)
+      return false;
   }
-  return until;
+  return true;
 }

@@ -20,12 +20,17 @@
  *             proved when the decision is made (hsr_regions_foresee): the
  *             difference of two planes' 1/t is linear on the screen. So it is
  *             positive in a trapezoid if it is so at the four corners: on the
- *             two edges that bound it, on this row and on the last one.
+ *             two edges that bound it, on this row and on the last one. Or it
+ *             is not negative at both vertices of one of the edges, and
+ *             positive along the other: two faces that touch along an edge. A
+ *             sample on the left edge is perturbed to the right of it, and one
+ *             on the right edge is not of the region.
  *             Nothing is asked of convexity, and faces may penetrate outside
  *             of the region.
  * Samples     Where an edge passes is known within a tolerance, and a plane's
  *             1/t within its error. Corners must differ by more than both. The
- *             perturbation of samples is less than any such difference.
+ *             perturbation of samples is less than any such difference. At
+ *             vertices the planes are compared exactly.
  * Invariants  differs[] says of which pieces an odd number of edges are passed
  *             in just one of the two lists: the first `here` edges of the row's
  *             and the first `there` of old[]. n_differ: how many these are. The
@@ -51,6 +56,7 @@ struct hsr_region {
 /* Counters of the module's own. */
 struct hsr_regions_counters {
   int tests;     /* an edge is compared with one of the row before */
+  int ends;      /* does an edge of a region end before the next row? */
   int forecasts; /* two faces, along an edge that bounds where both are */
 };
 
@@ -95,6 +101,10 @@ void hsr_regions_note(struct hsr_regions *regions, uint32_t k, uint32_t end,
  * not proved here. */
 int hsr_regions_foresee(struct hsr_regions *regions, uint32_t f, uint32_t g,
                         uint32_t left, uint32_t right, int until);
+
+/* Whether all edges go on to the next row, from the one in front of place k to
+ * the one in front of place `end`. */
+bool hsr_regions_go_on(struct hsr_regions *regions, uint32_t k, uint32_t end);
 
 /* The edge in front of place k of the list, and the one behind it. */
 static inline uint32_t hsr_regions_before(const struct hsr_regions *regions,

@@ -41,7 +41,16 @@
 
 #include <stdlib.h>
 
-enum { Z_SORT, Z_COMPARE, JOINTS, ORDER_TESTS, FORECASTS, DECIDED, CARRIED };
+enum {
+  Z_SORT,
+  Z_COMPARE,
+  JOINTS,
+  ORDER_TESTS,
+  ENDINGS,
+  FORECASTS,
+  DECIDED,
+  CARRIED
+};
 
 enum { X_LIST, PRESORT, SORT, Z, ENDS, REGIONS }; /* options */
 enum { LIST, TREE };
@@ -512,7 +521,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (job->option[REGIONS] == CARRY && job->option[ENDS] != CONTOUR &&
       hsr_watkins_use_regions(
           &watkins, &carried, job->world->n_faces,
-          (struct hsr_regions_counters){ORDER_TESTS, FORECASTS}))
+          (struct hsr_regions_counters){ORDER_TESTS, ENDINGS, FORECASTS}))
     return hsr_fail_nomem(err);
   hsr_watkins_scan(&watkins);
   return HSR_OK;
@@ -561,6 +570,8 @@ static const struct hsr_counter counters[] = {
                      "before",
                      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_NOTHING,
                      "another edge|the same edge"},
+    [ENDINGS] = {"endings", "edges of a decided span: do they end on the line?",
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_NOTHING, "ends|goes on"},
     [FORECASTS] =
         {"forecasts",
          "predictions of where, along an edge, one comes to be nearer "
@@ -579,7 +590,7 @@ static const struct hsr_step steps[] = {
      HSR_KIND_CULL,
      NULL,
      NULL,
-     {{ORDER_TESTS, HSR_KIND_NUMBERS}}},
+     {{ORDER_TESTS, HSR_KIND_NUMBERS}, {ENDINGS, HSR_KIND_NUMBERS}}},
     {"depth search",
      Z_SORT,
      HSR_KIND_BUCKET,
@@ -612,7 +623,7 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(ORDER_TESTS)},
     {"    then carry the visible face of a region over", HSR_RAISES(CARRIED)},
     {"    else decide, and predict up to which line that will hold",
-     HSR_RAISES(DECIDED, FORECASTS)},
+     HSR_RAISES(DECIDED, ENDINGS, FORECASTS)},
     {NULL}};
 
 static const struct hsr_counter span_counters[] = {

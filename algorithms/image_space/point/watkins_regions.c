@@ -19,8 +19,9 @@
  *             end. It is decided on each line; so is one that is bounded by an
  *             end of a cut face.
  * Cost        one comparison for each edge on a row, which tells that it is in
- *             its place; and two predictions, at 10, for each other segment in
- *             a span that is decided */
+ *             its place; one for each edge of a span that is decided, which
+ *             tells whether it goes on; then two predictions or more, at 10,
+ *             for each other segment in it */
 #include "algorithms/image_space/point/watkins.h"
 
 enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *s,
@@ -68,7 +69,7 @@ static void note(struct hsr_watkins *s,
                  uint32_t next, int left, int right, int j) {
   struct hsr_regions *regions = &s->regions->of;
   uint32_t end = place_of(s, k, right);
-  if (column_at(s, end) != right)
+  if (column_at(s, end) != right || !hsr_regions_go_on(regions, k, end + 1))
     return;
   uint32_t first = hsr_regions_before(regions, k);
   uint32_t last = hsr_regions_after(regions, end);
