@@ -33,6 +33,9 @@ algorithm_files += \
   %D%/area/zz_buffer.c \
   %D%/point/a_buffer.c \
   %D%/point/bouknight.c \
+  %D%/point/bouknight.h \
+  %D%/point/bouknight_implied.c \
+  %D%/point/bouknight_list.c \
   %D%/point/romney.c \
   %D%/point/shadow_pairs.c \
   %D%/point/shadow_pairs.h \
