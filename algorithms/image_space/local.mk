@@ -43,6 +43,7 @@ algorithm_files += \
   %D%/point/watkins.h \
   %D%/point/watkins_regions.c \
   %D%/point/watkins_runs.c \
+  %D%/point/watkins_seen.c \
   %D%/point/watkins_z.c \
   %D%/point/yzx.c \
   %D%/point/yzx_list.c \

@@ -49,10 +49,12 @@ enum {
   ENDINGS,
   FORECASTS,
   DECIDED,
-  CARRIED
+  CARRIED,
+  PASSED,
+  GUESSES
 };
 
-enum { X_LIST, PRESORT, SORT, Z, ENDS, REGIONS }; /* options */
+enum { X_LIST, PRESORT, SORT, Z, ENDS, REGIONS, SPANS }; /* options */
 enum { LIST, TREE };
 enum { NO_PRESORT, BY_X };
 enum { EACH_LINE, CROSSING };
@@ -87,6 +89,11 @@ static const struct hsr_word regions[] = {
                "with ends=contour",
                0},
     {NULL}};
+enum { IN_ORDER, SEEN };
+static const struct hsr_word first_ones[] = {
+    [IN_ORDER] = {"in-order", "the leftmost segment", 0},
+    [SEEN] = {"seen", "the face that was visible there on the line before", 0},
+    {NULL}};
 static const struct hsr_option options[] = {
     [X_LIST] = {"x-list", "what the X sort list is", lists, 0, TREE, LIST},
     [PRESORT] = {"presort", "how edges are sorted before the Y sort", presorts,
@@ -97,6 +104,8 @@ static const struct hsr_option options[] = {
            SEARCH},
     [ENDS] = {"ends", "where sample spans may end", ends, 0, CONTOUR, ANY_EDGE},
     [REGIONS] = {"regions", "where no edges cross", regions, 0, CARRY, DECIDE},
+    [SPANS] = {"spans", "what is searched first in a sample span", first_ones,
+               0, SEEN, IN_ORDER},
     {NULL}};
 
 /* No segment. */
@@ -399,6 +408,8 @@ const struct hsr_watkins_segment *hsr_watkins_decide(struct hsr_watkins *s,
                                                      uint32_t *next, int j) {
   *right = s->edges.window->x1;
   *next = enter_span(s, left, *next, j);
+  if (IS_OPTION(s->seen != NULL))
+    hsr_watkins_guess(s, left, j);
   const struct hsr_watkins_segment *visible = search_depth(s, left, right, j);
   float_right(s, visible, *next, left, right, j);
   return visible;
@@ -413,6 +424,8 @@ void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left, int right,
   HSR_TOUCH_SPAN(s->tally, left, right, j);
   for (int i = left; i < right; i++)
     row[i] = id;
+  if (IS_OPTION(s->seen != NULL))
+    hsr_watkins_remember(s, id, right);
 }
 
 /* ends=contour: shows a run in a span, segment by segment. */
@@ -478,6 +491,8 @@ void hsr_watkins_scan(struct hsr_watkins *s) {
     find_segments(s);
     if (s->runs)
       hsr_watkins_join(s, j);
+    if (IS_OPTION(s->seen != NULL))
+      hsr_watkins_next_row(s);
     if (IS_OPTION(s->regions != NULL))
       hsr_watkins_carry(s, j);
     else
@@ -522,6 +537,9 @@ static enum hsr_status render(const struct hsr_job *job,
       hsr_watkins_use_regions(
           &watkins, &carried, job->world->n_faces,
           (struct hsr_regions_counters){ORDER_TESTS, ENDINGS, FORECASTS}))
+    return hsr_fail_nomem(err);
+  struct hsr_watkins_seen seen = {.passed = PASSED, .guesses = GUESSES};
+  if (job->option[SPANS] == SEEN && hsr_watkins_use_seen(&watkins, &seen))
     return hsr_fail_nomem(err);
   hsr_watkins_scan(&watkins);
   return HSR_OK;
@@ -582,6 +600,13 @@ static const struct hsr_counter counters[] = {
     [CARRIED] = {"spans carried",
                  "sample spans whose decision is that of the line before",
                  HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    [PASSED] = {"spans passed",
+                "spans of the line before passed, to find the one above",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|above"},
+    [GUESSES] =
+        {"guesses",
+         "segments in a sample span: are they of the face visible above?",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "another|the same"},
     {NULL}};
 
 static const struct hsr_step steps[] = {
@@ -590,7 +615,10 @@ static const struct hsr_step steps[] = {
      HSR_KIND_CULL,
      NULL,
      NULL,
-     {{ORDER_TESTS, HSR_KIND_NUMBERS}, {ENDINGS, HSR_KIND_NUMBERS}}},
+     {{ORDER_TESTS, HSR_KIND_NUMBERS},
+      {ENDINGS, HSR_KIND_NUMBERS},
+      {PASSED, HSR_KIND_LIST},
+      {GUESSES, HSR_KIND_NUMBERS}}},
     {"depth search",
      Z_SORT,
      HSR_KIND_BUCKET,
@@ -624,6 +652,9 @@ static const struct hsr_line outline[] = {
     {"    then carry the visible face of a region over", HSR_RAISES(CARRIED)},
     {"    else decide, and predict up to which line that will hold",
      HSR_RAISES(DECIDED, ENDINGS, FORECASTS)},
+    {"  where the search begins with what was seen: find it in the line before",
+     HSR_RAISES(PASSED)},
+    {"    find its segment among those inside", HSR_RAISES(GUESSES)},
     {NULL}};
 
 static const struct hsr_counter span_counters[] = {

@@ -52,6 +52,16 @@ struct hsr_watkins_regions {
   int carried, decided; /* a step for each sample span */
 };
 
+/* The option spans=seen: see watkins_seen.c. */
+struct hsr_watkins_seen {
+  struct hsr_watkins_shown {
+    uint32_t face;
+    int right;
+  } * above, *now; /* what was shown on the row before, and on this one */
+  uint32_t n_above, n_now, at; /* above[at] covers the last span's left end */
+  int passed, guesses;         /* counters */
+};
+
 struct hsr_watkins {
   struct hsr_scan edges;   /* Y buckets and X sort list */
   struct hsr_tally *tally; /* the job's */
@@ -78,6 +88,8 @@ struct hsr_watkins {
                                     being their numbers; else NULL */
 
   struct hsr_watkins_regions *regions; /* regions=carried; else NULL */
+
+  struct hsr_watkins_seen *seen; /* spans=seen; else NULL */
 
   /* The last step, if the caller sets it: is f nearer than g at sample l of row
    * j? Both cover the samples [l, r). *end is set so that the answer holds for
@@ -135,6 +147,19 @@ enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *watkins,
                                         struct hsr_watkins_regions *regions,
                                         size_t n_pieces,
                                         struct hsr_regions_counters counters);
+
+/* spans=seen: from now on the search of a sample span begins with the face that
+ * was visible there on the row before. *seen is borrowed, and its counters are
+ * set. Memory from job->scratch. HSR_E_NOMEM. */
+enum hsr_status hsr_watkins_use_seen(struct hsr_watkins *watkins,
+                                     struct hsr_watkins_seen *seen);
+
+/* For watkins.c alone. hsr_watkins_next_row: begins a row. hsr_watkins_guess:
+ * moves the segment that is to be searched first to the front of under[].
+ * hsr_watkins_remember: face `id` is shown up to column `right`. */
+void hsr_watkins_next_row(struct hsr_watkins *s);
+void hsr_watkins_guess(struct hsr_watkins *s, int left, int j);
+void hsr_watkins_remember(struct hsr_watkins *s, uint32_t id, int right);
 
 /* For watkins.c and the files of its options alone.
  * hsr_watkins_find_ends: memory for left[] and right[]. HSR_E_NOMEM.
