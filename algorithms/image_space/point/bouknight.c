@@ -426,7 +426,13 @@ static const struct hsr_counter counters[] = {
     [BOUKNIGHT_PREDICTED] = {"extrapolations",
                              "penetration points extrapolated from two lines",
                              HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                             "outside of the span|not there|found there"},
+                             "outside of the span|inside"},
+    [BOUKNIGHT_VERIFIED] = {"verifications",
+                            "of these, points that samples beside them were to "
+                            "prove",
+                            HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE},
+    [BOUKNIGHT_FAILED] = {"failures", "of these, points that were not there",
+                          HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
     [BOUKNIGHT_MOVED] = {"moves",
                          "faces moved by one place in the list by "
                          "depth",
@@ -455,7 +461,7 @@ static const struct hsr_line outline[] = {
     {"    where implied edges are carried: calculate two points of each",
      HSR_RAISES(BOUKNIGHT_POINTS)},
     {"      on further lines extrapolate, and look on both sides",
-     HSR_RAISES(BOUKNIGHT_PREDICTED)},
+     HSR_RAISES(BOUKNIGHT_PREDICTED, BOUKNIGHT_VERIFIED, BOUKNIGHT_FAILED)},
     {"    where a list is kept by depth: move faces in it, by comparisons",
      HSR_RAISES(BOUKNIGHT_MOVED)},
     {NULL}};

@@ -19,10 +19,20 @@
  *             division of numbers, which is no comparison. What is saved here are comparisons in depth: where two
  *             faces are in a span, two take the place of six.
  * Limits      A span in which more than two faces come to be visible is
- *             searched as ever */
+ *             searched as ever
+ * Measured    Comparisons in depth on 500 lines of 500 samples, without the
+ *             option and with it, and failures of an extrapolation:
+ *               penetration    6,928    5,328  0 of 347
+ *               soup         183,730  183,462  0 of 87
+ *             In house, harbor and big-harbor no faces penetrate where they are
+ *             seen, so bouknight makes the same comparisons. yzx divides hidden
+ *             faces, too (implied edges):
+ *               penetration    6,235    4,767
+ *               soup          56,310   46,993
+ *               house            520      494
+ *               harbor         1,787    1,380
+ *               big-harbor       889      889 */
 #include "algorithms/image_space/point/bouknight.h"
-
-enum { OUTSIDE, NOT_THERE, FOUND }; /* outcomes of an extrapolation */
 
 enum hsr_status bouknight_begin_implied(struct bouknight *s) {
   size_t n = (size_t)s->edges.n_edges + 1;
@@ -69,13 +79,18 @@ bool bouknight_extrapolate(struct bouknight *s, uint32_t e, int left,
       s->place[first] == BOUKNIGHT_NONE || s->place[last] == BOUKNIGHT_NONE)
     return false;
   int column = hsr_implied_column(&known->line, &s->edges, s->j);
-  int outcome = column <= left || column >= right               ? OUTSIDE
-                : is_there(s, first, last, left, column, right) ? FOUND
-                                                                : NOT_THERE;
+  bool inside = column > left && column < right;
   HSR_STEP(s->edges.tally, BOUKNIGHT_PREDICTED, HSR_FACE(first), HSR_FACE(last),
-           HSR_ON(left, right, s->j), outcome);
-  if (outcome != FOUND)
+           HSR_ON(left, right, s->j), inside);
+  if (!inside)
     return false;
+  HSR_STEP(s->edges.tally, BOUKNIGHT_VERIFIED, HSR_FACE(first), HSR_FACE(last),
+           HSR_AT(column, s->j), 0);
+  if (!is_there(s, first, last, left, column, right)) {
+    HSR_STEP(s->edges.tally, BOUKNIGHT_FAILED, HSR_FACE(first), HSR_FACE(last),
+             HSR_AT(column, s->j), 0);
+    return false;
+  }
   known->row = s->j;
   HSR_STEP(s->edges.tally, BOUKNIGHT_DIVISIONS, HSR_FACE(first), HSR_FACE(last),
            HSR_ON(left, right, s->j), 0);

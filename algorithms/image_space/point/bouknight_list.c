@@ -27,7 +27,16 @@
  * Departures  the survey does not say how penetration is found
  * Cost        for a segment up to two comparisons to confirm its place, and two
  *             with its new neighbors; where one ends, one for those that become
- *             neighbors. No span is searched */
+ *             neighbors. No span is searched
+ * Measured    Comparisons in depth on 500 lines of 500 samples, without the
+ *             option and with it:
+ *               house        54,938   21,351
+ *               harbor      266,692  114,505
+ *               big-harbor  421,669  334,707
+ *             With span cull and at the survey's prices, harbor costs less than
+ *             with watkins: 3.5 million, and there 3.9. The picture needs no
+ *             more than the first of the list. But the survey is right that
+ *             the others tell a new arrival its place. */
 #include "algorithms/image_space/point/bouknight.h"
 
 #include <string.h>

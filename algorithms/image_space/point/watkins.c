@@ -34,6 +34,11 @@
  *             - z=buckets: Z buckets (watkins_z.c).
  *             - ends=contour: sample spans end at contour edges only ("Edge
  *             Coherence", watkins_runs.c).
+ *             - regions=carried: what is visible in a region that no edge
+ *             crosses is carried to the next line ("Existing Uses of
+ *             Coherence", "Scan-Line Coherence", watkins_regions.c).
+ *             - spans=seen: a search begins with what was visible above
+ *             ("Frame and Object Coherence", watkins_seen.c).
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h. A crossing that is predicted costs 10, as other
  *             relations of two segments in the plane do. */

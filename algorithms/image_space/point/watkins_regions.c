@@ -21,7 +21,21 @@
  * Cost        one comparison for each edge on a row, which tells that it is in
  *             its place; one for each edge of a span that is decided, which
  *             tells whether it goes on; then two predictions or more, at 10,
- *             for each other segment in it */
+ *             for each other segment in it
+ * Measured    Span cull and depth search together, at the survey's prices, on
+ *             500 lines of 500 samples, in thousands, without the option and
+ *             with it:
+ *               house         799     265   5,103 of 6,252 spans are carried
+ *               harbor      3,864   3,541  12,315 of 26,613
+ *               big-harbor  9,200  10,686   6,082 of 57,201
+ *             and bouknight:regions=carried, where a span is shorter:
+ *               house       1,664     397
+ *               harbor      8,077   6,462
+ *               big-harbor 12,900  15,125
+ *             So the survey's hope is borne out where faces are many lines
+ *             tall, and not where they are four lines tall: there an edge begins
+ *             or ends in most regions, and the test of each edge costs more than
+ *             it saves. */
 #include "algorithms/image_space/point/watkins.h"
 
 enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *s,

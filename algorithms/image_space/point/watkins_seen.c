@@ -14,7 +14,14 @@
  * Exact       The guess only says with which segment the search begins. All
  *             others are compared as ever.
  * Cost        one comparison for each span of the row before, and one for each
- *             segment that is looked at until the guessed one is found */
+ *             segment that is looked at until the guessed one is found
+ * Measured    Span cull and depth search together, at the survey's prices, on
+ *             500 lines of 500 samples, in thousands, without the option and
+ *             with it; and the sample spans:
+ *               house         799    763    6,240   5,813
+ *               harbor      3,864  3,219   26,374  20,726
+ *               big-harbor  9,200  8,859   57,087  51,618
+ *             It saves in each, and spans are longer: the hope is borne out */
 #include "algorithms/image_space/point/watkins.h"
 
 enum hsr_status hsr_watkins_use_seen(struct hsr_watkins *s,
@@ -60,8 +67,11 @@ static uint32_t find_above(struct hsr_watkins *s, int left, int j) {
 }
 
 void hsr_watkins_guess(struct hsr_watkins *s, int left, int j) {
-  uint32_t *under = s->under, above = find_above(s, left, j);
-  if (s->n_under < 2 || above == HSR_BACKGROUND)
+  uint32_t *under = s->under;
+  if (s->n_under < 2)
+    return; /* nothing to choose */
+  uint32_t above = find_above(s, left, j);
+  if (above == HSR_BACKGROUND)
     return;
   for (uint32_t k = 0; k < s->n_under; k++) {
     const struct hsr_watkins_segment *segment = &s->segment[under[k]];

@@ -48,7 +48,8 @@
  *             ("Use of Coherence", implied-edge coherence). Its place on a row
  *             is extrapolated from those on two rows. Two comparisons, of the
  *             samples beside it, prove that it is there; they take the place of
- *             four.
+ *             four. An edge that lies outside of a segment takes two as ever.
+ *             bouknight_implied.c says what was measured.
  *
  * Notation    scan line -> row j; Y buckets of edges and X sort list ->
  *             scan_line.h; Z list -> yzx_list.h; segment -> struct segment,
@@ -303,6 +304,20 @@ static int search_implied_edge(const struct scan *s, uint32_t f, uint32_t g,
                            YZX_IMPLIED);
 }
 
+/* Whether the planes of f and g meet between sample `column` and the one before.
+ * *f_first: f is nearer there. */
+static bool is_at(const struct scan *s, uint32_t f, uint32_t g, int column,
+                  bool *f_first) {
+  HSR_STEP(s->tally, YZX_VERIFIED, HSR_FACE(f), HSR_FACE(g),
+           HSR_AT(column, s->j), 0);
+  *f_first = is_nearer(s, f, g, column - 1);
+  if (is_nearer(s, f, g, column) != *f_first)
+    return true;
+  HSR_STEP(s->tally, YZX_FAILED, HSR_FACE(f), HSR_FACE(g), HSR_AT(column, s->j),
+           0);
+  return false;
+}
+
 /* The same with implied=carried: where the edge is expected, the two samples
  * beside it are compared. If they have opposite orders, the edge is there, and
  * no others are compared. */
@@ -315,11 +330,9 @@ static int find_implied_edge(const struct scan *s, struct yzx_piece *piece,
   if (implied->points == 2) {
     int column = hsr_implied_column(implied, &s->edges, s->j);
     bool inside = column > x0 && column < x1;
-    bool found = inside && (*f_first = is_nearer(s, f, g, column - 1)) !=
-                               is_nearer(s, f, g, column);
     HSR_STEP(s->tally, YZX_PREDICTED, HSR_FACE(f), HSR_FACE(g),
-             HSR_ON(x0, x1, s->j), inside + found);
-    if (found)
+             HSR_ON(x0, x1, s->j), inside);
+    if (inside && is_at(s, f, g, column, f_first))
       return column;
   }
   int middle = search_implied_edge(s, f, g, x0, x1, f_first);
@@ -678,7 +691,12 @@ static const struct hsr_counter counters[] = {
     [YZX_PREDICTED] = {"extrapolations",
                        "penetration points extrapolated from two lines",
                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                       "outside of the segment|not there|found there"},
+                       "outside of the segment|inside"},
+    [YZX_VERIFIED] = {"verifications",
+                      "of these, points that samples beside them were to prove",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE},
+    [YZX_FAILED] = {"failures", "of these, points that were not there",
+                    HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
     [YZX_SEGMENTS] = {"segments", "segments entered into the involved list",
                       HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     [YZX_KEPT] =
@@ -732,7 +750,7 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(YZX_SPANS)},
     {"  where implied edges are carried: calculate two points of each, and "
      "extrapolate",
-     HSR_RAISES(YZX_POINTS, YZX_PREDICTED)},
+     HSR_RAISES(YZX_POINTS, YZX_PREDICTED, YZX_VERIFIED, YZX_FAILED)},
     {NULL}};
 
 static double predict_minimax(const struct hsr_table1 *t) {
