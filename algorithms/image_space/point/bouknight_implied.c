@@ -24,9 +24,10 @@
  *             option and with it, and failures of an extrapolation:
  *               penetration    6,928    5,328  0 of 347
  *               soup         183,730  183,462  0 of 87
- *             In house, harbor and big-harbor no faces penetrate where they are
- *             seen, so bouknight makes the same comparisons. yzx divides hidden
- *             faces, too (implied edges):
+ *             In house, harbor and big-harbor no faces penetrate, so bouknight
+ *             makes the same comparisons. yzx divides faces there, too, where
+ *             no test tells their order. Its comparisons to find where halves
+ *             meet (implied edges):
  *               penetration    6,235    4,767
  *               soup          56,310   46,993
  *               house            520      494

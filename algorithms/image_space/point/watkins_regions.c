@@ -32,10 +32,10 @@
  *               house       1,664     397
  *               harbor      8,077   6,462
  *               big-harbor 12,900  15,125
- *             So the survey's hope is borne out where faces are many lines
- *             tall, and not where they are four lines tall: there an edge begins
- *             or ends in most regions, and the test of each edge costs more than
- *             it saves. */
+ *             So the survey's hope is borne out where a face is many lines tall
+ *             (73 and 16), and not where it is two or three: there an edge
+ *             begins or ends in most regions, and the test of each edge costs
+ *             more than it saves. */
 #include "algorithms/image_space/point/watkins.h"
 
 enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *s,
