@@ -36,6 +36,7 @@ algorithm_files += \
   %D%/point/bouknight.h \
   %D%/point/bouknight_implied.c \
   %D%/point/bouknight_list.c \
+  %D%/point/bouknight_regions.c \
   %D%/point/romney.c \
   %D%/point/shadow_pairs.c \
   %D%/point/shadow_pairs.h \

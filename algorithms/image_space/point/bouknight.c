@@ -39,7 +39,7 @@
  *             picture they are not used.
  *             - regions=carried: Romney's notion for any region that no edge
  *             crosses ("Existing Uses of Coherence", "Scan-Line Coherence").
- *             regions.h has the proof; watkins_regions.c, what was measured.
+ *             bouknight_regions.c.
  *             - implied=carried: "Implied-edge coherence" of the list of
  *             coherences (bouknight_implied.c).
  *             - depth=list: a list of the active faces by depth ("Depth
@@ -83,26 +83,6 @@ static const uint32_t NONE = BOUKNIGHT_NONE;
 
 /* --- Span cull ------------------------------------------------------------ */
 
-void bouknight_put_at(struct bouknight *s, uint32_t f, uint32_t place) {
-  s->visible[place] = f;
-  s->place[f] = place;
-}
-
-/* Takes a face out; the others keep their order. */
-void bouknight_take_out(struct bouknight *s, uint32_t f) {
-  for (uint32_t k = s->place[f] + 1; k < s->n_visible; k++)
-    bouknight_put_at(s, s->visible[k], k - 1);
-  s->n_visible--;
-  s->place[f] = NONE;
-}
-
-void bouknight_count_bit(struct bouknight *s, const struct hsr_scan_edge *edge,
-                         bool on, int left) {
-  (void)edge, (void)on, (void)left; /* for the trace */
-  HSR_STEP(s->edges.tally, BOUKNIGHT_CULL, HSR_FACE(edge->face),
-           hsr_scan_subject(edge), HSR_ON(left, s->edges.window->x1, s->j), on);
-}
-
 /* Turns the visible bit of an edge's face on or off. `left`: where the next
  * span begins. */
 static void turn_bit(struct bouknight *s, const struct hsr_scan_edge *edge,
@@ -123,24 +103,6 @@ static void turn_bit(struct bouknight *s, const struct hsr_scan_edge *edge,
 }
 
 /* --- Depth search --------------------------------------------------------- */
-
-bool bouknight_is_nearer(struct bouknight *s, uint32_t f, uint32_t g, int i) {
-  HSR_TOUCH(s->edges.tally, i, s->j);
-  bool nearer = hsr_nearer(&s->edges.screen, f, g, i, s->j, s->edges.tally);
-  HSR_STEP(s->edges.tally, BOUKNIGHT_SEARCH, HSR_FACE(f), HSR_FACE(g),
-           HSR_AT(i, s->j), nearer);
-  return nearer;
-}
-
-uint32_t bouknight_search(struct bouknight *s, uint32_t nearest,
-                          uint32_t behind, int i) {
-  for (uint32_t k = 0; k < s->n_visible; k++) {
-    uint32_t f = s->visible[k];
-    if (f != nearest && f != behind && bouknight_is_nearer(s, f, nearest, i))
-      nearest = f;
-  }
-  return nearest;
-}
 
 static uint32_t search_depth(struct bouknight *s, uint32_t nearest, int i) {
   return bouknight_search(s, nearest, NONE, i);
@@ -173,7 +135,7 @@ static int order_end(struct bouknight *s, int left, int right) {
 
 /* --- Sample spans --------------------------------------------------------- */
 
-void bouknight_write(struct bouknight *s, uint32_t id, int left, int right) {
+static void write_span(struct bouknight *s, uint32_t id, int left, int right) {
   HSR_STEP(s->edges.tally, BOUKNIGHT_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_ON(left, right, s->j), 0);
   HSR_TOUCH_SPAN(s->edges.tally, left, right, s->j);
@@ -196,7 +158,7 @@ static void show_span(struct bouknight *s, uint32_t first, uint32_t last,
     first = search_depth(s, last, middle);
     left = middle;
   }
-  bouknight_write(s, first, left, right);
+  write_span(s, first, left, right);
 }
 
 /* The colour of the visible faces, from the first opaque one on. */
@@ -231,24 +193,8 @@ static void decide_glass(struct bouknight *s, int left, int right) {
   }
 }
 
-/* Notes the decision of the span between the edges before and behind place k,
- * if it holds on the next row. */
-static void note_region(struct bouknight *s, uint32_t first, uint32_t k,
-                        int left, int right) {
-  struct hsr_regions *r = s->regions;
-  int until = INT_MAX;
-  (void)left, (void)right; /* for the trace */
-  HSR_STEP(s->edges.tally, BOUKNIGHT_DECIDED, HSR_FACE(first), HSR_THE_WINDOW,
-           HSR_ON(left, right, s->j), 0);
-  if (!hsr_regions_go_on(r, k, k + 1))
-    return;
-  for (uint32_t n = 0; n < s->n_visible && until > s->j + 1; n++)
-    if (s->visible[n] != first)
-      until =
-          hsr_regions_foresee(r, first, s->visible[n], hsr_regions_before(r, k),
-                              hsr_regions_after(r, k), until);
-  if (until > s->j + 1)
-    hsr_regions_note(r, k, k, first, until);
+void bouknight_write(struct bouknight *s, uint32_t id, int left, int right) {
+  write_span(s, id, left, right);
 }
 
 static void search_span(struct bouknight *s, uint32_t k, int left, int right) {
@@ -264,26 +210,12 @@ static void search_span(struct bouknight *s, uint32_t k, int left, int right) {
   if (s->implied && first != last)
     bouknight_note_implied(s, edge, first, last);
   if (s->regions && first == last && s->n_visible > 1)
-    note_region(s, first, k, left, right);
-}
-
-/* Carries the decision of a region to the row: of a span without a sample, too.
- * A single face, or none, needs no decision. */
-static bool carry_region(struct bouknight *s, uint32_t k, int left, int right) {
-  uint32_t end;
-  const struct hsr_region *region =
-      s->n_visible > 1 ? hsr_regions_carried(s->regions, k, &end) : NULL;
-  if (!region || left >= right)
-    return region;
-  HSR_STEP(s->edges.tally, BOUKNIGHT_CARRIED, HSR_FACE(region->face),
-           HSR_THE_WINDOW, HSR_ON(left, right, s->j), 0);
-  bouknight_write(s, region->face, left, right);
-  return true;
+    bouknight_note_region(s, first, k, left, right);
 }
 
 /* The span behind place k of the list. */
 static void decide_span(struct bouknight *s, uint32_t k, int left, int right) {
-  if (s->regions && carry_region(s, k, left, right))
+  if (s->regions && bouknight_carry(s, k, left, right))
     return;
   if (left >= right)
     return;
@@ -337,11 +269,7 @@ static enum hsr_status choose_options(struct bouknight *s,
     return HSR_E_NOMEM;
   if (job->option[REGIONS] != CARRY)
     return HSR_OK;
-  s->regions = carried;
-  return hsr_regions_begin(carried, &s->edges, job->world->n_faces,
-                           (struct hsr_regions_counters){BOUKNIGHT_TESTS,
-                                                         BOUKNIGHT_ENDINGS,
-                                                         BOUKNIGHT_FORECASTS});
+  return bouknight_begin_regions(s, carried);
 }
 
 static enum hsr_status render(const struct hsr_job *job,

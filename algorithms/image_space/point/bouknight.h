@@ -59,24 +59,66 @@ struct bouknight {
   struct bouknight_list *list;
 };
 
+/* Puts face f into visible[]. */
+static inline void bouknight_put_at(struct bouknight *s, uint32_t f,
+                                    uint32_t place) {
+  s->visible[place] = f;
+  s->place[f] = place;
+}
+
+/* Takes a face out; the others keep their order. */
+static inline void bouknight_take_out(struct bouknight *s, uint32_t f) {
+  for (uint32_t k = s->place[f] + 1; k < s->n_visible; k++)
+    bouknight_put_at(s, s->visible[k], k - 1);
+  s->n_visible--;
+  s->place[f] = BOUKNIGHT_NONE;
+}
+
+/* The step of an edge of the list at which a visible bit is turned on or off. */
+static inline void bouknight_count_bit(struct bouknight *s,
+                                       const struct hsr_scan_edge *edge,
+                                       bool on, int left) {
+  (void)edge, (void)on, (void)left; /* for the trace */
+  HSR_STEP(s->edges.tally, BOUKNIGHT_CULL, HSR_FACE(edge->face),
+           hsr_scan_subject(edge), HSR_ON(left, s->edges.window->x1, s->j), on);
+}
+
 /* Of f and g, is f nearer at sample i of the row? */
-bool bouknight_is_nearer(struct bouknight *s, uint32_t f, uint32_t g, int i);
+static inline bool bouknight_is_nearer(struct bouknight *s, uint32_t f,
+                                       uint32_t g, int i) {
+  HSR_TOUCH(s->edges.tally, i, s->j);
+  bool nearer = hsr_nearer(&s->edges.screen, f, g, i, s->j, s->edges.tally);
+  HSR_STEP(s->edges.tally, BOUKNIGHT_SEARCH, HSR_FACE(f), HSR_FACE(g),
+           HSR_AT(i, s->j), nearer);
+  return nearer;
+}
 
 /* The nearest of the visible faces at sample i. `nearest` is one of them. It is
  * known to be nearer than `behind`; BOUKNIGHT_NONE: than none. */
-uint32_t bouknight_search(struct bouknight *s, uint32_t nearest,
-                          uint32_t behind, int i);
-
-/* Puts face f into visible[]; takes it out, the others keeping their order. */
-void bouknight_put_at(struct bouknight *s, uint32_t f, uint32_t place);
-void bouknight_take_out(struct bouknight *s, uint32_t f);
-
-/* The step of an edge of the list at which a visible bit is turned on or off. */
-void bouknight_count_bit(struct bouknight *s, const struct hsr_scan_edge *edge,
-                         bool on, int left);
+static inline uint32_t bouknight_search(struct bouknight *s, uint32_t nearest,
+                                        uint32_t behind, int i) {
+  for (uint32_t k = 0; k < s->n_visible; k++) {
+    uint32_t f = s->visible[k];
+    if (f != nearest && f != behind && bouknight_is_nearer(s, f, nearest, i))
+      nearest = f;
+  }
+  return nearest;
+}
 
 /* Writes face `id` to a span. */
 void bouknight_write(struct bouknight *s, uint32_t id, int left, int right);
+
+/* regions=carried (bouknight_regions.c). bouknight_begin_regions: *regions is
+ * borrowed; memory from job->scratch. HSR_E_NOMEM. bouknight_carry: carries what
+ * was decided of the span behind place k of the list to this row, and writes it
+ * to [left, right), which may be empty; false if it does not hold here.
+ * bouknight_note_region: notes that `first` is visible there, if that holds on
+ * the next row. */
+enum hsr_status bouknight_begin_regions(struct bouknight *s,
+                                        struct hsr_regions *regions);
+bool bouknight_carry(struct bouknight *s, uint32_t k, int left, int right);
+void bouknight_note_region(struct bouknight *s, uint32_t first, uint32_t k,
+                           int left, int right);
 
 /* implied=carried (bouknight_implied.c). bouknight_begin_implied: memory from
  * job->scratch. HSR_E_NOMEM. bouknight_extrapolate: the span [left, right)

@@ -408,9 +408,10 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
   return next;
 }
 
-const struct hsr_watkins_segment *hsr_watkins_decide(struct hsr_watkins *s,
-                                                     int left, int *right,
-                                                     uint32_t *next, int j) {
+/* Finds the visible segment of the sample span that begins at `left`, or NULL,
+ * and the span's end. */
+static inline const struct hsr_watkins_segment *
+decide(struct hsr_watkins *s, int left, int *right, uint32_t *next, int j) {
   *right = s->edges.window->x1;
   *next = enter_span(s, left, *next, j);
   if (IS_OPTION(s->seen != NULL))
@@ -421,8 +422,8 @@ const struct hsr_watkins_segment *hsr_watkins_decide(struct hsr_watkins *s,
 }
 
 /* Writes face `id`, or the background, to the samples of a span. */
-void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left, int right,
-                      int j) {
+static inline void show_span(struct hsr_watkins *s, uint32_t id, int left,
+                             int right, int j) {
   uint32_t *row = hsr_job_row(s->edges.job, j);
   HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_ON(left, right, j), 0);
@@ -433,6 +434,17 @@ void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left, int right,
     hsr_watkins_remember(s, id, right);
 }
 
+OF_OPTION const struct hsr_watkins_segment *
+hsr_watkins_decide(struct hsr_watkins *s, int left, int *right, uint32_t *next,
+                   int j) {
+  return decide(s, left, right, next, j);
+}
+
+OF_OPTION void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left,
+                                int right, int j) {
+  show_span(s, id, left, right, j);
+}
+
 /* ends=contour: shows a run in a span, segment by segment. */
 OF_OPTION static void show_run(struct hsr_watkins *s,
                                const struct hsr_watkins_segment *run, int left,
@@ -440,7 +452,7 @@ OF_OPTION static void show_run(struct hsr_watkins *s,
   for (int x = left; x < right;) {
     const struct hsr_watkins_segment *part = hsr_watkins_part(s, run, x);
     int end = least(part->x1, right);
-    hsr_watkins_show(s, part->face, x, end, j);
+    show_span(s, part->face, x, end, j);
     x = end;
   }
 }
@@ -452,12 +464,11 @@ static void scan_row(struct hsr_watkins *s, int j) {
   for (int left = s->edges.window->x0, right; left < s->edges.window->x1;
        left = right) {
     const struct hsr_watkins_segment *visible =
-        hsr_watkins_decide(s, left, &right, &next, j);
+        decide(s, left, &right, &next, j);
     if (visible && s->runs)
       show_run(s, visible, left, right, j);
     else if (visible || !s->layer)
-      hsr_watkins_show(s, visible ? visible->face : HSR_BACKGROUND, left, right,
-                       j);
+      show_span(s, visible ? visible->face : HSR_BACKGROUND, left, right, j);
   }
 }
 
@@ -513,7 +524,7 @@ void hsr_watkins_solve(struct hsr_watkins *s, const struct hsr_window *window,
 
 void hsr_watkins_clear(struct hsr_watkins *s, const struct hsr_window *window) {
   for (int j = window->y0; j < window->y1; j++)
-    hsr_watkins_show(s, HSR_BACKGROUND, window->x0, window->x1, j);
+    show_span(s, HSR_BACKGROUND, window->x0, window->x1, j);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
