@@ -47,6 +47,10 @@ algorithm_files += \
   %D%/windows/area.c \
   %D%/windows/area.h \
   %D%/windows/quadtree.h \
+  %D%/scan_line/implied.c \
+  %D%/scan_line/implied.h \
+  %D%/scan_line/regions.c \
+  %D%/scan_line/regions.h \
   %D%/scan_line/scan_line.c \
   %D%/scan_line/scan_line.h \
   %D%/scan_line/x_list.c \

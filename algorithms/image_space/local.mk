@@ -33,12 +33,18 @@ algorithm_files += \
   %D%/area/zz_buffer.c \
   %D%/point/a_buffer.c \
   %D%/point/bouknight.c \
+  %D%/point/bouknight.h \
+  %D%/point/bouknight_implied.c \
+  %D%/point/bouknight_list.c \
+  %D%/point/bouknight_regions.c \
   %D%/point/romney.c \
   %D%/point/shadow_pairs.c \
   %D%/point/shadow_pairs.h \
   %D%/point/watkins.c \
   %D%/point/watkins.h \
+  %D%/point/watkins_regions.c \
   %D%/point/watkins_runs.c \
+  %D%/point/watkins_seen.c \
   %D%/point/watkins_z.c \
   %D%/point/yzx.c \
   %D%/point/yzx_list.c \

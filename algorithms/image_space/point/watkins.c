@@ -34,6 +34,11 @@
  *             - z=buckets: Z buckets (watkins_z.c).
  *             - ends=contour: sample spans end at contour edges only ("Edge
  *             Coherence", watkins_runs.c).
+ *             - regions=carried: what is visible in a region that no edge
+ *             crosses is carried to the next line ("Existing Uses of
+ *             Coherence", "Scan-Line Coherence", watkins_regions.c).
+ *             - spans=seen: a search begins with what was visible above
+ *             ("Frame and Object Coherence", watkins_seen.c).
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h. A crossing that is predicted costs 10, as other
  *             relations of two segments in the plane do. */
@@ -41,9 +46,20 @@
 
 #include <stdlib.h>
 
-enum { Z_SORT, Z_COMPARE, JOINTS };
+enum {
+  Z_SORT,
+  Z_COMPARE,
+  JOINTS,
+  ORDER_TESTS,
+  ENDINGS,
+  FORECASTS,
+  DECIDED,
+  CARRIED,
+  PASSED,
+  GUESSES
+};
 
-enum { X_LIST, PRESORT, SORT, Z, ENDS }; /* options */
+enum { X_LIST, PRESORT, SORT, Z, ENDS, REGIONS, SPANS }; /* options */
 enum { LIST, TREE };
 enum { NO_PRESORT, BY_X };
 enum { EACH_LINE, CROSSING };
@@ -70,6 +86,19 @@ static const struct hsr_word ends[] = {
     [ANY_EDGE] = {"edge", "at any edge", 0},
     [CONTOUR] = {"contour", "at contour edges, where surfaces do not meet", 0},
     {NULL}};
+enum { DECIDE, CARRY };
+static const struct hsr_word regions[] = {
+    [DECIDE] = {"decided", "each sample span is decided anew", 0},
+    [CARRY] = {"carried",
+               "one whose edges are those of the line before is carried; not "
+               "with ends=contour",
+               0},
+    {NULL}};
+enum { IN_ORDER, SEEN };
+static const struct hsr_word first_ones[] = {
+    [IN_ORDER] = {"in-order", "the leftmost segment", 0},
+    [SEEN] = {"seen", "the face that was visible there on the line before", 0},
+    {NULL}};
 static const struct hsr_option options[] = {
     [X_LIST] = {"x-list", "what the X sort list is", lists, 0, TREE, LIST},
     [PRESORT] = {"presort", "how edges are sorted before the Y sort", presorts,
@@ -79,6 +108,9 @@ static const struct hsr_option options[] = {
     [Z] = {"z", "how segments are compared in depth", depths, 0, Z_BUCKETS,
            SEARCH},
     [ENDS] = {"ends", "where sample spans may end", ends, 0, CONTOUR, ANY_EDGE},
+    [REGIONS] = {"regions", "where no edges cross", regions, 0, CARRY, DECIDE},
+    [SPANS] = {"spans", "what is searched first in a sample span", first_ones,
+               0, SEEN, IN_ORDER},
     {NULL}};
 
 /* No segment. */
@@ -100,8 +132,7 @@ static void close_segment(struct hsr_watkins *s, uint32_t number, int x1) {
 /* Pairs the edges of the X sort list: the first of a piece opens a segment, the
  * second closes it. */
 static void find_segments(struct hsr_watkins *s) {
-  struct hsr_watkins_runs *runs = s->runs;
-  uint32_t n = 0;
+  uint32_t *left = s->left, *right = s->right, n = 0;
   for (uint32_t k = 0; k < s->edges.n_list; k++) {
     uint32_t e = s->edges.list[k];
     const struct hsr_scan_edge *edge = &s->edges.edge[e];
@@ -120,8 +151,8 @@ static void find_segments(struct hsr_watkins *s) {
       s->open[edge->piece] = NONE;
       close_segment(s, number, edge->column);
     }
-    if (runs)
-      (opens ? runs->left : runs->right)[number] = e;
+    if (left)
+      (opens ? left : right)[number] = e;
   }
   s->n_segments = n;
 }
@@ -377,15 +408,41 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
   return next;
 }
 
+/* Finds the visible segment of the sample span that begins at `left`, or NULL,
+ * and the span's end. */
+static inline const struct hsr_watkins_segment *
+decide(struct hsr_watkins *s, int left, int *right, uint32_t *next, int j) {
+  *right = s->edges.window->x1;
+  *next = enter_span(s, left, *next, j);
+  if (IS_OPTION(s->seen != NULL))
+    hsr_watkins_guess(s, left, j);
+  const struct hsr_watkins_segment *visible = search_depth(s, left, right, j);
+  float_right(s, visible, *next, left, right, j);
+  return visible;
+}
+
 /* Writes face `id`, or the background, to the samples of a span. */
-static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
-                      int j) {
+static inline void show_span(struct hsr_watkins *s, uint32_t id, int left,
+                             int right, int j) {
   uint32_t *row = hsr_job_row(s->edges.job, j);
   HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
            HSR_ON(left, right, j), 0);
   HSR_TOUCH_SPAN(s->tally, left, right, j);
   for (int i = left; i < right; i++)
     row[i] = id;
+  if (IS_OPTION(s->seen != NULL))
+    hsr_watkins_remember(s, id, right);
+}
+
+OF_OPTION const struct hsr_watkins_segment *
+hsr_watkins_decide(struct hsr_watkins *s, int left, int *right, uint32_t *next,
+                   int j) {
+  return decide(s, left, right, next, j);
+}
+
+OF_OPTION void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left,
+                                int right, int j) {
+  show_span(s, id, left, right, j);
 }
 
 /* ends=contour: shows a run in a span, segment by segment. */
@@ -406,11 +463,8 @@ static void scan_row(struct hsr_watkins *s, int j) {
   s->n_under = 0;
   for (int left = s->edges.window->x0, right; left < s->edges.window->x1;
        left = right) {
-    right = s->edges.window->x1;
-    next = enter_span(s, left, next, j);
     const struct hsr_watkins_segment *visible =
-        search_depth(s, left, &right, j);
-    float_right(s, visible, next, left, &right, j);
+        decide(s, left, &right, &next, j);
     if (visible && s->runs)
       show_run(s, visible, left, right, j);
     else if (visible || !s->layer)
@@ -438,6 +492,13 @@ enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
   return HSR_OK;
 }
 
+enum hsr_status hsr_watkins_find_ends(struct hsr_watkins *s) {
+  size_t most = s->edges.most_edges / 2 + 1;
+  s->left = HSR_NEW(s->edges.job->scratch, uint32_t, most);
+  s->right = HSR_NEW(s->edges.job->scratch, uint32_t, most);
+  return s->left && s->right ? HSR_OK : HSR_E_NOMEM;
+}
+
 void hsr_watkins_scan(struct hsr_watkins *s) {
   const struct hsr_window *w = s->edges.window;
   hsr_scan_close(&s->edges);
@@ -446,7 +507,12 @@ void hsr_watkins_scan(struct hsr_watkins *s) {
     find_segments(s);
     if (s->runs)
       hsr_watkins_join(s, j);
-    scan_row(s, j);
+    if (IS_OPTION(s->seen != NULL))
+      hsr_watkins_next_row(s);
+    if (IS_OPTION(s->regions != NULL))
+      hsr_watkins_carry(s, j);
+    else
+      scan_row(s, j);
   }
 }
 
@@ -481,6 +547,15 @@ static enum hsr_status render(const struct hsr_job *job,
   struct hsr_watkins_runs runs;
   if (job->option[ENDS] == CONTOUR &&
       hsr_watkins_use_runs(&watkins, &runs, job->prepared, JOINTS))
+    return hsr_fail_nomem(err);
+  struct hsr_watkins_regions carried = {.carried = CARRIED, .decided = DECIDED};
+  if (job->option[REGIONS] == CARRY && job->option[ENDS] != CONTOUR &&
+      hsr_watkins_use_regions(
+          &watkins, &carried, job->world->n_faces,
+          (struct hsr_regions_counters){ORDER_TESTS, ENDINGS, FORECASTS}))
+    return hsr_fail_nomem(err);
+  struct hsr_watkins_seen seen = {.passed = PASSED, .guesses = GUESSES};
+  if (job->option[SPANS] == SEEN && hsr_watkins_use_seen(&watkins, &seen))
     return hsr_fail_nomem(err);
   hsr_watkins_scan(&watkins);
   return HSR_OK;
@@ -524,16 +599,49 @@ static const struct hsr_counter counters[] = {
     [JOINTS] = {"joints", "segments looked at for a contour edge at their left",
                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
                 "a contour edge|joined to the one before"},
+    [ORDER_TESTS] = {"order tests",
+                     "edges compared with those in their places on the line "
+                     "before",
+                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_NOTHING,
+                     "another edge|the same edge"},
+    [ENDINGS] = {"endings", "edges of a decided span: do they end on the line?",
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_NOTHING, "ends|goes on"},
+    [FORECASTS] =
+        {"forecasts",
+         "predictions of where, along an edge, one comes to be nearer "
+         "than the visible face",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "on the next line|later"},
+    [DECIDED] = {"spans decided", "sample spans decided anew", HSR_SPAN,
+                 HSR_OF_FACE, HSR_OF_WINDOW},
+    [CARRIED] = {"spans carried",
+                 "sample spans whose decision is that of the line before",
+                 HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    [PASSED] = {"spans passed",
+                "spans of the line before passed, to find the one above",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|above"},
+    [GUESSES] =
+        {"guesses",
+         "segments in a sample span: are they of the face visible above?",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "another|the same"},
     {NULL}};
 
-static const struct hsr_step steps[] = {{"span cull", JOINTS, HSR_KIND_CULL},
-                                        {"depth search",
-                                         Z_SORT,
-                                         HSR_KIND_BUCKET,
-                                         NULL,
-                                         NULL,
-                                         {{Z_COMPARE, HSR_KIND_NUMBERS}}},
-                                        {NULL}};
+static const struct hsr_step steps[] = {
+    {"span cull",
+     JOINTS,
+     HSR_KIND_CULL,
+     NULL,
+     NULL,
+     {{ORDER_TESTS, HSR_KIND_NUMBERS},
+      {ENDINGS, HSR_KIND_NUMBERS},
+      {PASSED, HSR_KIND_LIST},
+      {GUESSES, HSR_KIND_NUMBERS}}},
+    {"depth search",
+     Z_SORT,
+     HSR_KIND_BUCKET,
+     NULL,
+     NULL,
+     {{Z_COMPARE, HSR_KIND_NUMBERS}, {FORECASTS, HSR_KIND_TWO_SEGMENTS}}},
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {{.part = &hsr_scan_part},
                                         {.part = &hsr_spans_part},
@@ -555,6 +663,14 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_X_CROSSINGS)},
     {"  where only contour edges end spans: join segments that share an edge",
      HSR_RAISES(JOINTS)},
+    {"  where regions are carried: are the edges those of the line before?",
+     HSR_RAISES(ORDER_TESTS)},
+    {"    then carry the visible face of a region over", HSR_RAISES(CARRIED)},
+    {"    else decide, and predict up to which line that will hold",
+     HSR_RAISES(DECIDED, ENDINGS, FORECASTS)},
+    {"  where the search begins with what was seen: find it in the line before",
+     HSR_RAISES(PASSED)},
+    {"    find its segment among those inside", HSR_RAISES(GUESSES)},
     {NULL}};
 
 static const struct hsr_counter span_counters[] = {

@@ -10,7 +10,7 @@
 #ifndef HSR_ALGORITHMS_WATKINS_H
 #define HSR_ALGORITHMS_WATKINS_H
 
-#include "algorithms/engines/scan_line/scan_line.h"
+#include "algorithms/engines/scan_line/regions.h"
 #include "common/adapt/surfaces.h"
 
 #ifdef __cplusplus
@@ -31,10 +31,10 @@ struct hsr_watkins_runs {
   uint32_t *shared; /* by scan edge: its number in hsr_surfaces, or
                        HSR_NOT_SHARED */
 
-  /* By segment of the row: the segment; the scan edges at its left and right
-   * end; the next segment of its run, or UINT32_MAX; the run it is in. */
+  /* By segment of the row: the segment; the next segment of its run, or
+   * UINT32_MAX; the run it is in. */
   struct hsr_watkins_segment *part;
-  uint32_t n_parts, *left, *right, *next, *run_of;
+  uint32_t n_parts, *next, *run_of;
 
   /* By run: its first segment; and the one that was asked for last, where the
    * next search in it begins. */
@@ -46,6 +46,22 @@ struct hsr_watkins_runs {
   int *row_of;
 };
 
+/* The option regions=carried: see watkins_regions.c. */
+struct hsr_watkins_regions {
+  struct hsr_regions of;
+  int carried, decided; /* a step for each sample span */
+};
+
+/* The option spans=seen: see watkins_seen.c. */
+struct hsr_watkins_seen {
+  struct hsr_watkins_shown {
+    uint32_t face;
+    int right;
+  } * above, *now; /* what was shown on the row before, and on this one */
+  uint32_t n_above, n_now, at; /* above[at] covers the last span's left end */
+  int passed, guesses;         /* counters */
+};
+
 struct hsr_watkins {
   struct hsr_scan edges;   /* Y buckets and X sort list */
   struct hsr_tally *tally; /* the job's */
@@ -54,6 +70,8 @@ struct hsr_watkins {
                      UINT32_MAX */
   struct hsr_watkins_segment *segment; /* of the row, by ascending x0 */
   uint32_t n_segments;
+  uint32_t *left, *right;   /* by segment: the scan edges at its ends. NULL: no
+                             option needs them */
   uint32_t *under, n_under; /* the segments that cover the sample at the span's
                                left end: indices of segment[] */
   /* Set by the caller: this window is painted over what is there, so no
@@ -68,6 +86,10 @@ struct hsr_watkins {
 
   struct hsr_watkins_runs *runs; /* ends=contour: segment[] holds runs, `piece`
                                     being their numbers; else NULL */
+
+  struct hsr_watkins_regions *regions; /* regions=carried; else NULL */
+
+  struct hsr_watkins_seen *seen; /* spans=seen; else NULL */
 
   /* The last step, if the caller sets it: is f nearer than g at sample l of row
    * j? Both cover the samples [l, r). *end is set so that the answer holds for
@@ -116,6 +138,43 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *watkins,
                                      struct hsr_watkins_runs *runs,
                                      const struct hsr_surfaces *surfaces,
                                      int counter);
+
+/* regions=carried: from now on what is decided of a sample span is carried to
+ * the rows below, where it holds. counters: those of struct hsr_regions.
+ * All edges of the window have been added. *regions is borrowed, and its
+ * counters are set. Memory from job->scratch. HSR_E_NOMEM. */
+enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *watkins,
+                                        struct hsr_watkins_regions *regions,
+                                        size_t n_pieces,
+                                        struct hsr_regions_counters counters);
+
+/* spans=seen: from now on the search of a sample span begins with the face that
+ * was visible there on the row before. *seen is borrowed, and its counters are
+ * set. Memory from job->scratch. HSR_E_NOMEM. */
+enum hsr_status hsr_watkins_use_seen(struct hsr_watkins *watkins,
+                                     struct hsr_watkins_seen *seen);
+
+/* For watkins.c alone. hsr_watkins_next_row: begins a row. hsr_watkins_guess:
+ * moves the segment that is to be searched first to the front of under[].
+ * hsr_watkins_remember: face `id` is shown up to column `right`. */
+void hsr_watkins_next_row(struct hsr_watkins *s);
+void hsr_watkins_guess(struct hsr_watkins *s, int left, int j);
+void hsr_watkins_remember(struct hsr_watkins *s, uint32_t id, int right);
+
+/* For watkins.c and the files of its options alone.
+ * hsr_watkins_find_ends: memory for left[] and right[]. HSR_E_NOMEM.
+ * hsr_watkins_decide: finds the visible segment of the sample span that begins
+ * at `left`, or NULL, and the span's end. *next: the first segment that has not
+ * been in under[].
+ * hsr_watkins_show: writes a face, or the background, to a span.
+ * hsr_watkins_carry: solves row j with regions=carried. */
+enum hsr_status hsr_watkins_find_ends(struct hsr_watkins *watkins);
+const struct hsr_watkins_segment *hsr_watkins_decide(struct hsr_watkins *s,
+                                                     int left, int *right,
+                                                     uint32_t *next, int j);
+void hsr_watkins_show(struct hsr_watkins *s, uint32_t id, int left, int right,
+                      int j);
+void hsr_watkins_carry(struct hsr_watkins *s, int j);
 
 /* For watkins.c alone. hsr_watkins_join: makes runs of the segments of row j,
  * in the place of segment[]. hsr_watkins_part: the segment of a run that covers

@@ -51,17 +51,15 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *s,
   *runs = (struct hsr_watkins_runs){.surfaces = surfaces, .counter = counter};
   runs->shared = HSR_NEW(arena, uint32_t, s->edges.n_edges);
   runs->part = HSR_NEW(arena, struct hsr_watkins_segment, most);
-  runs->left = HSR_NEW(arena, uint32_t, most);
-  runs->right = HSR_NEW(arena, uint32_t, most);
   runs->next = HSR_NEW(arena, uint32_t, most);
   runs->run_of = HSR_NEW(arena, uint32_t, most);
   runs->first = HSR_NEW(arena, uint32_t, most);
   runs->last_seen = HSR_NEW(arena, uint32_t, most);
   runs->ends_there = HSR_NEW(arena, uint32_t, surfaces->n_shared);
   runs->row_of = HSR_NEW(arena, int, surfaces->n_shared);
-  if (!runs->shared || !runs->part || !runs->left || !runs->right ||
-      !runs->next || !runs->run_of || !runs->first || !runs->last_seen ||
-      !runs->ends_there || !runs->row_of)
+  if (hsr_watkins_find_ends(s) || !runs->shared || !runs->part || !runs->next ||
+      !runs->run_of || !runs->first || !runs->last_seen || !runs->ends_there ||
+      !runs->row_of)
     return HSR_E_NOMEM;
   for (uint32_t e = 0; e < surfaces->n_shared; e++)
     runs->row_of[e] = -1;
@@ -77,27 +75,29 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *s,
 }
 
 /* The segment that ends where segment k begins, at the same edge; or NONE. */
-static uint32_t one_before(const struct hsr_watkins_runs *runs, uint32_t k,
-                           int j) {
-  uint32_t edge = runs->shared[runs->left[k]];
+static uint32_t one_before(const struct hsr_watkins *s, uint32_t k, int j) {
+  const struct hsr_watkins_runs *runs = s->runs;
+  uint32_t edge = runs->shared[s->left[k]];
   return edge != HSR_NOT_SHARED && runs->row_of[edge] == j
              ? runs->ends_there[edge]
              : NONE;
 }
 
 /* The same, passing over segments that hold no sample. */
-static uint32_t one_with_samples_before(const struct hsr_watkins_runs *runs,
-                                        uint32_t k, int j) {
+static uint32_t one_with_samples_before(const struct hsr_watkins *s, uint32_t k,
+                                        int j) {
+  const struct hsr_watkins_segment *part = s->runs->part;
   do
-    k = one_before(runs, k, j);
-  while (k != NONE && runs->part[k].x0 == runs->part[k].x1);
+    k = one_before(s, k, j);
+  while (k != NONE && part[k].x0 == part[k].x1);
   return k;
 }
 
 /* Notes for each shared edge which segment of row j ends there. */
-static void note_ends(struct hsr_watkins_runs *runs, int j) {
+static void note_ends(struct hsr_watkins *s, int j) {
+  struct hsr_watkins_runs *runs = s->runs;
   for (uint32_t k = 0; k < runs->n_parts; k++) {
-    uint32_t edge = runs->shared[runs->right[k]];
+    uint32_t edge = runs->shared[s->right[k]];
     if (edge == HSR_NOT_SHARED)
       continue;
     runs->ends_there[edge] = k;
@@ -112,12 +112,12 @@ void hsr_watkins_join(struct hsr_watkins *s, int j) {
   runs->part = part;
   runs->n_parts = s->n_segments;
   s->n_segments = 0;
-  note_ends(runs, j);
+  note_ends(s, j);
   for (uint32_t k = 0; k < runs->n_parts; k++) {
     runs->next[k] = NONE;
     if (part[k].x0 == part[k].x1)
       continue;
-    uint32_t before = one_with_samples_before(runs, k, j);
+    uint32_t before = one_with_samples_before(s, k, j);
     HSR_STEP(s->tally, runs->counter, HSR_FACE(part[k].face), HSR_THE_WINDOW,
              HSR_ON(part[k].x0, part[k].x1, j), before != NONE);
     if (before == NONE) {

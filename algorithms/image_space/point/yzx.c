@@ -44,6 +44,13 @@
  *             face that enters with all that are active, also with those that
  *             lie apart in X and with those that are never seen together.
  *
+ * Options     implied=carried: two points of an implied edge give the whole
+ *             ("Use of Coherence", implied-edge coherence). Its place on a row
+ *             is extrapolated from those on two rows. Two comparisons, of the
+ *             samples beside it, prove that it is there; they take the place of
+ *             four. An edge that lies outside of a segment takes two as ever.
+ *             bouknight_implied.c says what was measured.
+ *
  * Notation    scan line -> row j; Y buckets of edges and X sort list ->
  *             scan_line.h; Z list -> yzx_list.h; segment -> struct segment,
  *             samples [x0, x1) of a piece; priority number -> number, less is
@@ -66,6 +73,17 @@
 #include "common/answers/kinds/transparent.h"
 
 #include <string.h>
+
+enum { IMPLIED }; /* options */
+enum { CALCULATE, EXTRAPOLATE };
+static const struct hsr_word edges[] = {
+    [CALCULATE] = {"calculated", "they are found anew on each line", 0},
+    [EXTRAPOLATE] = {"carried", "from two lines on, they are extrapolated", 0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [IMPLIED] = {"implied", "edges where the halves of a face meet", edges, 0,
+                 EXTRAPOLATE, CALCULATE},
+    {NULL}};
 
 /* f of the header. */
 static double overlap_chance(const struct hsr_table1 *t) {
@@ -135,6 +153,7 @@ struct scan {
   uint32_t *ids;           /* of the row */
   struct hsr_glass *glass; /* if the picture is transparent; else NULL */
   bool out_of_memory;
+  bool extrapolates; /* implied=carried */
 
   struct strips *strips;     /* a face */
   struct strip *strip;       /* of all faces */
@@ -276,13 +295,51 @@ static bool is_nearer(const struct scan *s, uint32_t f, uint32_t g, int i) {
 
 /* The first sample of [x0, x1) at which the planes of f and g are not in the
  * order of x0; x1 if there is none. *f_first: f is nearer at x0. */
-static int find_implied_edge(const struct scan *s, uint32_t f, uint32_t g,
-                             int x0, int x1, bool *f_first) {
+static int search_implied_edge(const struct scan *s, uint32_t f, uint32_t g,
+                               int x0, int x1, bool *f_first) {
   *f_first = is_nearer(s, f, g, x0);
   if (is_nearer(s, f, g, x1 - 1) == *f_first)
     return x1;
   return hsr_scan_crossing(&s->edges, f, g, *f_first, x0, x1, s->j,
                            YZX_IMPLIED);
+}
+
+/* Whether the planes of f and g meet between sample `column` and the one before.
+ * *f_first: f is nearer there. */
+static bool is_at(const struct scan *s, uint32_t f, uint32_t g, int column,
+                  bool *f_first) {
+  HSR_STEP(s->tally, YZX_VERIFIED, HSR_FACE(f), HSR_FACE(g),
+           HSR_AT(column, s->j), 0);
+  *f_first = is_nearer(s, f, g, column - 1);
+  if (is_nearer(s, f, g, column) != *f_first)
+    return true;
+  HSR_STEP(s->tally, YZX_FAILED, HSR_FACE(f), HSR_FACE(g), HSR_AT(column, s->j),
+           0);
+  return false;
+}
+
+/* The same with implied=carried: where the edge is expected, the two samples
+ * beside it are compared. If they have opposite orders, the edge is there, and
+ * no others are compared. */
+static int find_implied_edge(const struct scan *s, struct yzx_piece *piece,
+                             int x0, int x1, bool *f_first) {
+  uint32_t f = piece->face, g = piece->by;
+  struct hsr_implied *implied = &piece->implied;
+  if (!s->extrapolates)
+    return search_implied_edge(s, f, g, x0, x1, f_first);
+  if (implied->points == 2) {
+    int column = hsr_implied_column(implied, &s->edges, s->j);
+    bool inside = column > x0 && column < x1;
+    HSR_STEP(s->tally, YZX_PREDICTED, HSR_FACE(f), HSR_FACE(g),
+             HSR_ON(x0, x1, s->j), inside);
+    if (inside && is_at(s, f, g, column, f_first))
+      return column;
+  }
+  int middle = search_implied_edge(s, f, g, x0, x1, f_first);
+  if (middle < x1 && hsr_implied_note(implied, &s->edges, f, g, s->j))
+    HSR_STEP(s->tally, YZX_POINTS, HSR_FACE(f), HSR_FACE(g),
+             HSR_ON(x0, x1, s->j), 0);
+  return middle;
 }
 
 static void set_segment(struct scan *s, struct segment *segment, int x0,
@@ -310,7 +367,7 @@ static struct segment *segment_of(struct scan *s, uint32_t number,
 
 /* Deals the samples [x0, x1) of a strip out to the halves of a piece. */
 static void find_halves(struct scan *s, uint32_t number,
-                        const struct yzx_piece *piece, int x0, int x1) {
+                        struct yzx_piece *piece, int x0, int x1) {
   if (s->out_of_memory)
     return;
   if (piece->by == NONE) {
@@ -323,7 +380,7 @@ static void find_halves(struct scan *s, uint32_t number,
     return;
   }
   bool in_front;
-  int middle = find_implied_edge(s, piece->face, piece->by, x0, x1, &in_front);
+  int middle = find_implied_edge(s, piece, x0, x1, &in_front);
   find_halves(s, number, piece->half[!in_front], x0, middle);
   if (middle < x1)
     find_halves(s, number, piece->half[in_front], middle, x1);
@@ -356,7 +413,7 @@ static void find_segments(struct scan *s) {
   for (uint32_t k = 0; divided && k < s->n_crossings; k++) {
     uint32_t number = s->crossing[k].strip;
     const struct strip *strip = &s->strip[number];
-    const struct yzx_piece *piece = s->list.root[strip->face];
+    struct yzx_piece *piece = s->list.root[strip->face];
     if (s->crossing[k].key & 1 && strip->x0 < strip->x1 && piece->by != NONE)
       find_halves(s, number, piece, strip->x0, strip->x1);
   }
@@ -558,7 +615,9 @@ static enum hsr_status allocate(struct scan *s) {
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct scan scan = {.screen = &scan.edges.screen, .tally = job->tally};
+  struct scan scan = {.screen = &scan.edges.screen,
+                      .tally = job->tally,
+                      .extrapolates = job->option[IMPLIED] == EXTRAPOLATE};
   struct hsr_glass glass;
   if (hsr_scan_begin(&scan.edges, job) ||
       yzx_list_begin(&scan.list, job, scan.screen) || allocate(&scan) ||
@@ -626,6 +685,18 @@ static const struct hsr_counter counters[] = {
                      "depths compared to find where the halves of a face meet "
                      "on a line",
                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [YZX_POINTS] = {"penetrations",
+                    "penetration points calculated of two planes", HSR_SAMPLE,
+                    HSR_OF_FACE, HSR_OF_FACE},
+    [YZX_PREDICTED] = {"extrapolations",
+                       "penetration points extrapolated from two lines",
+                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                       "outside of the segment|inside"},
+    [YZX_VERIFIED] = {"verifications",
+                      "of these, points that samples beside them were to prove",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE},
+    [YZX_FAILED] = {"failures", "of these, points that were not there",
+                    HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
     [YZX_SEGMENTS] = {"segments", "segments entered into the involved list",
                       HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     [YZX_KEPT] =
@@ -677,6 +748,9 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(YZX_COMBINED)},
     {"    show the first of those involved where another begins to be it",
      HSR_RAISES(YZX_SPANS)},
+    {"  where implied edges are carried: calculate two points of each, and "
+     "extrapolate",
+     HSR_RAISES(YZX_POINTS, YZX_PREDICTED, YZX_VERIFIED, YZX_FAILED)},
     {NULL}};
 
 static double predict_minimax(const struct hsr_table1 *t) {
@@ -706,7 +780,12 @@ static const struct hsr_step steps[] = {
       {YZX_MOVED, HSR_KIND_LIST}}},
     {"overlap on rows", YZX_ROWS, HSR_KIND_LINE},
     {"circle search", YZX_CIRCLES, HSR_KIND_FACES},
-    {"implied edges", YZX_IMPLIED, HSR_KIND_SPAN},
+    {"implied edges",
+     YZX_IMPLIED,
+     HSR_KIND_SPAN,
+     NULL,
+     NULL,
+     {{YZX_PREDICTED, HSR_KIND_NUMBERS}}},
     {"priority tests", YZX_PRIORITY, HSR_KIND_NUMBERS},
     {NULL}};
 
@@ -737,4 +816,5 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .render = render};

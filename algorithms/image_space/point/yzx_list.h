@@ -29,7 +29,7 @@
 #ifndef HSR_ALGORITHMS_YZX_LIST_H
 #define HSR_ALGORITHMS_YZX_LIST_H
 
-#include "algorithms/algorithm.h"
+#include "algorithms/engines/scan_line/implied.h"
 #include "common/exact/order.h"
 
 /* The counters of yzx. */
@@ -44,6 +44,10 @@ enum {
   YZX_DIVISIONS,
   YZX_CIRCLES,
   YZX_IMPLIED,
+  YZX_POINTS,
+  YZX_PREDICTED,
+  YZX_VERIFIED,
+  YZX_FAILED,
   YZX_SEGMENTS,
   YZX_KEPT,
   YZX_PRIORITY,
@@ -57,9 +61,10 @@ struct yzx_piece {
   struct hsr_polygon polygon;
   struct hsr_bounds bounds;
 
-  uint32_t by;               /* divided by this face's plane; HSR_NO_ID: not */
-  struct yzx_piece *whole;   /* of which it is a half; NULL: of none */
-  struct yzx_piece *half[2]; /* in front of the plane, and behind it */
+  uint32_t by;                /* divided by this face's plane; HSR_NO_ID: not */
+  struct yzx_piece *whole;    /* of which it is a half; NULL: of none */
+  struct yzx_piece *half[2];  /* in front of the plane, and behind it */
+  struct hsr_implied implied; /* implied=carried: where it meets that plane */
 
   bool active;     /* it is in order[] */
   uint32_t place;  /* there */

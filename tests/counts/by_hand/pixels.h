@@ -40,6 +40,19 @@ static const struct pixel_face crossing[] = {
     {4, {{4, 3, 16}, {12, 3, 8}, {12, 4, 8}, {4, 4, 16}}},
     PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};
 
+/* A is far, 2-12, and B near, 4-8, both on rows 1 to 6. */
+static const struct pixel_face columns[] = {PIXEL_RECTANGLE(2, 1, 12, 7, 8),
+                                            PIXEL_RECTANGLE(4, 1, 8, 7, 4)};
+
+/* `crossing` on rows 1 to 6. */
+static const struct pixel_face ridge[] = {
+    {4, {{4, 1, 16}, {12, 1, 8}, {12, 7, 8}, {4, 7, 16}}},
+    PIXEL_RECTANGLE(4, 1, 12, 7, 128.0 / 13)};
+
+/* H is far, 1-6, and F near, 3-10, both on rows 1 and 2. */
+static const struct pixel_face hidden_end[] = {PIXEL_RECTANGLE(1, 1, 6, 3, 8),
+                                               PIXEL_RECTANGLE(3, 1, 10, 3, 4)};
+
 static inline void pixel_open(struct hand_picture *p,
                               const struct pixel_face *face, int n_faces, int m,
                               int n) {

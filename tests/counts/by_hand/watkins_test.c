@@ -109,11 +109,85 @@ static const struct hand_count of_crossing[] = {
     {"depth divisions", 8 + 4},
     {NULL}};
 
+/* --- Regions that are carried --------------------------------------------- */
+
+/* columns. X merge and X sort: bouknight_test.c.
+ *   row 0   one span: decided. Nothing is in it.
+ *   row 1   The span of row 0 was bounded by no edge. The first edge is in its
+ *           way: 1 test. All are decided:
+ *    0-2    -      A begins within, B is outside         2
+ *    2-4    A      A enters, B begins within             2    B A
+ *    4-8    B      A stays, B enters                     2    B A
+ *    8-12   A      A stays, B ends                       2
+ *   12-16   -      A ends                                1
+ *           Endings: those of the edges that bound each, 1 + 2 + 2 + 2 + 1.
+ *           Forecasts: of A and B in 4-8, along both edges.
+ *   rows 2 to 6  5 spans each are carried; each of 4 edges is tested once
+ *   row 7   no edge is there: one span, decided */
+static const struct hand_count of_columns[] = {
+    {"Y sort", 4},
+    {"X merge", 5},
+    {"X sort", 18},
+    {"span cull", 9},
+    {"span cull", 6, "inside"},
+    {"spans", 6 * 5 + 2},
+    {"depth search", 2},
+    {"depth search", 2, "nearer"},
+    {"order tests", 1 + 5 * 4},
+    {"order tests", 5 * 4, "the same edge"},
+    {"endings", 8},
+    {"endings", 8, "goes on"},
+    {"forecasts", 2},
+    {"forecasts", 2, "later"},
+    {"spans decided", 1 + 5 + 1},
+    {"spans carried", 5 * 5},
+    {NULL}};
+
+/* --- What was seen above -------------------------------------------------- */
+
+/* hidden-end. X merge: F left with F right: 1; H right with F right and F left:
+ * 2; H left with three: 3.
+ *   row 1
+ *    0-1    -      H begins within, F is outside         2
+ *    1-3    H      H enters, F begins within             2    F H
+ *    3-6    F      H stays, F enters                     2    F H
+ *                  H is searched first, so its end is the span's. Above was the
+ *                  background: 1 span passed
+ *    6-10   F      H ends, F stays                       2
+ *   10-16   -      F ends                                1
+ *   row 2
+ *    0-1    as above                                     2
+ *    1-3    as above                                     2    F H
+ *    3-10   F      H stays, F enters                     2    H F
+ *                  Above it ended the spans 0-1 and 1-3, and 3-6 was of F: 3
+ *                  passed. H is another, F the same: 2 guesses. F is searched
+ *                  first, and H is farther
+ *   10-16   -      both end                              2
+ * On the other 6 rows one span each. */
+static const struct hand_count of_hidden_end[] = {
+    {"Y sort", 4},
+    {"X merge", 6},
+    {"X sort", 6},
+    {"span cull", 9 + 8},
+    {"spans", 5 + 4 + 6},
+    {"depth search", 2 + 2},
+    {"depth search", 3, "nearer"},
+    {"depth search", 1, "farther"},
+    {"spans passed", 1 + 3},
+    {"spans passed", 2, "above"},
+    {"guesses", 2},
+    {"guesses", 1, "the same"},
+    {NULL}};
+
 int main(void) {
-  struct tap tap = plan(2);
+  struct tap tap = plan(4);
   ok(&tap, pixel_check("watkins", deck, 3, of_deck),
      "faces before one another");
   ok(&tap, pixel_check("watkins", crossing, 2, of_crossing),
      "faces that penetrate");
+  ok(&tap, pixel_check("watkins:regions=carried", columns, 2, of_columns),
+     "regions that are carried");
+  ok(&tap, pixel_check("watkins:spans=seen", hidden_end, 2, of_hidden_end),
+     "the end of a hidden segment, below what was seen");
   return finish(&tap);
 }
