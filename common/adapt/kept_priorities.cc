@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <new>
 
 namespace {
@@ -12,6 +13,9 @@ using namespace hsr;
 
 // So far may a vertex be off, as a part of the size of its group.
 const double SLACK = 0x1p-40;
+
+// So many frames is a group kept that is not of use.
+const uint64_t MOST_IDLE = 16;
 
 // --- Triangles of an object -------------------------------------------------
 
@@ -213,6 +217,10 @@ Kept_frame::Kept_frame(hsr_kept_priorities &kept, const hsr_world &world,
 }
 
 void Kept_frame::end() {
+  for (auto at = kept_.own.begin(); at != kept_.own.end();)
+    at = kept_.frame - at->second.used > MOST_IDLE ? kept_.own.erase(at)
+                                                   : std::next(at);
+  kept_.frame++;
   kept_.last = std::move(kept_.now);
   kept_.now.clear();
   kept_.places.clear();
@@ -313,6 +321,7 @@ bool Kept_frame::recall_own(const Group &group, Ranking &ranking) {
   if (found == kept_.own.end())
     return false;
   Own &own = found->second;
+  own.used = kept_.frame;
   const double slack = slack_of(instance_of(pieces_[group[0]].parent));
   if (!(slack <= SLACK * own.size))
     return false;
@@ -391,6 +400,7 @@ void Kept_frame::keep(const Group &group, Priority_graph &graph,
     if (sort(own, hides, circuits) && ranking.has_order)
       ranking.order = own.order;
     own.is_exact = slack_of(instance_of(pieces_[group[0]].parent)) == 0;
+    own.used = kept_.frame;
     kept_.own[own_key_of(group)] = std::move(own);
   }
   kept_.now[key_of(group)] = ranking;

@@ -37,6 +37,7 @@
 // Exact       If no coordinate is rounded, the placed group is the exact image of
 //             the object's. An order that held in one such frame holds in all:
 //             not even the close pairs are compared.
+// Forgotten   A group that has not been of use in MOST_IDLE frames is forgotten.
 // Not kept    Groups with cuts that move, and groups of several instances. They
 //             are compared anew.
 #ifndef HSR_COMMON_KEPT_PRIORITIES_H
@@ -66,6 +67,7 @@ struct hsr_kept_priorities {
   struct Own {
     double size = 0;
     bool is_exact = false; // the order holds where nothing is rounded
+    uint64_t used = 0;     // the last frame in which it was of use
     std::vector<uint32_t> nodes;
     std::vector<uint8_t>
         about; // of two members: where the first lies about the
@@ -77,6 +79,7 @@ struct hsr_kept_priorities {
   std::map<hsr::Key, Own> own;                // of groups that may move
   std::vector<double> places;                 // of the instances, last frame
   uint32_t n_faces = 0;
+  uint64_t frame = 0; // counted from the first one
 };
 
 namespace hsr {

@@ -15,26 +15,27 @@
  *             except for the thick ones at its end. The pairs of a scan line
  *             are in the order of list[].
  * Ties        faces of one plane: the lower id has priority, in its cluster
- * Options     frames=kept: when objects move, face priorities are kept. The survey
- *             says of Schumacker, before chapter II ends: he "will tolerate
+ * Options     frames=kept: face priorities are kept when objects move. By the
+ *             survey ("List-Priority Algorithms"), Schumacker "will tolerate
  *             motion of clusters in the environment provided they remain
- *             linearly separable"; and in "Frame and Object Coherence", that
- *             what is computed on objects may be preserved. frames=anew compares
- *             the faces of every cluster in every frame. Kept, a cluster is known
- *             by the faces of its object (common/adapt/kept_priorities.h).
- *             Separating planes, and the order of clusters, are found anew:
- *             no plane is moved. Measured in 24 frames of eight closed things
- *             (tests/properties/surfaces/moving_clusters_test.c), pairs of faces
- *             compared in the first frame, and in all later ones: by steps that
- *             no rounding touches 818 and 18,814 anew, 442 and 0 kept; turning
- *             about a vertical axis the same, and 3,404 close pairs to confirm
- *             it. Tumbling, of solids without coplanar faces 134 and 3,082 anew,
- *             100 and 0 kept; but boxes hardly gain, 29,766 anew and 24,219
- *             kept: their coordinates are rounded, so that their sides come to
- *             penetrate, and a cluster that must be cut is not kept. In house,
- *             harbor and big-harbor nothing moves: the counts are the same with
- *             and without (house 889 pairs, harbor 88,204), as an adapter makes
- *             the priorities once for all eyes.
+ *             linearly separable"; and what is computed on objects may be kept
+ *             ("Frame and Object Coherence"). frames=anew compares the faces
+ *             of every cluster in every frame. Kept, a cluster is known by the
+ *             faces of its object (common/adapt/kept_priorities.h). Separating
+ *             planes and the order of clusters are found anew: no plane is
+ *             moved. Measured in 24 frames of eight closed things
+ *             (tests/properties/surfaces/moving_clusters_test.c), the pairs of
+ *             faces compared in the first frame and in all later ones: by
+ *             steps that no rounding touches 818 and 18,814 anew, 442 and 0
+ *             kept; turning about a vertical axis the same, with 3,404 close
+ *             pairs to confirm it. Tumbling, of solids without coplanar faces
+ *             134 and 3,082 anew, 100 and 0 kept. Boxes that tumble gain
+ *             little, 29,766 anew and 24,219 kept: as their coordinates are
+ *             rounded, their sides come to penetrate, and a cluster that must
+ *             be cut is not kept. In house, harbor and big-harbor nothing
+ *             moves: the counts are the same with and without (house 889
+ *             pairs, harbor 88,204), since an adapter makes the priorities
+ *             once for all eyes
  * Departures  A program does what was built as hardware: it looks at every edge
  *             on every scan line, and at every pair of counters at every raster
  *             element, for 128 elements at once in vectors. So its counts are

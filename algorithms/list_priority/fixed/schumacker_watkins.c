@@ -19,15 +19,14 @@
  *             computations, a notion that is considered in the section on
  *             sorting order". What is considered there is z=layers, which
  *             "depend[s] on having an overwritable output buffer"; this is the
- *             notion without one. Measured, comparisons of depths, and of
- *             places, in the last step, by watkins, z=layers, z=clusters: house
- *             51,711; 2,180; 2,180 and 21,016. Harbor 142,401; 101,892; 39,508
- *             and 115,140. Big-harbor 328,571; 247,445; 128,036 and 276,260. Its
- *             cost falls to .06, .30 and .42 of Watkins', and is 1.32, .43 and
- *             .55 of that of layers. The other steps do not gain: X merge is as
- *             Watkins' (layers: .10, .02 and .02 of it), and in big-harbor
- *             6,497,727 X interchanges, where Watkins has 216,461, cost more
- *             than the last step saves
+ *             notion without one. Measured, the cost of the last step (30 for
+ *             an element searched, 1 for two places), by watkins, z=layers and
+ *             z=clusters: house 760K, 17K, 38K; harbor 3.66M, 1.16M, 686K;
+ *             big-harbor 8.68M, 4.52M, 2.95M. So the step is eased, but in
+ *             house layers ease it more. The other steps do not gain: X merge
+ *             is as Watkins' (layers have a tenth of it in house, a fortieth in
+ *             the harbors); and in big-harbor 6,497,727 X interchanges, where
+ *             Watkins has 216,461, cost more than the last step saves
  * Departures  Those of scan_line.h. Watkins' scan lines and sample spans are
  *             those of the box of the cluster's faces, not of the picture. A
  *             loose face (cluster_faces.h) is painted after all clusters, where

@@ -5,6 +5,7 @@
  * every frame shows what the oracle shows. */
 #include "bench/modules/modules.h"
 #include "bench/modules/variant.h"
+#include "common/exact/predicates.h"
 #include "common/scene/clusters.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -144,13 +145,53 @@ static struct hsr_scene *make_scene(const struct trial *trial, bool one_sided,
   return scene;
 }
 
+/* --- Priorities ----------------------------------------------------------- */
+
+/* Whether a corner of face f lies strictly on that side of the plane of face g, as
+ * g is oriented: its front is +1. */
+static bool reaches(const struct hsr_world *world, uint32_t f,
+                    uint32_t g_oriented, int side) {
+  const struct hsr_mesh *mesh = &world->mesh;
+  struct hsr_loop plane = hsr_plane_loop(world, g_oriented / 2);
+  int turned = g_oriented % 2 ? -side : side;
+  bool out_of_memory = false, reaches = false;
+  for (uint32_t c = mesh->start[f]; c < mesh->start[f + 1]; c++) {
+    uint32_t v = mesh->vertex[c];
+    double p[3] = {mesh->x[v], mesh->y[v], mesh->z[v]};
+    reaches |= hsr_exact_plane_side(plane, p, &out_of_memory) == turned;
+  }
+  if (out_of_memory)
+    bail("no memory");
+  return reaches;
+}
+
+static bool is_cut(const struct hsr_world *world, uint32_t f) {
+  return world->pieces->cut_start[f] < world->pieces->cut_start[f + 1];
+}
+
+/* How many faces of clusters, which are not cut, can hide one of higher
+ * priority. */
+static long count_wrong_priorities(const struct hsr_world *world) {
+  const struct hsr_clusters *c = world->clusters;
+  long n = 0;
+  for (uint32_t k = 0; k < c->n_clusters; k++)
+    for (uint32_t i = c->start[k]; i < c->start[k + 1]; i++)
+      for (uint32_t h = c->start[k]; h < i; h++) {
+        uint32_t lower = c->order[i], higher = c->order[h];
+        n += !is_cut(world, lower / 2) && !is_cut(world, higher / 2) &&
+             reaches(world, higher / 2, lower, -1) &&
+             reaches(world, lower / 2, higher, +1);
+      }
+  return n;
+}
+
 /* --- Frames --------------------------------------------------------------- */
 
 struct sums {
   uint64_t first, later; /* pairs compared: in the first frame, and after */
   uint64_t kept, close;  /* after the first frame */
   uint64_t counted, by_tally; /* the same pairs, and by the counters */
-  long wrong, shown;
+  long wrong, shown, wrong_priorities;
   int n_anew; /* frames after the first in which pairs were compared */
 };
 
@@ -180,6 +221,7 @@ static void add_frame(struct sums *sums, const struct hsr_world *world,
   sums->wrong += count_differences(&view, got, right);
   for (int k = 0; k < M * N; k++)
     sums->shown += right[k] != HSR_BACKGROUND;
+  sums->wrong_priorities += count_wrong_priorities(setup->world);
   sums->counted += c->pair_tests + c->close_tests + c->n_kept;
   for (int k = 0; k < 3; k++)
     sums->by_tally += tally.count[setup->algorithm->base[0] + k];
@@ -238,6 +280,9 @@ static void check(struct tap *tap, const struct trial *trial, bool one_sided) {
          (unsigned long long)kept.close, (unsigned long long)kept.kept);
   ok(tap, !anew.wrong && !kept.wrong && kept.shown > 10 * FRAMES,
      "%s, %s: all frames are right", of, how);
+  ok(tap, !anew.wrong_priorities && !kept.wrong_priorities,
+     "%s, %s: no face can hide one of higher priority; anew %ld can, kept %ld",
+     of, how, anew.wrong_priorities, kept.wrong_priorities);
   ok(tap, anew.later >= anew.first * (FRAMES - 1) * 3 / 4 && !anew.kept,
      "%s, %s: anew, the faces are compared in every frame", of, how);
   ok(tap, kept.first && kept.first < anew.first,
@@ -253,7 +298,7 @@ static void check(struct tap *tap, const struct trial *trial, bool one_sided) {
 }
 
 int main(void) {
-  struct tap tap = plan(5 * 2 * TRIALS);
+  struct tap tap = plan(6 * 2 * TRIALS);
   for (int k = 0; k < TRIALS; k++)
     for (int one_sided = 0; one_sided < 2; one_sided++)
       check(&tap, &trials[k], one_sided);
