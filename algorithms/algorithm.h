@@ -49,9 +49,11 @@ enum {
   HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
   HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
   HSR_INSTANCED = 1 << 5,   /* takes a world that is a roster, too */
-  HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE: what it has prepared goes on in
-                           another frame of a scene that is laid out. It holds
-                           numbers of faces, and nothing of where they are */
+  HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE, unless it prepares nothing: what
+                           it has prepared goes on in another frame of a scene
+                           that is laid out. It holds numbers of faces, and
+                           nothing of where they are. Adapters keep what they
+                           can, too */
   HSR_RATHER_LAID_OUT = 1 << 7, /* with HSR_INSTANCED: takes a roster only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
   HSR_OWN_TILES = 1 << 9, /* divides a window into tiles itself, and draws these

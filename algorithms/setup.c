@@ -9,7 +9,12 @@ static enum hsr_status apply(struct hsr_setup *setup,
   struct hsr_world out = {.roster.scene = NULL};
   bool changed = false;
   double begin = hsr_seconds_now();
-  enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);
+  bool follows = setup->flags & HSR_FOLLOWS && adapter->follow;
+  if (follows && !setup->kept && !(setup->kept = hsr_kept_priorities_new()))
+    return hsr_fail_nomem(err);
+  enum hsr_status status =
+      follows ? adapter->follow(setup->world, setup->kept, &out, &changed, err)
+              : adapter->adapt(setup->world, &out, &changed, err);
   double seconds = hsr_seconds_now() - begin;
   setup->adapt_seconds += seconds;
   if (!changed) /* it may have failed before it made anything */
@@ -213,4 +218,5 @@ struct hsr_shown hsr_setup_show(const struct hsr_setup *setup) {
 void hsr_setup_free(struct hsr_setup *setup) {
   release(setup);
   hsr_world_free(&setup->adapted);
+  hsr_kept_priorities_free(setup->kept);
 }

@@ -30,7 +30,9 @@ struct hsr_setup {
   struct hsr_adaptation adaptation[HSR_MAX_ADAPTATIONS];
   int n_adaptations;
   double
-      adapt_seconds;   /* of all adapters, also of those that changed nothing */
+      adapt_seconds; /* of all adapters, also of those that changed nothing */
+  struct hsr_kept_priorities *kept; /* by an adapter, if the algorithm follows;
+                                       else NULL */
   void *prepared;      /* what the algorithm's prepare made, or NULL */
   uint32_t n_prepared; /* faces of the world for which it was made */
   double prepare_seconds;
@@ -70,7 +72,8 @@ enum hsr_status hsr_setup_rebuild(struct hsr_setup *setup,
 /* Goes on to another frame of the scene: `world` takes the place of the last
  * world, which may be gone by now. What is prepared is kept if the algorithm
  * follows (HSR_FOLLOWS) and there are as many faces as before; otherwise all is
- * made anew. *kept says which. Fails as hsr_setup_init, and is freed as
+ * made anew. The world is adapted anew, with what the adapters keep of the last
+ * frames. *kept says which. Fails as hsr_setup_init, and is freed as
  * before. */
 enum hsr_status hsr_setup_follow(struct hsr_setup *setup,
                                  const struct hsr_world *world, bool *kept,

@@ -53,6 +53,7 @@ tap_programs = \
   %D%/properties/surfaces/combinations_test \
   %D%/properties/surfaces/glass_claims_test \
   %D%/properties/surfaces/groups_test \
+  %D%/properties/surfaces/moving_clusters_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/outcomes_test \
   %D%/properties/surfaces/romney_test \

@@ -25,6 +25,8 @@ algorithm_files += \
   %D%/area/warnock/regions.h \
   %D%/area/warnock/show.c \
   %D%/area/warnock/show.h \
+  %D%/area/warnock/surround.c \
+  %D%/area/warnock/surround.h \
   %D%/area/warnock/warnock.c \
   %D%/area/warnock/warnock.h \
   %D%/area/warnock/warnock_depth.c \

@@ -35,6 +35,13 @@ enum { HSR_N_RESTRICTIONS = 9 };
  * these. */
 const char *hsr_restriction_code(unsigned restriction);
 
+/* What an adapter keeps from frame to frame of a scene in which objects move:
+ * the priorities within clusters (common/adapt/kept_priorities.h). It is empty at
+ * first. NULL: out of memory. */
+struct hsr_kept_priorities;
+struct hsr_kept_priorities *hsr_kept_priorities_new(void);
+void hsr_kept_priorities_free(struct hsr_kept_priorities *kept); /* or NULL */
+
 struct hsr_adapter {
   const char *name;  /* "triangulate" */
   unsigned mends;    /* the restriction that it satisfies, HSR_TR, ... If there
@@ -50,6 +57,14 @@ struct hsr_adapter {
    * adapted; HSR_E_INTERNAL if a library fails. */
   enum hsr_status (*adapt)(const struct hsr_world *in, struct hsr_world *out,
                            bool *changed, struct hsr_error *err);
+
+  /* The same, but uses what was kept of other frames of the scene, and keeps what
+   * it finds. What it makes is as right, but need not be the same. NULL: the
+   * adapter keeps nothing. */
+  enum hsr_status (*follow)(const struct hsr_world *in,
+                            struct hsr_kept_priorities *kept,
+                            struct hsr_world *out, bool *changed,
+                            struct hsr_error *err);
 };
 
 /* The adapters, in the order of their application. The list ends with .name ==

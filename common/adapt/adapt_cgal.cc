@@ -452,16 +452,18 @@ std::vector<std::vector<uint32_t>> hsr::convex_loops(const hsr_world &world,
 }
 
 const struct hsr_adapter hsr_adapters[] = {
-    {"triangulate", HSR_TR, "divides polygons into triangles", triangulate},
+    {"triangulate", HSR_TR, "divides polygons into triangles", triangulate,
+     nullptr},
     {"convex-parts", HSR_CF, "divides polygons that are not convex",
-     make_convex},
-    {"divide", HSR_NP, "divides faces where they penetrate", divide},
+     make_convex, nullptr},
+    {"divide", HSR_NP, "divides faces where they penetrate", divide, nullptr},
     {"cluster", HSR_LS,
-     "makes clusters of faces, with planes that separate them", cluster},
+     "makes clusters of faces, with planes that separate them", cluster,
+     nullptr},
     {"priorities", HSR_LS | HSR_TP,
      "gives the faces of a cluster priorities that hold from everywhere",
-     give_priorities},
-    {nullptr, 0, nullptr, nullptr}};
+     give_priorities, keep_priorities},
+    {nullptr, 0, nullptr, nullptr, nullptr}};
 
 const char *hsr_restriction_code(unsigned restriction) {
   static const char *const code[] = {"CC", "CF", "TR", "LS", "NP",

@@ -22,13 +22,15 @@
 //             themselves; faces of one plane are not.
 // End         A division leaves fewer faces, or parts of them, in each group,
 //             and no piece is cut by a plane twice.
+// Frames      priorities may be kept from frame to frame: kept_priorities.h.
 // Thick       A piece that is not certain to lie on one side of the plane of a
 //             separator, or of another piece in its cluster, is in no cluster.
 #include "common/scene/clusters.h"
-#include "common/adapt/convex.h"
+#include "common/adapt/kept_priorities.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace {
@@ -44,134 +46,6 @@ const uint64_t MOST_QUESTIONS = 400000000;
 const size_t TRIED_PLANES = 32, PRICE_OF_CUT = 5;
 
 const size_t PROHIBITIVE = SIZE_MAX;
-
-const unsigned BOTH = FRONT | BEHIND;
-
-using Group = std::vector<uint32_t>; // pieces, by ascending faces
-
-// --- The priority graph of a group ------------------------------------------
-
-// A piece as seen from one side of its plane.
-struct Oriented {
-  uint32_t member; // of the group
-  int side;        // of the plane as the planes are turned
-  bool from_front; // of its face
-};
-
-class Priority_graph {
-public:
-  Priority_graph(const hsr_world &world, const Convex_pieces &shapes,
-                 const std::vector<Convex> &pieces, const Group &group,
-                 uint64_t &questions)
-      : shapes_(shapes), pieces_(pieces), group_(group), questions_(questions) {
-    for (uint32_t p : group)
-      planes_.push_back(pieces[p].plane);
-    std::sort(planes_.begin(), planes_.end());
-    planes_.erase(std::unique(planes_.begin(), planes_.end()), planes_.end());
-    for (uint32_t k = 0; k < group.size(); k++) {
-      const Convex &piece = pieces[group[k]];
-      const int side = shapes.turned(piece.parent);
-      own_plane_.push_back(
-          size_t(std::lower_bound(planes_.begin(), planes_.end(), piece.plane) -
-                 planes_.begin()));
-      nodes_.push_back({k, side, true});
-      if (!world.mesh.one_sided[piece.from])
-        nodes_.push_back({k, -side, false});
-    }
-    about_.assign(group.size() * planes_.size(), UNKNOWN);
-  }
-
-  // Compares every face with every other. False if two hide one another.
-  bool compare(uint64_t &pair_tests) {
-    for (size_t k = 0; k < group_.size(); k++)
-      for (size_t l = 0; l < k; l++) {
-        pair_tests++;
-        if ((about(k, l) & BOTH) == BOTH && (about(l, k) & BOTH) == BOTH)
-          return false;
-      }
-    return true;
-  }
-
-  // Repeatedly takes out nodes that no other has priority over; or, if
-  // `lowest`, that have priority over no other. Returns them in that order.
-  std::vector<uint32_t> take_out(bool lowest) {
-    const uint32_t n = uint32_t(nodes_.size());
-    std::vector<uint32_t> degree(n), order;
-    taken_.resize(n);
-    const auto precedes = [&](uint32_t a, uint32_t b) {
-      return lowest ? can_hide(b, a) : can_hide(a, b);
-    };
-    for (uint32_t a = 0; a < n; a++)
-      for (uint32_t b = 0; b < n && !taken_[a]; b++)
-        degree[b] += !taken_[b] && precedes(a, b);
-    for (uint32_t a = 0; a < n; a++)
-      if (!taken_[a] && !degree[a])
-        order.push_back(a);
-    for (uint32_t a : order)
-      taken_[a] = true;
-    for (size_t k = 0; k < order.size(); k++)
-      for (uint32_t b = 0; b < n; b++)
-        if (!taken_[b] && precedes(order[k], b) && !--degree[b]) {
-          taken_[b] = true;
-          order.push_back(b);
-        }
-    return order;
-  }
-
-  size_t size() const { return nodes_.size(); }
-  const Oriented &node(uint32_t number) const { return nodes_[number]; }
-
-  // The pieces of the nodes that are left: they lie on circuits, or between
-  // two.
-  Group left_over() const {
-    Group left;
-    for (size_t a = 0; a < nodes_.size(); a++)
-      if (!taken_[a])
-        left.push_back(group_[nodes_[a].member]);
-    return left;
-  }
-
-  // Whether member k is not certain to be on one side of another's plane.
-  bool is_thick(size_t k) {
-    for (size_t l = 0; l < group_.size(); l++)
-      if (l != k && about(k, l) & UNSURE)
-        return true;
-    return false;
-  }
-
-private:
-  const Convex_pieces &shapes_;
-  const std::vector<Convex> &pieces_;
-  const Group &group_;
-  uint64_t &questions_;
-  std::vector<uint32_t> planes_;
-  std::vector<size_t> own_plane_; // a member: its place in planes_
-  std::vector<Oriented> nodes_;
-  std::vector<bool> taken_;
-  static constexpr uint8_t UNKNOWN = 0xff;
-  std::vector<uint8_t> about_; // a member and a plane
-
-  // Where member k lies about the plane of member l.
-  unsigned about(size_t k, size_t l) {
-    uint8_t &where = about_[k * planes_.size() + own_plane_[l]];
-    if (where == UNKNOWN) {
-      questions_++;
-      where =
-          uint8_t(shapes_.about(pieces_[group_[k]], planes_[own_plane_[l]]));
-    }
-    return where;
-  }
-
-  // Whether a can hide b from some viewpoint.
-  bool can_hide(uint32_t a, uint32_t b) {
-    const Oriented &f = nodes_[a], &g = nodes_[b];
-    if (own_plane_[f.member] == own_plane_[g.member])
-      return f.side == g.side && pieces_[group_[f.member]].parent <
-                                     pieces_[group_[g.member]].parent;
-    return (about(g.member, f.member) & (f.side > 0 ? BEHIND : FRONT)) &&
-           (about(f.member, g.member) & (g.side > 0 ? FRONT : BEHIND));
-  }
-};
 
 // --- Planes through gaps ----------------------------------------------------
 
@@ -271,7 +145,8 @@ class Tree {
 public:
   explicit Tree(const hsr_world &world) : world_(world), shapes_(world) {}
   void make_clusters();
-  void give_priorities();
+  // `kept`: what is kept from frame to frame, or NULL.
+  void give_priorities(hsr_kept_priorities *kept);
   hsr_status make(hsr_world *out, hsr_error *err) const;
 
 private:
@@ -283,6 +158,7 @@ private:
   Group thick_;                           // likewise
   uint32_t root_ = HSR_IS_CLUSTER;
   uint64_t pair_tests_ = 0, questions_ = 0;
+  std::optional<Kept_frame> kept_;
 
   struct Open {
     Group group;
@@ -295,6 +171,7 @@ private:
   void separate(const hsr_separator &separator, Place place, Group &&front,
                 Group &&behind);
   bool split_at_gap(const Group &group, Place place, bool between_instances);
+  Ranking rank(const Group &group);
   bool order(const Group &group, Place place, Group &circuits);
   size_t price_of(const Group &group, uint32_t plane);
   uint32_t choose_plane(const Group &group, const Group &candidates);
@@ -363,27 +240,51 @@ bool Tree::split_at_gap(const Group &group, Place place,
   return true;
 }
 
+// Compares the faces of a group.
+Ranking Tree::rank(const Group &group) {
+  Priority_graph graph(world_, shapes_, pieces_, group, questions_);
+  Ranking ranking;
+  for (uint32_t k = 0; k < group.size(); k++)
+    ranking.circuits.push_back(k);
+  const bool compared = graph.compare(pair_tests_);
+  const std::vector<uint32_t> order =
+      compared ? graph.take_out(false) : std::vector<uint32_t>();
+  ranking.has_order = compared && order.size() == graph.size();
+  for (uint32_t number : order) {
+    const Oriented &node = graph.node(number);
+    if (ranking.has_order)
+      (graph.is_thick(node.member) ? ranking.thick : ranking.order)
+          .push_back(2 * node.member + !node.from_front);
+  }
+  if (compared && !ranking.has_order) {
+    graph.take_out(true);
+    ranking.circuits = graph.left_over();
+  }
+  if (kept_)
+    kept_->keep(group, graph, ranking);
+  return ranking;
+}
+
 // Makes a cluster of the group, with priorities. False if its graph has
 // circuits; `circuits` are then the pieces to blame.
 bool Tree::order(const Group &group, Place place, Group &circuits) {
   circuits = group;
   if (group.size() > LARGEST_CLUSTER)
     return false;
-  Priority_graph graph(world_, shapes_, pieces_, group, questions_);
-  if (!graph.compare(pair_tests_))
-    return false;
-  const std::vector<uint32_t> order = graph.take_out(false);
-  if (order.size() < graph.size()) {
-    graph.take_out(true);
-    circuits = graph.left_over();
+  Ranking ranking;
+  if (!kept_ || !kept_->recall(group, ranking))
+    ranking = rank(group);
+  if (!ranking.has_order) {
+    circuits.clear();
+    for (uint32_t member : ranking.circuits)
+      circuits.push_back(group[member]);
     return false;
   }
   Group cluster;
-  for (uint32_t number : order) {
-    const Oriented &node = graph.node(number);
-    (graph.is_thick(node.member) ? thick_ : cluster)
-        .push_back(2 * group[node.member] + !node.from_front);
-  }
+  for (uint32_t k : ranking.order)
+    cluster.push_back(2 * group[k / 2] + k % 2);
+  for (uint32_t k : ranking.thick)
+    thick_.push_back(2 * group[k / 2] + k % 2);
   put_cluster(place, std::move(cluster));
   return true;
 }
@@ -587,8 +488,10 @@ void Tree::start_at_clusters() {
   }
 }
 
-void Tree::give_priorities() {
+void Tree::give_priorities(hsr_kept_priorities *kept) {
   start_at_clusters();
+  if (kept)
+    kept_.emplace(*kept, world_, shapes_, pieces_);
   while (!open_.empty()) {
     const Open next = std::move(open_.back());
     const Group &group = next.group;
@@ -601,6 +504,8 @@ void Tree::give_priorities() {
         !split_at_gap(group, next.place, false))
       split_by_plane(group, next.place, choose_plane(group, circuits));
   }
+  if (kept_)
+    kept_->end();
 }
 
 // --- The new world ----------------------------------------------------------
@@ -651,6 +556,8 @@ bool Tree::fill(hsr_world *out, const std::vector<uint32_t> &number) const {
   c->n_thick = uint32_t(thick_.size());
   c->reach = HSR_NEW(arena, double, out->n_faces);
   c->pair_tests = pair_tests_;
+  c->n_kept = kept_ ? kept_->n_kept() : 0;
+  c->close_tests = kept_ ? kept_->n_close() : 0;
   if (!c->separator || !c->start || !c->order || !c->thick || !c->reach)
     return false;
 
@@ -700,10 +607,15 @@ hsr_status hsr::cluster(const hsr_world *in, hsr_world *out, bool *changed,
 
 hsr_status hsr::give_priorities(const hsr_world *in, hsr_world *out,
                                 bool *changed, hsr_error *err) {
+  return keep_priorities(in, nullptr, out, changed, err);
+}
+
+hsr_status hsr::keep_priorities(const hsr_world *in, hsr_kept_priorities *kept,
+                                hsr_world *out, bool *changed, hsr_error *err) {
   return guarded(err, [&]() -> hsr_status {
     *changed = false;
     Tree tree(*in);
-    tree.give_priorities();
+    tree.give_priorities(kept);
     *changed = true;
     return tree.make(out, err);
   });

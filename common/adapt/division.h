@@ -117,6 +117,9 @@ hsr_status cluster(const hsr_world *in, hsr_world *out, bool *changed,
                    hsr_error *err);
 hsr_status give_priorities(const hsr_world *in, hsr_world *out, bool *changed,
                            hsr_error *err);
+// The same, as hsr_adapter::follow; `kept` may be NULL.
+hsr_status keep_priorities(const hsr_world *in, hsr_kept_priorities *kept,
+                           hsr_world *out, bool *changed, hsr_error *err);
 
 } // namespace hsr
 

@@ -10,4 +10,7 @@ libcore_a_SOURCES += \
   %D%/division.h \
   %D%/heights.c \
   %D%/heights.h \
+  %D%/kept_priorities.cc \
+  %D%/kept_priorities.h \
+  %D%/priority_graph.h \
   %D%/surfaces.cc

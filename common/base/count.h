@@ -80,7 +80,7 @@ struct hsr_subject {
  * same thing have the same name. Code that several algorithms share is a part
  * (algorithms/part.h): counter k of part p has the number HSR_PART_SIZE p + k.
  */
-enum { HSR_MAX_COUNTERS = 48, HSR_PART_SIZE = 64, HSR_MOST_PARTS = 32 };
+enum { HSR_MAX_COUNTERS = 48, HSR_PART_SIZE = 64, HSR_MOST_PARTS = 40 };
 struct hsr_counter {
   const char *name;    /* "X merge" */
   const char *meaning; /* "comparisons to merge entering edges into the list" */

@@ -380,6 +380,23 @@ void hsr_face_rows_begin(struct hsr_face_rows *rows,
 int hsr_face_rows_spans(const struct hsr_face_rows *rows, int j, int *columns,
                         struct hsr_tally *tally);
 
+/* Whether two lists of spans, as the functions above give them, have a sample in
+ * common in the columns [x0, x1). */
+static inline bool hsr_spans_meet(const int *a, int n_a, const int *b, int n_b,
+                                  int x0, int x1) {
+  for (int k = 0, l = 0; k < n_a && l < n_b;) {
+    int begin = a[k] > b[l] ? a[k] : b[l];
+    int end = a[k + 1] < b[l + 1] ? a[k + 1] : b[l + 1];
+    if (begin < end && begin < x1 && end > x0)
+      return true;
+    if (a[k + 1] < b[l + 1])
+      k += 2;
+    else
+      l += 2;
+  }
+  return false;
+}
+
 /* --- Cut faces (common/scene/pieces.h) ------------------------------------ */
 
 /* The part of a face that n_cuts cuts leave. All its samples are in

@@ -152,10 +152,11 @@ static enum hsr_relation relate_cut(const struct hsr_screen *screen, uint32_t f,
   return n_covered == 4 ? HSR_SURROUNDER : HSR_INTERSECTER;
 }
 
-enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
-                                        uint32_t f, const struct hsr_area *w,
-                                        bool reaches_over,
-                                        struct hsr_tally *tally) {
+enum hsr_relation hsr_area_relate_but_surround(const struct hsr_screen *screen,
+                                               uint32_t f,
+                                               const struct hsr_area *w,
+                                               bool reaches_over, bool *asks,
+                                               struct hsr_tally *tally) {
   if (!hsr_area_is_sample(w)) {
     if (edges_meet(screen, f, w, tally))
       return HSR_INTERSECTER;
@@ -164,6 +165,20 @@ enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
     if (!screen->whole[f])
       return relate_cut(screen, f, w, tally);
   }
-  return hsr_covers(screen, f, w->x0, w->y0, tally) ? HSR_SURROUNDER
-                                                    : HSR_DISJOINT;
+  if (screen->whole[f])
+    *asks = true;
+  else if (hsr_covers(screen, f, w->x0, w->y0, tally))
+    return HSR_SURROUNDER;
+  return HSR_DISJOINT;
+}
+
+enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
+                                        uint32_t f, const struct hsr_area *w,
+                                        bool reaches_over,
+                                        struct hsr_tally *tally) {
+  bool asks = false;
+  enum hsr_relation relation =
+      hsr_area_relate_but_surround(screen, f, w, reaches_over, &asks, tally);
+  return asks && hsr_covers(screen, f, w->x0, w->y0, tally) ? HSR_SURROUNDER
+                                                            : relation;
 }

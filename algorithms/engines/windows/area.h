@@ -48,6 +48,30 @@ enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
                                         bool reaches_over,
                                         struct hsr_tally *tally);
 
+/* The same, but the surround test is left to the caller: whether the face
+ * surrounds the first sample. *asks is set if all depends on that: the face is
+ * whole, and no edge of it meets the area. Otherwise it is left alone. */
+enum hsr_relation hsr_area_relate_but_surround(const struct hsr_screen *screen,
+                                               uint32_t f,
+                                               const struct hsr_area *area,
+                                               bool reaches_over, bool *asks,
+                                               struct hsr_tally *tally);
+
+/* Whether the bounds b of a face decide how it lies to an area: *relation. If
+ * not, *reaches_over is as above. */
+static inline bool hsr_area_box_decides(struct hsr_bounds b,
+                                        const struct hsr_area *w,
+                                        enum hsr_relation *relation,
+                                        bool *reaches_over) {
+  bool apart = b.x1 <= w->x0 || b.x0 >= w->x1 || b.y1 <= w->y0 || b.y0 >= w->y1;
+  bool contained =
+      b.x0 >= w->x0 && b.x1 <= w->x1 && b.y0 >= w->y0 && b.y1 <= w->y1;
+  *reaches_over =
+      b.x0 <= w->x0 && b.x1 >= w->x1 && b.y0 <= w->y0 && b.y1 >= w->y1;
+  *relation = apart ? HSR_DISJOINT : HSR_INTERSECTER;
+  return apart || (contained && !*reaches_over);
+}
+
 /* How a relevant face, whose bounds are b, lies to an area. *by_box: the bounds
  * alone have decided. */
 static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
@@ -55,15 +79,11 @@ static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
                                                 const struct hsr_area *w,
                                                 bool *by_box,
                                                 struct hsr_tally *tally) {
-  bool apart = b.x1 <= w->x0 || b.x0 >= w->x1 || b.y1 <= w->y0 || b.y0 >= w->y1;
-  bool reaches_over =
-      b.x0 <= w->x0 && b.x1 >= w->x1 && b.y0 <= w->y0 && b.y1 >= w->y1;
-  bool contained =
-      b.x0 >= w->x0 && b.x1 <= w->x1 && b.y0 >= w->y0 && b.y1 <= w->y1;
-  *by_box = apart || (contained && !reaches_over);
-  if (*by_box)
-    return apart ? HSR_DISJOINT : HSR_INTERSECTER;
-  return hsr_area_relate_edges(screen, f, w, reaches_over, tally);
+  enum hsr_relation relation;
+  bool reaches_over;
+  *by_box = hsr_area_box_decides(b, w, &relation, &reaches_over);
+  return *by_box ? relation
+                 : hsr_area_relate_edges(screen, f, w, reaches_over, tally);
 }
 
 /* The depths of a face's plane at the corners of an area, as by hsr_depth:

@@ -22,7 +22,7 @@
  *             searched as ever
  * Measured    Comparisons in depth on 500 lines of 500 samples, without the
  *             option and with it, and failures of an extrapolation:
- *               penetration    6,928    5,328  0 of 347
+ *               penetration    6,928    5,328  2 of 347
  *               soup         183,730  183,462  0 of 87
  *             In house, harbor and big-harbor no faces penetrate, so bouknight
  *             makes the same comparisons. yzx divides faces there, too, where

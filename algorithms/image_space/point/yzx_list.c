@@ -3,6 +3,7 @@
 #include "algorithms/image_space/point/yzx_list.h"
 
 #include <math.h>
+#include <limits.h>
 #include <string.h>
 
 /* Not divided. */
@@ -250,19 +251,6 @@ static int side_of_plane(const struct yzx_list *s, const struct yzx_piece *a,
   return side_of_face(s, a->face, g);
 }
 
-/* Whether two lists of spans have a sample in common. */
-static bool spans_meet(const int *a, int n_a, const int *b, int n_b) {
-  for (int k = 0, l = 0; k < n_a && l < n_b;) {
-    if (most(a[k], b[l]) < least(a[k + 1], b[l + 1]))
-      return true;
-    if (a[k + 1] < b[l + 1])
-      k += 2;
-    else
-      l += 2;
-  }
-  return false;
-}
-
 /* Test 6: have they a sample in common on the row or on one to come? */
 static bool overlap(struct yzx_list *s, const struct yzx_piece *a,
                     const struct yzx_piece *b) {
@@ -275,7 +263,7 @@ static bool overlap(struct yzx_list *s, const struct yzx_piece *a,
     int m = n ? hsr_piece_spans(s->screen, b->face, b->cuts, b->n_cuts, row,
                                 s->other_columns, s->tally)
               : 0;
-    meet = spans_meet(s->columns, n, s->other_columns, m);
+    meet = hsr_spans_meet(s->columns, n, s->other_columns, m, INT_MIN, INT_MAX);
     HSR_STEP(s->tally, YZX_ROWS, HSR_FACE(a->face), HSR_FACE(b->face),
              HSR_ON(s->job->view->window.x0, s->job->view->window.x1, row),
              meet);

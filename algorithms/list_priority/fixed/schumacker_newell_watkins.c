@@ -35,10 +35,6 @@
 #include "algorithms/list_priority/per_frame/kept_order.h"
 #include "algorithms/list_priority/per_frame/priority_scan.h"
 
-enum { CONFIRMED, ARRANGED, RELATIONS_HELD };
-static const struct hsr_kept_counters kept_counters = {CONFIRMED, ARRANGED,
-                                                       RELATIONS_HELD};
-
 struct schumacker_newell_watkins {
   struct hsr_screen screen;
   struct hsr_cluster_order order;
@@ -60,7 +56,7 @@ static enum hsr_status reserve(struct schumacker_newell_watkins *s,
   if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally) ||
       hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
       hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally) ||
-      hsr_keeper_begin(job->prepared, job, &s->screen, kept_counters))
+      hsr_keeper_begin(job->prepared, job, &s->screen))
     return HSR_E_NOMEM;
   return hsr_priority_scan_reserve(&s->scan, job, &s->screen, job->prepared);
 }
@@ -99,32 +95,14 @@ static const struct hsr_use uses[] = {{&hsr_cluster_order_part},
                                       {&hsr_scan_part},
                                       {&hsr_spans_part},
                                       {&hsr_priority_search_part},
+                                      {&hsr_kept_order_part},
                                       {NULL}};
 
-static const struct hsr_counter counters[] = {[CONFIRMED] = HSR_KEPT_FACES,
-                                              [ARRANGED] = HSR_KEPT_ARRANGED,
-                                              [RELATIONS_HELD] = HSR_KEPT_HELD,
-                                              {NULL}};
-
-static const struct hsr_step steps[] = {
-    {"Newell special",
-     CONFIRMED,
-     HSR_KIND_PLANE,
-     NULL,
-     NULL,
-     {{ARRANGED, HSR_KIND_LIST}, {RELATIONS_HELD, HSR_KIND_NUMBERS}}},
-    {NULL}};
-
 static const struct hsr_line outline[] = {
-    {"for each face: is it where it was, and the eye on the same side of it?",
-     HSR_RAISES(CONFIRMED)},
+    {"", .part = &hsr_kept_order_part},
     {"for each cluster, from the farthest, by the separating planes",
      HSR_RAISES(HSR_INTER_CLUSTER)},
-    {"  take its pieces of the last frame; put each after those that it "
-     "followed",
-     HSR_RAISES(ARRANGED)},
-    {"  of two pieces whose order a plane told there: it holds",
-     HSR_RAISES(RELATIONS_HELD)},
+    {"  ", .part = &hsr_kept_order_part, .group = HSR_KEPT_LIST_LINES},
     {"  ", .part = &hsr_list_part},
     {"    give P the next priority number"},
     {"", .part = &hsr_scan_part},
@@ -136,7 +114,7 @@ static const struct hsr_line outline[] = {
 static const struct hsr_sort sorts[] = {
     {.part = &hsr_cluster_order_part},
     {"faces", "Z", "radix sort of the farthest vertex", "once a cluster"},
-    {"faces", "XYZ", "by relations of the last frame", "once a cluster"},
+    {.part = &hsr_kept_order_part},
     {"faces", "XYZ", "Newell special", "once a cluster"},
     {.part = &hsr_scan_part},
     {.part = &hsr_spans_part},
@@ -159,8 +137,6 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell_watkins) = {
     .flags = HSR_FRAME_STATE,
     .sorts = sorts,
     .parts = uses,
-    .counters = counters,
-    .steps = steps,
     .outline = outline,
     .prepare = prepare,
     .render = render,

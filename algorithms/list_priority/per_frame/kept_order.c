@@ -50,7 +50,6 @@ struct hsr_keeper {
   /* This frame. */
   const struct hsr_job *job;
   const struct hsr_screen *screen;
-  struct hsr_kept_counters counters;
   bool any_moved;
   bool *same; /* by face: not moved, the eye on the same side */
 
@@ -117,12 +116,10 @@ static bool any_has_moved(const struct hsr_keeper *k) {
 
 enum hsr_status hsr_keeper_begin(struct hsr_keeper *k,
                                  const struct hsr_job *job,
-                                 const struct hsr_screen *screen,
-                                 struct hsr_kept_counters counters) {
+                                 const struct hsr_screen *screen) {
   const struct hsr_world *world = job->world;
   k->job = job;
   k->screen = screen;
-  k->counters = counters;
   k->number = 0;
   k->valid &= k->n_vertices == world->mesh.n_vertices;
   k->any_moved = k->valid && any_has_moved(k);
@@ -140,7 +137,7 @@ enum hsr_status hsr_keeper_begin(struct hsr_keeper *k,
       break;
     k->same[f] =
         k->side[f] == hsr_eye_side(screen, f, job->tally) && !has_moved(k, f);
-    HSR_STEP(job->tally, counters.faces, HSR_FACE(f), HSR_NOTHING,
+    HSR_STEP(job->tally, HSR_KEPT_FACES, HSR_FACE(f), HSR_NOTHING,
              job->view->window, k->same[f]);
   }
   k->order = k->pairs = (struct hsr_growing){.n = 0};
@@ -251,7 +248,7 @@ bool hsr_kept_holds(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
   k->candidate = p;
   if (k->mark[Q->kept] != k->n_candidates)
     return false;
-  HSR_STEP(s->tally, k->counters.held, subject(s, p), subject(s, q), *s->window,
+  HSR_STEP(s->tally, HSR_KEPT_HELD, subject(s, p), subject(s, q), *s->window,
            0);
   hsr_kept_note(s, p, q);
   return true;
@@ -328,8 +325,8 @@ static void arrange(struct hsr_priority_list *s, const struct earlier *earlier,
     } else if (next[q] < earlier->start[q + 1]) {
       uint32_t p = earlier->before[next[q]++];
       bool waits = next[p] != NONE;
-      HSR_STEP(s->tally, s->keeper->counters.arranged, subject(s, q),
-               subject(s, p), *s->window, waits);
+      HSR_STEP(s->tally, HSR_KEPT_ARRANGED, subject(s, q), subject(s, p),
+               *s->window, waits);
       if (waits)
         stack[n_stack++] = p;
     } else {
@@ -444,3 +441,47 @@ void hsr_kept_close(struct hsr_priority_list *s) {
   if (!good || !copy_relations(s, now))
     s->out_of_memory = true;
 }
+
+/* --- What it counts ------------------------------------------------------- */
+
+static const struct hsr_counter counters[] = {
+    {"faces confirmed",
+     "faces asked whether they are where they were, and the eye on the same "
+     "side of their planes",
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING,
+     "new, moved or turned|as it was"},
+    {"relations kept",
+     "relations of the last frame, by which a piece follows another", HSR_SORT,
+     HSR_OF_PIECE, HSR_OF_PIECE,
+     "the other has its place|the other is put first"},
+    {"relations held",
+     "pairs that tests 1 to 3 left, whose order is known from the last frame",
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"Newell special",
+     HSR_KEPT_FACES,
+     HSR_KIND_PLANE,
+     NULL,
+     NULL,
+     {{HSR_KEPT_ARRANGED, HSR_KIND_LIST}, {HSR_KEPT_HELD, HSR_KIND_NUMBERS}}},
+    {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "XYZ", "by relations of the last frame", "once a list"}, {NULL}};
+
+static const struct hsr_line frame_lines[] = {
+    {"for each face: is it where it was, and the eye on the same side of it?",
+     HSR_RAISES(HSR_KEPT_FACES)},
+    {NULL}};
+
+static const struct hsr_line list_lines[] = {
+    {"take the pieces of the last frame; put each after those that it followed",
+     HSR_RAISES(HSR_KEPT_ARRANGED)},
+    {"of two pieces whose order a plane told there: it holds",
+     HSR_RAISES(HSR_KEPT_HELD)},
+    {NULL}};
+
+const struct hsr_part hsr_kept_order_part = {
+    HSR_PART_KEPT_ORDER, counters, steps, sorts, {frame_lines, list_lines}};

@@ -51,18 +51,12 @@ struct hsr_keeper *hsr_keeper_new(const struct hsr_world *world,
                                   uint32_t n_lists);
 void hsr_keeper_free(void *keeper); /* NULL: none */
 
-/* The counters of the module; HSR_KEPT_FACES and so on describe them. */
-struct hsr_kept_counters {
-  int faces, arranged, held;
-};
-
 /* Begins a frame: asks of each relevant face whether what was kept of it holds.
  * The screen is borrowed for the frame, and scratch memory is that of the job.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_keeper_begin(struct hsr_keeper *keeper,
                                  const struct hsr_job *job,
-                                 const struct hsr_screen *screen,
-                                 struct hsr_kept_counters counters);
+                                 const struct hsr_screen *screen);
 
 /* The next list, of hsr_list_sort, is list number n. Without this call it is
  * list 0. */
@@ -72,28 +66,15 @@ void hsr_keeper_choose(struct hsr_keeper *keeper, uint32_t n);
  * with. A frame that is not ended is not kept, and the next begins anew. */
 void hsr_keeper_end(struct hsr_keeper *keeper);
 
-#define HSR_KEPT_FACES                                                         \
-  {                                                                            \
-    "faces confirmed",                                                         \
-        "faces asked whether they are where they were, and the eye on the "    \
-        "same side of their planes",                                           \
-        HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING,                              \
-        "new, moved or turned|as it was"                                       \
-  }
-#define HSR_KEPT_ARRANGED                                                      \
-  {                                                                            \
-    "relations kept",                                                          \
-        "relations of the last frame, by which a piece follows another",       \
-        HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE,                                  \
-        "the other has its place|the other is put first"                       \
-  }
-#define HSR_KEPT_HELD                                                          \
-  {                                                                            \
-    "relations held",                                                          \
-        "pairs that tests 1 to 3 left, whose order is known from the last "    \
-        "frame",                                                               \
-        HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE                                \
-  }
+/* The part of the kept order: counters, the step "Newell special", a sort. Groups
+ * of lines of the outline: at the beginning of a frame; before each list. */
+extern const struct hsr_part hsr_kept_order_part;
+enum {
+  HSR_KEPT_FACES = HSR_FIRST_OF(HSR_PART_KEPT_ORDER),
+  HSR_KEPT_ARRANGED,
+  HSR_KEPT_HELD
+};
+enum { HSR_KEPT_FRAME_LINES, HSR_KEPT_LIST_LINES };
 
 /* For priority_list.c alone, in a list with a keeper. hsr_kept_take: begins a
  * list of n faces; adds the pieces of the last frame's order, and the other

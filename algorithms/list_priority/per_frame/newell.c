@@ -33,9 +33,6 @@
 enum { INDEX_SORT, GROUPS, AGAIN };
 
 /* Of the last frame's order. */
-enum { CONFIRMED, ARRANGED, RELATIONS_HELD };
-static const struct hsr_kept_counters kept_counters = {CONFIRMED, ARRANGED,
-                                                       RELATIONS_HELD};
 
 enum { SPECIAL }; /* option */
 enum { ALONG_THE_LIST, BY_GROUPS, LATERAL };
@@ -394,7 +391,7 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
   struct hsr_glass glass;
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
-      (keeper && hsr_keeper_begin(keeper, job, &screen, kept_counters)) ||
+      (keeper && hsr_keeper_begin(keeper, job, &screen)) ||
       hsr_newell_reserve(&newell, job, &screen, keeper, screen.n_relevant))
     return hsr_fail_nomem(err);
   newell.frame_buffer = frame_buffer;
@@ -460,8 +457,11 @@ static const struct hsr_counter counters[] = {
                HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
     {NULL}};
 
-static const struct hsr_use uses_previous[] = {
-    {&hsr_list_part}, {&hsr_painting_part}, {&hsr_beads_part}, {NULL}};
+static const struct hsr_use uses_previous[] = {{&hsr_list_part},
+                                               {&hsr_painting_part},
+                                               {&hsr_beads_part},
+                                               {&hsr_kept_order_part},
+                                               {NULL}};
 
 static const struct hsr_use uses_frame_buffer[] = {
     {&hsr_list_part}, {&hsr_painting_part}, {NULL}};
@@ -476,28 +476,9 @@ static const struct hsr_line outline[] = {
     {"", .part = &hsr_beads_part},
     {NULL}};
 
-static const struct hsr_counter counters_previous[] = {
-    [CONFIRMED] = HSR_KEPT_FACES,
-    [ARRANGED] = HSR_KEPT_ARRANGED,
-    [RELATIONS_HELD] = HSR_KEPT_HELD,
-    {NULL}};
-
-static const struct hsr_step steps_previous[] = {
-    {"Newell special",
-     CONFIRMED,
-     HSR_KIND_PLANE,
-     NULL,
-     NULL,
-     {{ARRANGED, HSR_KIND_LIST}, {RELATIONS_HELD, HSR_KIND_NUMBERS}}},
-    {NULL}};
-
 static const struct hsr_line outline_previous[] = {
-    {"for each face: is it where it was, and the eye on the same side of it?",
-     HSR_RAISES(CONFIRMED)},
-    {"take the pieces of the last frame; put each after those that it followed",
-     HSR_RAISES(ARRANGED)},
-    {"of two pieces whose order a plane told there: it holds",
-     HSR_RAISES(RELATIONS_HELD)},
+    {"", .part = &hsr_kept_order_part},
+    {"", .part = &hsr_kept_order_part, .group = HSR_KEPT_LIST_LINES},
     {"", .part = &hsr_list_part},
     {"", .part = &hsr_painting_part},
     {"", .part = &hsr_beads_part},
@@ -526,11 +507,10 @@ static const struct hsr_sort sorts_frame_buffer[] = {
     {"samples", "XY", "frame buffer", "once a segment"},
     {NULL}};
 
-static const struct hsr_sort sorts_previous[] = {
-    {.part = &hsr_list_part},
-    {"faces", "XYZ", "by relations of the last frame", "once a frame"},
-    {.part = &hsr_beads_part},
-    {NULL}};
+static const struct hsr_sort sorts_previous[] = {{.part = &hsr_list_part},
+                                                 {.part = &hsr_kept_order_part},
+                                                 {.part = &hsr_beads_part},
+                                                 {NULL}};
 
 static const struct hsr_counter painting_counters[] = {
     {"segments", "segments generated", HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW,
@@ -652,8 +632,6 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .flags = HSR_FRAME_STATE | HSR_FOLLOWS,
     .sorts = sorts_previous,
     .parts = uses_previous,
-    .counters = counters_previous,
-    .steps = steps_previous,
     .outline = outline_previous,
     .prepare = prepare_previous,
     .render = render_previous,

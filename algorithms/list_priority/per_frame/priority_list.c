@@ -241,22 +241,6 @@ static bool edge_separates(const struct hsr_priority_list *s, uint32_t f,
   return false;
 }
 
-/* Whether two lists of spans have a sample of the window in common. */
-static bool spans_meet(const struct hsr_window *w, const int *a, int n_a,
-                       const int *b, int n_b) {
-  for (int k = 0, l = 0; k < n_a && l < n_b;) {
-    int x0 = a[k] > b[l] ? a[k] : b[l];
-    int x1 = a[k + 1] < b[l + 1] ? a[k + 1] : b[l + 1];
-    if (x0 < x1 && x0 < w->x1 && x1 > w->x0)
-      return true;
-    if (a[k + 1] < b[l + 1])
-      k += 2;
-    else
-      l += 2;
-  }
-  return false;
-}
-
 /* From now on the spans are those of P. */
 static void take_spans(struct hsr_priority_list *s, uint32_t p) {
   struct hsr_list_spans *spans = &s->spans;
@@ -311,7 +295,8 @@ static bool are_apart(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
     int n_b = n_a ? hsr_piece_rows_spans(&rows, b->cuts, b->n_cuts, j, columns,
                                          s->tally)
                   : 0;
-    bool meet = spans_meet(s->window, of_p, n_a, columns, n_b);
+    bool meet =
+        hsr_spans_meet(of_p, n_a, columns, n_b, s->window->x0, s->window->x1);
     HSR_STEP(s->tally, HSR_LIST_OVERLAP_ROWS, subject(s, p), subject(s, q),
              HSR_ON(s->window->x0, s->window->x1, j), meet);
     if (meet)

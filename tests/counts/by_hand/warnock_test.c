@@ -127,8 +127,42 @@ static const struct hand_count in_regions[] = {
     {"minimax culls", 0},
     {NULL}};
 
+/* The surround tests are those of the four surrounders: all else is decided by
+ * boxes, or by an edge that meets the window. Each face is a rectangle around the
+ * point: the point is on one side of its four edges; two of them cross the line
+ * of its row, the left one to its left; and there is a corner in each quadrant. */
+static const struct hand_count sides[] = {{"surround tests", 4},
+                                          {"surround tests", 4, "inside"},
+                                          {"surround: sides", 16},
+                                          {"surround: sides", 16, "one side"},
+                                          {"surround: rows", 0},
+                                          {"surround: quadrants", 0},
+                                          {"Warnock special", 46},
+                                          {"windows", 17},
+                                          {NULL}};
+static const struct hand_count crossings[] = {
+    {"surround tests", 4},
+    {"surround tests", 4, "inside"},
+    {"surround: rows", 16},
+    {"surround: rows", 8, "on both sides"},
+    {"surround: crossings", 8},
+    {"surround: crossings", 4, "crosses it"},
+    {"surround: crossings", 4, "to the right of the point"},
+    {"surround: sides", 0},
+    {"windows", 17},
+    {NULL}};
+static const struct hand_count angles[] = {
+    {"surround tests", 4},
+    {"surround tests", 4, "inside"},
+    {"surround: quadrants", 16},
+    {"surround: quadrants", 4, "upper right"},
+    {"surround: quadrants", 4, "lower left"},
+    {"surround: diagonals", 0},
+    {"windows", 17},
+    {NULL}};
+
 int main(void) {
-  struct tap tap = plan(3);
+  struct tap tap = plan(6);
   struct hand_picture p;
   pixel_open(&p, faces, 5, SIZE, SIZE);
   ok(&tap, hand_compare(&p, "warnock", derived, true), "five rectangles");
@@ -136,6 +170,12 @@ int main(void) {
      "as a raster");
   ok(&tap, hand_compare(&p, "warnock:regions=64", in_regions, false),
      "in 64 regions");
+  ok(&tap, hand_compare(&p, "warnock:surround=sides", sides, false),
+     "surround tests by sides");
+  ok(&tap, hand_compare(&p, "warnock:surround=crossings", crossings, false),
+     "surround tests by crossings");
+  ok(&tap, hand_compare(&p, "warnock:surround=angles", angles, false),
+     "surround tests by angles");
   hand_close(&p);
   return finish(&tap);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the options of Warnock's algorithm promise, checked in its trace: a raster
- * is put out in order and whole, and the lists of regions are those that a first
- * frame would make. */
+ * is put out in order and whole; the lists of regions are those that a first
+ * frame would make; and the three surround tests agree, each at its own cost. */
 #include "bench/modules/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -188,9 +188,70 @@ static void test_regions(struct tap *tap, const char *name) {
      f.n_first);
 }
 
+/* --- The surround tests --------------------------------------------------- */
+
+/* Scenes of which vertices and edges meet samples, or faces are not convex, are
+ * among these. */
+static const char *const surround_scenes[] = {
+    "house",        "lattice:60:5", "coplanar", "keyholes",     "non-convex",
+    "shared-edges", "non-planar",   "sliver",   "eye-in-plane", "harbor:100"};
+enum { N_SURROUND = sizeof surround_scenes / sizeof *surround_scenes };
+enum { SIDES, CROSSINGS, ANGLES, WAYS };
+static const char *const ways[WAYS] = {"warnock:surround=sides",
+                                       "warnock:surround=crossings",
+                                       "warnock:surround=angles"};
+
+static void test_surround(struct tap *tap) {
+  static struct film film[WAYS], other;
+  long n_wrong = 0, n_tests = 0, n_other = 0, n_edges = 0, n_amiss = 0;
+  long n_few = 0, n_fallen = 0;
+  for (int s = 0; s < N_SURROUND; s++) {
+    struct stage stage;
+    open_stage(&stage, surround_scenes[s]);
+    begin(&other, find_counting("warnock"), &stage);
+    for (int w = 0; w < WAYS; w++)
+      begin(&film[w], find_counting(ways[w]), &stage);
+    for (int k = 0; k < 4; k++) {
+      struct hsr_view view = view_of(&stage, k, M, N);
+      draw_frame(&other, &view);
+      for (int w = 0; w < WAYS; w++) {
+        draw_frame(&film[w], &view);
+        n_wrong += count_differences(&view, film[w].ids, other.ids);
+        n_other += count(&film[w], "surround tests") !=
+                       count(&film[0], "surround tests") ||
+                   count(&film[w], "Warnock special") !=
+                       count(&other, "Warnock special");
+      }
+      long edges = count(&film[CROSSINGS], "surround: rows");
+      long fallen = count(&film[SIDES], "surround: rows");
+      n_tests += count(&film[0], "surround tests");
+      n_edges += edges;
+      n_amiss += count(&film[ANGLES], "surround: quadrants") != edges ||
+                 count(&film[CROSSINGS], "surround: crossings") > edges ||
+                 count(&film[SIDES], "surround: sides") + fallen > edges;
+      n_few += count(&film[SIDES], "surround: sides");
+      n_fallen += fallen;
+    }
+    for (int w = 0; w < WAYS; w++)
+      end(&film[w]);
+    end(&other);
+    close_stage(&stage);
+  }
+  ok(tap, n_wrong == 0, "surround=: %ld samples are wrong", n_wrong);
+  ok(tap, n_other == 0 && n_tests > 1000,
+     "each makes the same %ld surround tests; in %ld frames it does not",
+     n_tests, n_other);
+  ok(tap, n_amiss == 0, "no edge is looked at twice; in %ld frames it is",
+     n_amiss);
+  ok(tap, n_few + n_fallen < n_edges && n_few && n_fallen,
+     "by sides, %ld of %ld edges, and %ld of faces that may not be convex",
+     n_few, n_edges, n_fallen);
+}
+
 int main(void) {
-  struct tap tap = plan(10);
+  struct tap tap = plan(14);
   test_raster(&tap);
+  test_surround(&tap);
   test_regions(&tap, "warnock:regions=64");
   test_regions(&tap, "warnock:regions=256");
   return finish(&tap);
