@@ -16,7 +16,7 @@
 
 enum {
   SIDE = 128,        /* pixels of a tile for several threads */
-  BATCHES = 256,     /* of a round */
+  BATCHES = 512,     /* of a round */
   ENTRIES = 1 << 19, /* of all lists together */
   TELL = 64          /* batches between two calls of who watches */
 };
