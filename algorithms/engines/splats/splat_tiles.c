@@ -22,6 +22,12 @@ enum {
 };
 #define FOLD UINT32_MAX /* an entry: a slice ends */
 
+/* The tiles that a splat meets: columns and rows of them, and one more. Lists are
+ * made of these: a whole splat is too large to be read for that. */
+struct tiles {
+  uint16_t x0, y0, x1, y1;
+};
+
 struct hsr_splat_round {
   struct hsr_splat_samples samples[BATCHES];
   bool folds[BATCHES]; /* a slice ends after the batch */
@@ -34,6 +40,7 @@ struct hsr_splat_round {
   struct hsr_tally *tally;
 
   struct hsr_placed *placed; /* of each batch, HSR_SPLAT_BATCH at most */
+  struct tiles *tiles;       /* of each of these splats */
   uint32_t *entry; /* a splat's batch and place in it, as one number; or FOLD */
   uint32_t n_entries;
   uint32_t *first; /* by tile: its first entry; and the end of all */
@@ -101,10 +108,12 @@ static enum hsr_status open_lists(struct hsr_splats *s) {
   r->placed = HSR_NEW(arena, struct hsr_placed, BATCHES * HSR_SPLAT_BATCH);
   /* A splat, or the end of a slice, may need an entry in every list. */
   r->n_entries = s->n_tiles > ENTRIES ? s->n_tiles : ENTRIES;
+  r->tiles = HSR_NEW(arena, struct tiles, BATCHES * HSR_SPLAT_BATCH);
   r->entry = HSR_NEW(arena, uint32_t, r->n_entries);
   r->first = HSR_NEW(arena, uint32_t, (size_t)s->n_tiles + 2);
   struct hsr_splat_batch *batch = HSR_NEW(arena, struct hsr_splat_batch, n);
-  if (!r->hand || !r->tally || !r->placed || !r->entry || !r->first || !batch)
+  if (!r->hand || !r->tally || !r->placed || !r->tiles || !r->entry ||
+      !r->first || !batch)
     return HSR_E_NOMEM;
   for (size_t k = 0; k < n; k++)
     r->hand[k] = (struct hsr_splats){.batch = &batch[k]};
@@ -184,20 +193,24 @@ static void draw_at_once(struct hsr_splats *s, bool folds) {
 
 /* --- Lists ---------------------------------------------------------------- */
 
+/* The tiles that a box meets. */
+static struct tiles tiles_of(const struct hsr_splats *s,
+                             const struct hsr_window *box) {
+  int x = s->window.x0, y = s->window.y0;
+  return (struct tiles){(uint16_t)((box->x0 - x) / s->width),
+                        (uint16_t)((box->y0 - y) / s->height),
+                        (uint16_t)((box->x1 - 1 - x) / s->width + 1),
+                        (uint16_t)((box->y1 - 1 - y) / s->height + 1)};
+}
+
 static void place(void *context, uint32_t k, int thread) {
   struct hsr_splats *s = context;
   struct hsr_splat_round *r = s->round;
-  r->n_placed[k] = hsr_splats_place(&r->hand[thread], &r->samples[k],
-                                    &r->placed[k * HSR_SPLAT_BATCH]);
-}
-
-/* The tiles that a box meets: columns and rows of them, and one more. */
-static struct hsr_window tiles_of(const struct hsr_splats *s,
-                                  const struct hsr_window *box) {
-  int x = s->window.x0, y = s->window.y0;
-  return (struct hsr_window){
-      (box->x0 - x) / s->width, (box->y0 - y) / s->height,
-      (box->x1 - 1 - x) / s->width + 1, (box->y1 - 1 - y) / s->height + 1};
+  struct hsr_placed *placed = &r->placed[k * HSR_SPLAT_BATCH];
+  int n = hsr_splats_place(&r->hand[thread], &r->samples[k], placed);
+  for (int i = 0; i < n; i++)
+    r->tiles[k * HSR_SPLAT_BATCH + (uint32_t)i] = tiles_of(s, &placed[i].box);
+  r->n_placed[k] = n;
 }
 
 /* Where the listing of a round is: a batch, and a splat of it; after the splats
@@ -209,7 +222,7 @@ struct place {
 /* The tiles that have an entry for what is at a place, and the entry. False: there
  * is nothing. */
 static bool entry_at(const struct hsr_splats *s, const struct place *at,
-                     struct hsr_window *tiles, uint32_t *entry) {
+                     struct tiles *tiles, uint32_t *entry) {
   const struct hsr_splat_round *r = s->round;
   if (at->splat == r->n_placed[at->batch]) {
     *tiles = tiles_of(s, &s->window);
@@ -217,7 +230,7 @@ static bool entry_at(const struct hsr_splats *s, const struct place *at,
     return r->folds[at->batch];
   }
   *entry = (uint32_t)(at->batch * HSR_SPLAT_BATCH + at->splat);
-  *tiles = tiles_of(s, &r->placed[*entry].box);
+  *tiles = r->tiles[*entry];
   return true;
 }
 
@@ -233,7 +246,7 @@ static struct place count(struct hsr_splats *s, struct place at) {
   uint32_t all = 0;
   memset(r->first, 0, ((size_t)s->n_tiles + 2) * sizeof *r->first);
   for (; at.batch < r->n; go_on(r, &at)) {
-    struct hsr_window w;
+    struct tiles w;
     uint32_t entry;
     if (!entry_at(s, &at, &w, &entry))
       continue;
@@ -254,7 +267,7 @@ static struct place list(struct hsr_splats *s, struct place at) {
   for (uint32_t t = 0; t < s->n_tiles; t++)
     r->first[t + 2] += r->first[t + 1];
   for (; at.batch != end.batch || at.splat != end.splat; go_on(r, &at)) {
-    struct hsr_window w;
+    struct tiles w;
     uint32_t entry;
     if (!entry_at(s, &at, &w, &entry))
       continue;
@@ -347,7 +360,7 @@ bool hsr_splats_is_hidden(const struct hsr_splats *s, uint32_t opacity,
                           uint32_t energy, const struct hsr_window *box) {
   if (!s->how->is_hidden)
     return false;
-  const struct hsr_window tiles = tiles_of(s, box);
+  const struct tiles tiles = tiles_of(s, box);
   for (int y = tiles.y0; y < tiles.y1; y++)
     for (int x = tiles.x0; x < tiles.x1; x++) {
       const struct hsr_splat_tile *tile = &s->tile[y * s->across + x];
