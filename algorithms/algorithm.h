@@ -118,7 +118,7 @@ struct hsr_passes {
 
 /* Who watches a job whose algorithm has HSR_OWN_TILES. One thread calls `tell`
  * now and then, with the share of the window that is drawn, from 0 to 1. If it
- * returns false, render returns HSR_E_STOPPED without a text. */
+ * returns false, render returns HSR_E_STOPPED. */
 struct hsr_watch {
   bool (*tell)(void *whom, double share);
   void *whom;

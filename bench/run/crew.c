@@ -167,8 +167,6 @@ static void work(void *context, int thread) {
                           .tile = (int)parts->setup->choice.window,
                           .watch = crew->progress.watch.tell ? &watch : NULL};
     worker->status = hsr_setup_render(parts->setup, &job, &worker->err);
-    if (worker->status == HSR_E_STOPPED)
-      say_stopped(&worker->err);
     if (worker->status)
       break;
   }

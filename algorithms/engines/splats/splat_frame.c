@@ -276,12 +276,14 @@ int32_t hsr_splats_split(const struct hsr_splats *s, int a) {
 }
 
 /* Draws what is left. */
-static enum hsr_status end_visit(struct hsr_splats *s) {
+static enum hsr_status end_visit(struct hsr_splats *s, struct hsr_error *err) {
   hsr_splats_close_batch(s, false);
   hsr_splats_flush(s);
   s->visit++;
   s->visited = 0;
-  return s->stopped ? HSR_E_STOPPED : HSR_OK;
+  return s->stopped
+             ? hsr_fail(err, HSR_E_STOPPED, "stopped by whoever asked for it")
+             : HSR_OK;
 }
 
 enum hsr_status hsr_splats_visit(struct hsr_splats *s,
@@ -296,7 +298,7 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
   }
   enum hsr_status status =
       hsr_grid_visit(order, nesting, front, &seen, visit_run, s, err);
-  return status ? status : end_visit(s);
+  return status ? status : end_visit(s, err);
 }
 
 /* --- Slices --------------------------------------------------------------- */
@@ -341,12 +343,13 @@ static void visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
 }
 
 enum hsr_status hsr_splats_visit_slices(struct hsr_splats *s, int axis,
-                                        uint32_t first, uint32_t n, int step) {
+                                        uint32_t first, uint32_t n, int step,
+                                        struct hsr_error *err) {
   for (uint32_t k = 0; k < n && !s->stopped; k++) {
     visit_slice(s, axis, first + (uint32_t)step * k);
     hsr_splats_close_batch(s, true);
   }
-  return end_visit(s);
+  return end_visit(s, err);
 }
 
 /* --- What it counts ------------------------------------------------------- */

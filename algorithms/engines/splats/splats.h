@@ -296,7 +296,7 @@ void hsr_splats_lay(struct hsr_splats *splats);
 
 /* Draws every splat that may be seen in the window, in an order of the grid.
  * order, nesting and front are those of hsr_grid_visit. HSR_E_NOMEM;
- * HSR_E_STOPPED, without a text, if who watches the job stops it. */
+ * HSR_E_STOPPED if who watches the job stops it. */
 enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
                                  enum hsr_grid_order order, int nesting,
                                  bool front, struct hsr_error *err);
@@ -306,7 +306,8 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
  * which is followed by how->fold: up or down. HSR_E_STOPPED, as before. */
 enum hsr_status hsr_splats_open_slices(struct hsr_splats *splats, int axis);
 enum hsr_status hsr_splats_visit_slices(struct hsr_splats *splats, int axis,
-                                        uint32_t first, uint32_t n, int step);
+                                        uint32_t first, uint32_t n, int step,
+                                        struct hsr_error *err);
 
 /* Calls part(context, tile) for each tile, on the threads of the job. */
 void hsr_splats_each(struct hsr_splats *splats,

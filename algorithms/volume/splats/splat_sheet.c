@@ -69,9 +69,9 @@ static enum hsr_status render(const struct hsr_job *job,
            near = (uint32_t)(hsr_splats_split(&s, axis) + 1);
   s.visits = 2;
   enum hsr_status status =
-      hsr_splats_visit_slices(&s, axis, n - 1, n - near, -1);
+      hsr_splats_visit_slices(&s, axis, n - 1, n - near, -1, err);
   if (!status)
-    status = hsr_splats_visit_slices(&s, axis, 0, near, 1);
+    status = hsr_splats_visit_slices(&s, axis, 0, near, 1, err);
   hsr_splats_each(&s, finish);
   return status;
 }
