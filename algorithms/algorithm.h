@@ -49,7 +49,8 @@ enum {
   HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
   HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
   HSR_INSTANCED = 1 << 5,   /* takes a world that is a roster, too */
-  HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE, unless it prepares nothing: what
+  HSR_FOLLOWS =
+      1 << 8, /* with HSR_FRAME_STATE, unless it prepares nothing: what
                            it has prepared goes on in another frame of a scene
                            that is laid out. It holds numbers of faces, and
                            nothing of where they are. Adapters keep what they

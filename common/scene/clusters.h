@@ -79,7 +79,8 @@ struct hsr_clusters {
   double *reach; /* of each face, world units; 0 if it is flat */
 
   uint64_t pair_tests; /* pairs of faces compared to find the priorities */
-  uint64_t n_kept; /* oriented faces whose priorities are those of another frame,
+  uint64_t
+      n_kept; /* oriented faces whose priorities are those of another frame,
                       or of another instance */
   uint64_t close_tests; /* for these: pairs of faces compared in this frame, as
                            they touch */
