@@ -9,7 +9,7 @@ struct hsr_window {
   int x0, y0, x1, y1;
 };
 
-/* What two windows have in common; where that is nothing, x0 >= x1 or y0 >= y1. */
+/* Returns the part that two windows have in common. It may be empty. */
 static inline struct hsr_window hsr_window_meet(const struct hsr_window *a,
                                                 const struct hsr_window *b) {
   struct hsr_window w = {

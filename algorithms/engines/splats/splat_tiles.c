@@ -22,8 +22,8 @@ enum {
 };
 #define FOLD UINT32_MAX /* an entry: a slice ends */
 
-/* The tiles that a splat meets: columns and rows of them, and one more. Lists are
- * made of these: a whole splat is too large to be read for that. */
+/* The tiles that a splat meets: columns [x0, x1) and rows [y0, y1) of them. Lists
+ * are made from these small records, since to read whole splats takes longer. */
 struct tiles {
   uint16_t x0, y0, x1, y1;
 };
@@ -219,8 +219,8 @@ struct place {
   int batch, splat;
 };
 
-/* The tiles that have an entry for what is at a place, and the entry. False: there
- * is nothing. */
+/* Finds what is listed at a place, *entry, and the tiles that list it. False if
+ * nothing is listed there: the batch has ended, and no slice with it. */
 static bool entry_at(const struct hsr_splats *s, const struct place *at,
                      struct tiles *tiles, uint32_t *entry) {
   const struct hsr_splat_round *r = s->round;

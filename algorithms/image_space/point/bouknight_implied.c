@@ -16,8 +16,9 @@
  *             other, only with further faces. A face that is nearest at two
  *             samples is so between them.
  * Departures  The survey would save the calculation of the point. That is one
- *             division of numbers, which is no comparison. What is saved here are comparisons in depth: where two
- *             faces are in a span, two take the place of six.
+ *             division of numbers, and no comparison. Here comparisons in depth
+ *             are saved: where two faces are in a span, two take the place of
+ *             six.
  * Limits      A span in which more than two faces come to be visible is
  *             searched as ever
  * Measured    Comparisons in depth on 500 lines of 500 samples, without the
