@@ -100,7 +100,7 @@ static void print_report(struct render *r, const struct hsr_algorithm *a) {
     printf("%ld pictures\n", r->n_pictures);
   else
     r->kind->print(&r->answer, &showing, stdout);
-  if (r->exposure)
+  if (r->exposure > 0)
     printf("its brightest pixel was made white, by exposure=%.6g\n",
            r->exposure);
   for (int k = 0; k < r->setup.n_adaptations; k++) {
