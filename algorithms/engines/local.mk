@@ -57,6 +57,7 @@ algorithm_files += \
   %D%/splats/splat_blur.c \
   %D%/splats/splat_frame.c \
   %D%/splats/splat_kernel.c \
+  %D%/splats/splat_length.c \
   %D%/splats/splat_light.c \
   %D%/splats/splat_picture.c \
   %D%/splats/splat_place.c \

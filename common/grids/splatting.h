@@ -18,6 +18,8 @@ struct hsr_splatting {
   bool antialias;
   uint32_t attenuate; /* a factor of opacities, in units of 1/65536 */
   bool normalise;
+  bool per_length;   /* opacity=length; never with `normalise`, nor of the model
+                        xray, where the option says nothing */
   uint64_t exposure; /* of the model xray, in units of 1/65536 */
   int buckets;       /* of the model volume, along the view */
   enum hsr_splat_blur blur;

@@ -97,7 +97,7 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .way_to = 1,
                            .twin = hsr_splats_twin(),
                            .visits = 1};
-  if (!allocate(s))
+  if (!allocate(s) || hsr_splats_open_lengths(s))
     return HSR_E_NOMEM;
   fill_terms(s);
   hsr_splats_fill_weights(s);

@@ -121,19 +121,21 @@ static inline double by_one(double x) {
 }
 
 /* As hsr_splats_colour does it, but in doubles, which hold all products; and times
- * the energy. */
+ * the energy. Where a splat is composited as opaque as its length makes it, the
+ * colour that is composited is the lit one. */
 HSR_VECTOR
 static void
-shade(const struct lanes *restrict l, int n,
+shade(const struct lanes *restrict l, int n, bool veils,
       uint16_t colour[restrict HSR_SPLAT_BATCH][HSR_SPLAT_OPACITY + 1]) {
   for (int k = 0; k < n; k++) {
     for (int c = 0; c < HSR_SPLAT_OPACITY; c++) {
       double lit = by_one(l->base[c][k] * l->shade[k]) + l->gloss[k];
-      lit = by_one(hsr_min(lit, ONE) * l->opacity[k]);
-      colour[k][c] = (uint16_t)(int32_t)(lit * l->energy[k] * 0x1p-16);
+      lit = hsr_min(lit, ONE);
+      double given = by_one(lit * l->opacity[k]) * l->energy[k] * 0x1p-16;
+      colour[k][c] = (uint16_t)(int32_t)(veils ? lit : given);
     }
-    colour[k][HSR_SPLAT_OPACITY] =
-        (uint16_t)(int32_t)(l->opacity[k] * l->energy[k] * 0x1p-16);
+    double given = l->opacity[k] * l->energy[k] * 0x1p-16;
+    colour[k][HSR_SPLAT_OPACITY] = (uint16_t)(int32_t)(veils ? ONE : given);
   }
 }
 
@@ -143,7 +145,10 @@ void hsr_splats_shade(const struct hsr_splats *s, struct hsr_placed *p, int n) {
   if (n < 1)
     return;
   gather(s, p, n, &lanes);
-  shade(&lanes, n, colour);
+  shade(&lanes, n, s->veils, colour);
   for (int k = 0; k < n; k++)
     memcpy(p[k].colour, colour[k], sizeof p[k].colour);
+  for (int k = 0; k < n && s->length; k++)
+    p[k].length =
+        (uint32_t)((uint64_t)s->length[p[k].opacity] * p[k].energy >> 16);
 }

@@ -7,15 +7,14 @@
 
 enum { OPACITY = HSR_SPLAT_OPACITY };
 
-enum hsr_status hsr_splats_open(struct hsr_splats *s,
-                                const struct hsr_splat_tile *tile,
-                                struct hsr_splat_picture *picture) {
+static enum hsr_status open(struct hsr_splats *s,
+                            const struct hsr_splat_tile *tile,
+                            struct hsr_splat_picture *picture, bool is_sum,
+                            bool has_weight) {
   const struct hsr_window *w = &tile->window;
   struct hsr_arena *arena = s->job->scratch;
   size_t stride = (size_t)(w->x1 - w->x0) + HSR_SPLAT_LANES,
          count = stride * (size_t)(w->y1 - w->y0 + HSR_SPLAT_SPARE);
-  bool is_sum = s->splatting.model == HSR_XRAY,
-       has_weight = s->splatting.normalise;
   *picture =
       (struct hsr_splat_picture){.window = w, .stride = stride, .count = count};
   if (is_sum)
@@ -31,6 +30,20 @@ enum hsr_status hsr_splats_open(struct hsr_splats *s,
   return HSR_OK;
 }
 
+enum hsr_status hsr_splats_open(struct hsr_splats *s,
+                                const struct hsr_splat_tile *tile,
+                                struct hsr_splat_picture *picture) {
+  return open(s, tile, picture, false, s->splatting.normalise);
+}
+
+enum hsr_status hsr_splats_open_sums(struct hsr_splats *s,
+                                     const struct hsr_splat_tile *tile,
+                                     struct hsr_splat_picture *picture) {
+  bool per_length = s->splatting.per_length;
+  return open(s, tile, picture, per_length || s->splatting.model == HSR_XRAY,
+              per_length || s->splatting.normalise);
+}
+
 void hsr_splats_clear(struct hsr_splat_picture *picture) {
   size_t count = picture->count;
   if (picture->rgba)
@@ -43,17 +56,54 @@ void hsr_splats_clear(struct hsr_splat_picture *picture) {
 
 /* --- Sums over the picture ------------------------------------------------ */
 
-static void fold_pixel(uint16_t sum[4], uint64_t *sum_weight, uint16_t E[4],
-                       uint64_t *weight) {
-  uint32_t opacity = sum[OPACITY];
+static bool is_empty(const struct hsr_splat_picture *sums, size_t at) {
+  static const uint16_t none[4] = {0};
+  bool has_weight = sums->weight && sums->weight[at];
+  return !has_weight &&
+         (sums->sum || !memcmp(sums->rgba[at], none, sizeof none));
+}
+
+/* What the sums of a pixel give, which then are 0. With opacity=length that is
+ * the mean colour, as opaque as all of them. */
+static void take_mean(const struct hsr_splats *s,
+                      struct hsr_splat_picture *sums, size_t at,
+                      uint16_t S[4]) {
+  uint32_t *sum = sums->sum[at];
+  uint64_t opacity =
+      (uint64_t)UINT16_MAX * hsr_splats_veil(s, sums->weight[at]) >> 16;
+  for (int c = 0; c < OPACITY; c++)
+    S[c] = (uint16_t)(sum[OPACITY] ? opacity * sum[c] / sum[OPACITY] : 0);
+  S[OPACITY] = (uint16_t)opacity;
+  memset(sum, 0, sizeof sums->sum[at]);
+  sums->weight[at] = 0;
+}
+
+static uint64_t take_sum(struct hsr_splat_picture *sums, size_t at,
+                         uint16_t S[4]) {
+  memcpy(S, sums->rgba[at], sizeof sums->rgba[at]);
+  memset(sums->rgba[at], 0, sizeof sums->rgba[at]);
+  if (!sums->weight)
+    return 0;
+  uint64_t weight =
+      sums->weight[at] < UINT16_MAX ? sums->weight[at] : UINT16_MAX;
+  sums->weight[at] = 0;
+  return weight;
+}
+
+static void fold_pixel(struct hsr_splats *s, struct hsr_splat_picture *sums,
+                       size_t from, struct hsr_splat_picture *picture,
+                       size_t to) {
+  uint16_t S[4], *E = picture->rgba[to];
+  uint64_t weight = 0;
+  if (sums->sum)
+    take_mean(s, sums, from, S);
+  else
+    weight = take_sum(sums, from, S);
+  uint32_t left = 65536 - (uint32_t)S[OPACITY];
   for (int c = 0; c <= OPACITY; c++)
-    E[c] = (uint16_t)(sum[c] + (E[c] * (65536 - opacity) >> 16));
-  memset(sum, 0, 4 * sizeof *sum);
-  if (!weight)
-    return;
-  uint64_t most = *sum_weight < UINT16_MAX ? *sum_weight : UINT16_MAX;
-  *weight = most + (*weight * (65536 - opacity) >> 16);
-  *sum_weight = 0;
+    E[c] = (uint16_t)(S[c] + (E[c] * left >> 16));
+  if (picture->weight)
+    picture->weight[to] = weight + (picture->weight[to] * left >> 16);
 }
 
 void hsr_splats_fold(struct hsr_splats *s, struct hsr_splat_picture *sums,
@@ -63,15 +113,11 @@ void hsr_splats_fold(struct hsr_splats *s, struct hsr_splat_picture *sums,
     for (int i = where->x0; i < where->x1; i++) {
       size_t from = hsr_splats_at(sums, i, j),
              to = hsr_splats_at(picture, i, j);
-      uint64_t none = 0;
-      if (!memcmp(sums->rgba[from], &none, sizeof none) &&
-          !(sums->weight && sums->weight[from]))
+      if (is_empty(sums, from))
         continue;
       HSR_STEP(s->tally, HSR_SPLAT_FOLDS, HSR_NOTHING, HSR_THE_WINDOW,
                HSR_AT(i, j), 0);
-      fold_pixel(sums->rgba[from], sums->weight ? &sums->weight[from] : NULL,
-                 picture->rgba[to],
-                 picture->weight ? &picture->weight[to] : NULL);
+      fold_pixel(s, sums, from, picture, to);
     }
 }
 

@@ -39,25 +39,33 @@ static inline void put_weight(uint64_t *weight, uint64_t D, uint32_t by,
                                    : *weight + D;
 }
 
-static inline void put_pixel(const struct hsr_placed *p,
+/* What is added to the fifth channel: M, or the weight. */
+static inline uint64_t fifth(const struct hsr_splats *s,
+                             const struct hsr_placed *p, uint32_t weight) {
+  return (uint64_t)weight * (s->length ? p->length : p->energy) >> 16;
+}
+
+static inline void put_pixel(const struct hsr_splats *s,
+                             const struct hsr_placed *p,
                              struct hsr_splat_picture *picture, size_t at,
                              uint32_t weight, enum hsr_splat_way way) {
   uint16_t D[4];
+  uint32_t share = s->veils ? hsr_splats_veil(s, fifth(s, p, weight)) : weight;
   for (int c = 0; c <= OPACITY; c++)
-    D[c] = (uint16_t)(weight * p->colour[c] >> 16);
+    D[c] = (uint16_t)(share * p->colour[c] >> 16);
   if (picture->weight) {
     uint32_t by =
         way == HSR_PUT_UNDER ? picture->rgba[at][OPACITY] : D[OPACITY];
-    put_weight(&picture->weight[at], (uint64_t)weight * p->energy >> 16, by,
-               way);
+    put_weight(&picture->weight[at], fifth(s, p, weight), by, way);
   }
   put_channels(picture, at, D, way);
 }
 
-void hsr_splats_add(const struct hsr_placed *p,
+void hsr_splats_add(struct hsr_splats *s, const struct hsr_placed *p,
                     struct hsr_splat_picture *picture, int i, int j,
                     uint32_t weight) {
-  put_pixel(p, picture, hsr_splats_at(picture, i, j), weight, HSR_PUT_ADD);
+  put_pixel(s, p, picture, hsr_splats_at(picture, i, j), weight,
+            picture->sum ? HSR_PUT_SUM : HSR_PUT_ADD);
 }
 
 /* --- For every machine ---------------------------------------------------- */
@@ -75,7 +83,7 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
         HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
                  HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
         HSR_TOUCH(s->tally, x + l, j);
-        put_pixel(p, picture, hsr_splats_at(picture, x + l, j),
+        put_pixel(s, p, picture, hsr_splats_at(picture, x + l, j),
                   s->weight[index[l]], way);
       }
     }

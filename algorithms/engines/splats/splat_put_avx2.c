@@ -70,6 +70,25 @@ TWIN static inline void put_piece(struct hsr_splat_picture *picture, size_t at,
   _mm256_storeu_si256(to, E);
 }
 
+/* V of M = floor(weight length / 65536), in all lanes: hsr_splats_veil. */
+TWIN static inline __m256i veil(const struct hsr_splats *s, __m256i weight,
+                                uint32_t length) {
+  const __m256i by = _mm256_set1_epi64x(length), one = i_all(65536);
+  __m256i even = _mm256_srli_epi64(_mm256_mul_epu32(weight, by), 16),
+          odd = _mm256_slli_epi64(
+              _mm256_srli_epi64(
+                  _mm256_mul_epu32(_mm256_srli_epi64(weight, 32), by), 16),
+              32),
+          M = _mm256_min_epu32(
+              _mm256_or_si256(even, odd),
+              i_all(HSR_SPLAT_HALVED * HSR_SPLAT_LESSENED - 1));
+  __m256i H = _mm256_i32gather_epi32((const int *)s->halved, i_right(M, 8), 4),
+          L = _mm256_i32gather_epi32((const int *)s->lessened,
+                                     i_and(M, i_all(255)), 4);
+  return _mm256_add_epi32(_mm256_sub_epi32(one, H),
+                          _mm256_srli_epi32(_mm256_mullo_epi32(H, L), 16));
+}
+
 /* D of a piece's pixels. */
 TWIN static inline __m256i given(const struct footprint *f, __m128i weight) {
   const __m256i four_times = _mm256_broadcastsi128_si256(
@@ -108,6 +127,8 @@ ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
     __m256i weight =
         _mm256_i32gather_epi32(weights, _mm256_min_epu32(index, end), 4);
     if (!_mm256_testz_si256(weight, weight)) {
+      if (s->veils)
+        weight = veil(s, weight, p->length);
       put_piece(picture, at, given(f, _mm256_castsi256_si128(weight)), way);
       put_piece(picture, at + second,
                 given(f, _mm256_extracti128_si256(weight, 1)), way);

@@ -113,6 +113,26 @@ TWIN static inline void put_piece(struct hsr_splat_picture *picture, size_t at,
   store(picture->rgba, at, second, E);
 }
 
+/* V of M = floor(weight length / 65536), in all lanes: hsr_splats_veil. The
+ * weight is in every other word. */
+TWIN static inline __m512i veil(const struct hsr_splats *s, __m512i words,
+                                uint32_t length) {
+  const __m512i by = _mm512_set1_epi64(length), one = i_all(65536),
+                weight = i_and(words, i_all(UINT16_MAX));
+  __m512i even = _mm512_srli_epi64(_mm512_mul_epu32(weight, by), 16),
+          odd = _mm512_slli_epi64(
+              _mm512_srli_epi64(
+                  _mm512_mul_epu32(_mm512_srli_epi64(weight, 32), by), 16),
+              32),
+          M = _mm512_min_epu32(
+              _mm512_or_si512(even, odd),
+              i_all(HSR_SPLAT_HALVED * HSR_SPLAT_LESSENED - 1));
+  __m512i H = _mm512_i32gather_epi32(i_right(M, 8), s->halved, 4),
+          L = _mm512_i32gather_epi32(i_and(M, i_all(255)), s->lessened, 4);
+  return _mm512_add_epi32(_mm512_sub_epi32(one, H),
+                          _mm512_srli_epi32(_mm512_mullo_epi32(H, L), 16));
+}
+
 /* D of a piece's pixels, the first or the second one. */
 TWIN static inline __m512i given(const struct footprint *f, __m512i weight,
                                  int piece) {
@@ -160,6 +180,8 @@ ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
       index = settle(s, p, x, box->y1 - left, columns, doubt, index);
     in = _mm512_mask_cmplt_epu32_mask(in, index, beyond);
     __m512i weight = weigh(s, in, index);
+    if (s->veils)
+      weight = veil(s, weight, p->length);
     put_piece(picture, at, at + second, given(f, weight, 0), way);
     if (columns < ALL || n > PIECE)
       put_piece(picture, at + next, at + next + second, given(f, weight, 1),

@@ -29,7 +29,8 @@
  *
  * Files: splat_frame.c visits the samples of the grid in order; splat_tiles.c
  * hands splats out to the tiles; splat_light.c gives them colours;
- * splat_kernel.c makes the kernels' tables; splat_place.c finds where splats
+ * splat_kernel.c makes the kernels' tables; splat_length.c those of opacity per
+ * length; splat_place.c finds where splats
  * are; splat_weigh.c finds the weights in their pixels, splat_blur.c those of
  * blurred splats; splat_put.c composites them into pixels; splat_picture.c keeps
  * the pixels. */
@@ -138,6 +139,7 @@ struct hsr_placed {
   /* What a weight of 1 adds to a pixel. */
   uint16_t colour[HSR_SPLAT_OPACITY + 1];
   uint32_t opacity, energy;
+  uint32_t length; /* with opacity=length: floor(Lambda e / 65536) */
   double x, y;
   float xx, xy, yy, p, q, error, constant, slope;
   float dx, dy; /* of the first pixel of the box */
@@ -177,7 +179,7 @@ enum hsr_splat_way {
   HSR_PUT_OVER,
   HSR_PUT_UNDER,
   HSR_PUT_ADD, /* added to rgba; 65535 is the most */
-  HSR_PUT_SUM  /* added to `sum` */
+  HSR_PUT_SUM  /* added to `sum`, without a limit */
 };
 
 struct hsr_splats;
@@ -258,6 +260,12 @@ struct hsr_splats {
    * all of it. Both are equal in a frame of an accumulation buffer: then it is
    * drawn unstretched, at that point of its way. */
   double way_from, way_to;
+
+  /* With opacity=length; else NULL. Lambda by A; H and L. `veils`: a splat is
+   * composited by itself, so that its opacity in a pixel is V. Otherwise sums
+   * are. */
+  uint32_t *length, *halved, *lessened;
+  bool veils;
 
   uint32_t most_opacity;   /* that any sample has, by the palette */
   hsr_splats_putter *twin; /* of hsr_splats_twin */
@@ -349,6 +357,20 @@ void hsr_splats_fill_weights(struct hsr_splats *splats);
 /* Fills before[], the tables of the parts of a kernel (model volume). Each has
  * room for HSR_SPLAT_KNOTS + 1 numbers. */
 void hsr_splats_fill_parts(struct hsr_splats *splats);
+
+/* With opacity=length: makes length[], halved[] and lessened[]. HSR_E_NOMEM. */
+enum hsr_status hsr_splats_open_lengths(struct hsr_splats *splats);
+
+/* V of M, which may be greater than 2^20. */
+enum { HSR_SPLAT_HALVED = 4096, HSR_SPLAT_LESSENED = 256 };
+static inline uint32_t hsr_splats_veil(const struct hsr_splats *splats,
+                                       uint64_t M) {
+  const uint64_t most = HSR_SPLAT_HALVED * HSR_SPLAT_LESSENED - 1,
+                 m = M < most ? M : most;
+  const uint32_t H = splats->halved[m / HSR_SPLAT_LESSENED],
+                 L = splats->lessened[m % HSR_SPLAT_LESSENED];
+  return 65536 - H + (uint32_t)((uint64_t)H * L >> 16);
+}
 
 /* Fills light[]. */
 void hsr_splats_fill_lights(struct hsr_splats *splats);
@@ -448,20 +470,26 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
  * the last one there are HSR_SPLAT_SPARE rows to spare.
  *
  * In E opacities stay below 65536. So do colours, which are not more than the
- * opacity. Of sums 65535 is the most that counts. Weights may be larger. */
+ * opacity. Of sums 65535 is the most that counts, but with opacity=length all of
+ * them does. Weights may be larger. */
 struct hsr_splat_picture {
   const struct hsr_window *window; /* of the tile; borrowed */
   uint16_t (*rgba)[4];             /* NULL if there is `sum` */
-  uint32_t (*sum)[4];              /* of the model xray; else NULL */
-  uint64_t *weight;                /* with the option normalise; else NULL */
+  uint32_t (*sum)[4];              /* of all that was added; else NULL */
+  uint64_t *weight;                /* the fifth channel, or NULL */
   size_t stride;                   /* pixels from a row to the next */
   size_t count;                    /* pixels in all */
 };
 
-/* Allocates a picture of a tile, all 0, from the job's scratch. HSR_E_NOMEM. */
+/* Allocates a picture of a tile, all 0, from the job's scratch: one of E, with
+ * weights if the option normalise is given; or one of sums of D, over which no
+ * limit is, with M as the fifth channel if opacity=length is given. HSR_E_NOMEM. */
 enum hsr_status hsr_splats_open(struct hsr_splats *splats,
                                 const struct hsr_splat_tile *tile,
                                 struct hsr_splat_picture *picture);
+enum hsr_status hsr_splats_open_sums(struct hsr_splats *splats,
+                                     const struct hsr_splat_tile *tile,
+                                     struct hsr_splat_picture *picture);
 
 /* Makes all of a picture 0. */
 void hsr_splats_clear(struct hsr_splat_picture *picture);
@@ -509,8 +537,8 @@ void hsr_splats_settle(const struct hsr_splats *splats,
 #define HSR_SPLATS_HAVE_TWINS 0
 #endif
 
-/* Adds to pixel (i, j) what a splat gives by this weight. */
-void hsr_splats_add(const struct hsr_placed *placed,
+/* Adds to pixel (i, j) of sums what a splat gives by this weight. */
+void hsr_splats_add(struct hsr_splats *splats, const struct hsr_placed *placed,
                     struct hsr_splat_picture *picture, int i, int j,
                     uint32_t weight);
 

@@ -103,6 +103,10 @@ static void empty_blocks(struct model *m) {
 static uint32_t most_given(const struct hsr_splats *s, uint32_t opacity,
                            uint32_t energy) {
   uint64_t most = s->splatting.normalise ? 65536 : opacity;
+  if (s->veils) {
+    uint64_t length = (uint64_t)s->length[opacity] * energy >> 16;
+    return hsr_splats_veil(s, s->weight[0] * length >> 16);
+  }
   return (uint32_t)(s->weight[0] * (most * energy >> 16) >> 16);
 }
 

@@ -24,7 +24,7 @@ static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
   m->drawn = hsr_splats_none(&tile->window);
   return hsr_splats_open(s, tile, &m->picture) ||
-                 hsr_splats_open(s, tile, &m->sheet)
+                 hsr_splats_open_sums(s, tile, &m->sheet)
              ? HSR_E_NOMEM
              : HSR_OK;
 }
@@ -33,7 +33,7 @@ static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
                  const struct hsr_placed *p) {
   struct model *m = tile->model;
   hsr_splats_widen(&m->drawn, &p->box);
-  hsr_splats_put(s, p, &m->sheet, HSR_PUT_ADD);
+  hsr_splats_put(s, p, &m->sheet, m->sheet.sum ? HSR_PUT_SUM : HSR_PUT_ADD);
 }
 
 /* The axis whose slices are most parallel to the view plane. */

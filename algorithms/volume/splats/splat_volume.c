@@ -122,7 +122,7 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p,
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
     uint32_t here = hsr_splats_between(s->before[part + PARTS], kappa);
     if (here > before)
-      hsr_splats_add(p, &buckets[b], i, j, here - before);
+      hsr_splats_add(s, p, &buckets[b], i, j, here - before);
     before = here;
     more = part < PARTS;
   }
@@ -162,8 +162,12 @@ static enum hsr_status open_parts(struct hsr_splats *s) {
 /* The buffers of a strip of the window, which s->window is from here on. */
 static void choose_strip(struct hsr_splats *s, const struct depths *depths) {
   struct hsr_window *w = &s->window;
-  int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * depths->n *
-                (int64_t)sizeof *((struct hsr_splat_picture *)NULL)->rgba;
+  const struct hsr_splat_picture *none = NULL;
+  const size_t pixel = s->splatting.per_length
+                           ? sizeof *none->sum + sizeof *none->weight
+                           : sizeof *none->rgba;
+  int64_t row =
+      (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * depths->n * (int64_t)pixel;
   int64_t rows = MOST_BYTES / row > 0 ? MOST_BYTES / row : 1;
   if (rows < w->y1 - w->y0)
     w->y1 = w->y0 + (int)rows;
@@ -176,7 +180,7 @@ static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   if (!m->bucket || hsr_splats_open(s, tile, &m->picture))
     return HSR_E_NOMEM;
   for (size_t b = 0; b < n; b++)
-    if (hsr_splats_open(s, tile, &m->bucket[b]))
+    if (hsr_splats_open_sums(s, tile, &m->bucket[b]))
       return HSR_E_NOMEM;
   return HSR_OK;
 }

@@ -21,7 +21,7 @@ struct model {
 
 static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
-  if (hsr_splats_open(s, tile, &m->picture))
+  if (hsr_splats_open_sums(s, tile, &m->picture))
     return HSR_E_NOMEM;
   m->all = hsr_arena_zeroed(s->job->scratch, m->picture.count, sizeof *m->all);
   return m->all ? HSR_OK : HSR_E_NOMEM;

@@ -22,6 +22,7 @@ enum {
   ANTIALIAS,
   ATTENUATE,
   NORMALISE,
+  OPACITY,
   EXPOSURE,
   BUCKETS,
   BLUR,
@@ -48,6 +49,13 @@ static const struct hsr_word blurs[] = {
     [HSR_BLUR_EXACTLY] = {"exact", "as long as they moved, of the same energy",
                           0},
     {NULL}};
+static const struct hsr_word opacities[] = {
+    {"weight", "a splat gives its opacity times the weight", 0},
+    {"length",
+     "what is let through falls with the length of the way: a wall of opaque "
+     "samples is opaque; not with normalise, nor of xray",
+     0},
+    {NULL}};
 static const struct hsr_word off_on[] = {
     {"off", "not so", 0}, {"on", "so", 0}, {NULL}};
 
@@ -62,6 +70,8 @@ static const struct hsr_option options[] = {
                    .real_least = 0, .real_most = 1, .real_standard = 1},
     [NORMALISE] = {"normalise", "colours are divided by the splats' weights",
                    off_on, 0, 1, 0},
+    [OPACITY] = {"opacity", "what the opacity of a sample means", opacities, 0,
+                 1, 0},
     [EXPOSURE] = {"exposure", "a factor of the sums of xray", .real = true,
                   .real_least = 0, .real_most = 1000, .real_standard = 1},
     [BUCKETS] = {"buckets", "ranges of depth, of volume", NULL, 1, 1024, 64},
@@ -74,6 +84,7 @@ static const struct hsr_option options[] = {
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
   const long *option = form->values.option;
   const double *real = form->values.real;
+  const bool has_opacity = option[MODEL] != HSR_XRAY && !option[NORMALISE];
   return (struct hsr_splatting){
       .model = (enum hsr_model)option[MODEL],
       .kernel = (enum hsr_splat_kernel)option[KERNEL],
@@ -81,6 +92,7 @@ struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
       .antialias = option[ANTIALIAS],
       .attenuate = (uint32_t)lrint(65536 * real[ATTENUATE]),
       .normalise = option[NORMALISE],
+      .per_length = has_opacity && option[OPACITY],
       .exposure = (uint64_t)lrint(65536 * real[EXPOSURE]),
       .buckets = (int)option[BUCKETS],
       .blur = (enum hsr_splat_blur)option[BLUR],
