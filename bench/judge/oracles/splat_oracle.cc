@@ -187,9 +187,16 @@ struct light {
   }
 };
 
-/* The premultiplied colour of a kept sample, and its opacity. */
-std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
-                                  const whole_vec &V, uint64_t attenuate) {
+/* A kept sample: its lit colour, its opacity, and its premultiplied colour with the
+ * opacity. */
+struct looks {
+  std::array<uint64_t, 3> lit;
+  uint64_t A;
+  std::array<uint64_t, 4> C;
+};
+
+looks looks_of(const hsr_grid &grid, uint32_t cell, const whole_vec &V,
+               uint64_t attenuate) {
   const hsr_palette &p = grid.palette;
   const uint64_t O = p.opacity[grid.level[cell]],
                  G = p.gradient[grid.steep[cell]];
@@ -197,7 +204,7 @@ std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
   const light l(p, grid.normal[cell], V);
   const uint64_t bright = p.ambient + p.diffuse * uint64_t(l.diffuse) / 8192;
   const uint64_t shine = p.specular * uint64_t(l.specular) / 8192;
-  std::array<uint64_t, 4> C;
+  looks found = {{}, A, {}};
   for (size_t c = 0; c < 3; c++) {
     uint64_t B = p.rgb[grid.level[cell]][c];
     if (grid.rgb && p.own_colours) {
@@ -205,10 +212,29 @@ std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
       B = 65535 * byte * byte / 65025;
     }
     const uint64_t lit = std::min<uint64_t>(65535, B * bright / 65535 + shine);
-    C[c] = lit * A / 65535;
+    found.lit[c] = lit;
+    found.C[c] = lit * A / 65535;
   }
-  C[OPACITY] = A;
-  return C;
+  found.C[OPACITY] = A;
+  return found;
+}
+
+/* --- Opacity per length --------------------------------------------------- */
+
+/* Lambda of an opacity. */
+uint64_t length_of(uint64_t A) {
+  return uint64_t(std::llround(-65536 * std::log2(1 - Real(A) / 65536)));
+}
+
+/* V of M. What is rounded is positive, and far from halves, so that a mode of
+ * rounding that is not the usual one does no harm. */
+uint64_t veil_of(uint64_t M) {
+  const uint64_t least = std::min<uint64_t>(M, (1 << 20) - 1);
+  const auto H =
+      uint64_t(std::floor(65536 * std::exp2(-Real(least / 256) / 256) + 0.5L));
+  const auto L = uint64_t(
+      std::floor(65536 * (1 - std::exp2(-Real(least % 256) / 65536)) + 0.5L));
+  return 65536 - H + H * L / 65536;
 }
 
 /* --- Kernels -------------------------------------------------------------- */
@@ -473,7 +499,7 @@ struct splat {
   place where;
   footprint<Interval> about;
   mutable std::unique_ptr<const footprint<Exact>> exactly; /* once needed */
-  std::array<uint64_t, 4> C;
+  looks colour;
   uint64_t e;
   bool blurred;
   hsr_window box; /* the pixels of the window that it may cover */
@@ -606,9 +632,9 @@ class judge {
   void gather(const std::vector<const splat *> &row, int i);
 
   channels given(const splat &s, uint64_t weight) const;
-  channels given(const covering &c) const {
-    return given(*c.of, kernel.weight(c.kappa));
-  }
+  channels given(const covering &c) const;
+  channels part(const covering &c) const;
+  void put_sum_over(channels *E, channels sum) const;
   channels over() const;
   channels under() const;
   channels xray() const;
@@ -765,7 +791,7 @@ void judge::find_splats() {
     if (s.box.x0 >= s.box.x1 || !exists(s))
       continue;
     s.e = energy(s);
-    s.C = colour_of(seen.grid, p.cell, seen.V, seen.options.attenuate);
+    s.colour = looks_of(seen.grid, p.cell, seen.V, seen.options.attenuate);
     splats.push_back(std::move(s));
   }
 }
@@ -869,13 +895,32 @@ void judge::gather(const std::vector<const splat *> &row, int i) {
 
 /* --- Models --------------------------------------------------------------- */
 
-/* D. */
+/* D. With opacity per length its last channel is M. */
 channels judge::given(const splat &s, uint64_t weight) const {
   channels D;
   for (size_t c = 0; c < WEIGHT; c++)
-    D[c] = weight * (s.C[c] * s.e / 65536) / 65536;
-  D[WEIGHT] = weight * s.e / 65536;
+    D[c] = weight * (s.colour.C[c] * s.e / 65536) / 65536;
+  D[WEIGHT] = seen.options.per_length
+                  ? weight * (length_of(s.colour.A) * s.e / 65536) / 65536
+                  : weight * s.e / 65536;
   return D;
+}
+
+/* D of a splat that is composited by itself. */
+channels judge::given(const covering &c) const {
+  channels D = given(*c.of, kernel.weight(c.kappa));
+  if (!seen.options.per_length)
+    return D;
+  const uint64_t V = veil_of(D[WEIGHT]);
+  for (size_t k = 0; k < OPACITY; k++)
+    D[k] = V * c.of->colour.lit[k] / 65536;
+  D[OPACITY] = V * 65535 / 65536;
+  return D;
+}
+
+/* D of a splat that is summed. */
+channels judge::part(const covering &c) const {
+  return given(*c.of, kernel.weight(c.kappa));
 }
 
 void add(channels *E, const channels &D) {
@@ -889,7 +934,13 @@ void put_over(channels *E, const channels &D) {
 }
 
 /* A sum takes the place of a splat. */
-void put_sum_over(channels *E, channels sum) {
+void judge::put_sum_over(channels *E, channels sum) const {
+  if (seen.options.per_length) {
+    const uint64_t S = 65535 * veil_of(sum[WEIGHT]) / 65536, all = sum[OPACITY];
+    for (size_t c = 0; c < OPACITY; c++)
+      sum[c] = all ? S * sum[c] / all : 0;
+    sum[OPACITY] = S;
+  }
   for (uint64_t &c : sum)
     c = std::min<uint64_t>(c, 65535);
   put_over(E, sum);
@@ -916,14 +967,14 @@ channels judge::under() const {
 channels judge::xray() const {
   channels E = {};
   for (const covering &c : covered)
-    add(&E, given(c));
+    add(&E, part(c));
   return E;
 }
 
 channels judge::sheet() const {
   std::map<int, channels> sums; /* by index along the axis */
   for (const covering &c : covered)
-    add(&sums[c.of->where.at[across]], given(c));
+    add(&sums[c.of->where.at[across]], part(c));
   channels E = {};
   const int q = seen.eye[across];
   for (auto s = sums.rbegin(); s != sums.rend() && s->first > q; ++s)

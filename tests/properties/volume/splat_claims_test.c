@@ -143,6 +143,52 @@ static void try_lattice(struct tap *tap, const struct kernel *k) {
   close_stage(&s);
 }
 
+/* --- Opacity per length ---------------------------------------------------- */
+
+/* A wall of opaque samples, seen straight on: how opaque its middle is at least,
+ * of 65535. `claim`: what docs/composited-picture.md proves; 0: only that it is
+ * below `limit`. */
+struct wall {
+  const char *variant;
+  int claim, limit;
+};
+
+static void try_wall(struct tap *tap, const struct wall *w) {
+  enum { N = 240 };
+  struct stage s;
+  open_lattice(&s, &(struct lattice){.n = {9, 9, 1},
+                                     .from = {-4, -4, 0},
+                                     .apart = {1, 1, 1},
+                                     .opacity = WHITE});
+  struct hsr_view view = down_z(N, N / 2);
+  struct hsr_variant made = splat_variant("%s", w->variant);
+  struct picture p = take(&s, &view, &made);
+  int least = WHITE;
+  for (int j = 0; j < N; j++)
+    for (int i = 0; i < N; i++) {
+      int opacity = opacity_at(&p, i, j);
+      least = opacity < least ? opacity : least;
+    }
+  ok(tap, least > w->claim && least < w->limit,
+     "a wall of opaque samples by %s: at least %d of %d opaque, should be more "
+     "than %d and less than %d",
+     w->variant, least, WHITE, w->claim, w->limit);
+  drop(&p);
+  close_stage(&s);
+}
+
+static void try_walls(struct tap *tap) {
+  static const struct wall walls[] = {
+      {"splat:model=over", 0, 48000},
+      {"splat:model=over:opacity=length", 65460, WHITE},
+      {"splat:model=under:opacity=length", 65460, WHITE},
+      {"splat-sheet:model=sheet:opacity=length", 65529, WHITE},
+      {"splat-volume:model=volume:buckets=1:opacity=length", 65529, WHITE},
+      {"splat:model=over:kernel=gaussian:opacity=length", 65460, WHITE}};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++)
+    try_wall(tap, &walls[k]);
+}
+
 /* --- Over and under ------------------------------------------------------- */
 
 struct gap {
@@ -822,12 +868,13 @@ int main(void) {
   static const struct board boards[] = {
       {30, 40, 30}, {45, 100, 60}, {60, 200, 100}};
   struct tap tap =
-      plan(4 + 4 + 5 + 1 + 8 + 1 + 3 + 1 + 4 + 2 + 2 + 3 + 6 + 3 + 3 + 8);
+      plan(4 + 6 + 4 + 5 + 1 + 8 + 1 + 3 + 1 + 4 + 2 + 2 + 3 + 6 + 3 + 3 + 8);
   fill_footprint();
   for (int k = 0; k < 2; k++) {
     try_integral(&tap, &kernels[k]);
     try_lattice(&tap, &kernels[k]);
   }
+  try_walls(&tap);
   try_over_and_under(&tap, "checker-cube:16", "flat", "width=1");
   try_over_and_under(&tap, "grid:9:3", "haze", "width=2");
   try_over_and_under(&tap, "heights:64:1", "solid", "antialias=on");

@@ -334,12 +334,12 @@ static struct hsr_variant make_variant(const struct player *p,
   static const double thresholds[] = {0, 0, 0, 0.125, 1, 3};
   return splat_variant(
       "%s:model=%s:kernel=%s:width=%.17g:antialias=%s:attenuate=%.17g:"
-      "normalise=%s:exposure=%.17g:buckets=%d:blur=%s:"
+      "normalise=%s:opacity=%s:exposure=%.17g:buckets=%d:blur=%s:"
       "threshold=%.17g",
       p->name, p->model, kernel, widths[whole(0, 6)], once_in(2) ? "on" : "off",
       attenuates[whole(0, 6)], once_in(3) ? "on" : "off",
-      exposures[whole(0, 6)], buckets[whole(0, 6)], blurs[whole(0, 2)],
-      thresholds[whole(0, 5)]);
+      once_in(2) ? "length" : "weight", exposures[whole(0, 6)],
+      buckets[whole(0, 6)], blurs[whole(0, 2)], thresholds[whole(0, 5)]);
 }
 
 static void try_random(struct tap *tap, bool parallel, int views) {
@@ -578,15 +578,15 @@ static uint64_t updates_of(const struct stage *s, const struct hsr_view *view,
 
 /* From front to back, splats are left out where pixels are full. */
 static void try_full(struct tap *tap) {
-  static const char *const normalise[] = {"off", "on"};
+  static const char *const given[] = {"normalise=off", "normalise=on",
+                                      "opacity=length"};
   struct stage stage;
   open_cube(&stage, 30);
   struct hsr_view view = corner_view(30, 20, 40, 24);
-  for (int k = 0; k < 2; k++) {
-    struct hsr_variant made =
-        splat_variant("splat:model=under:normalise=%s", normalise[k]);
+  for (int k = 0; k < 3; k++) {
+    struct hsr_variant made = splat_variant("splat:model=under:%s", given[k]);
     struct found f = compare(&stage, &view, &made);
-    say(tap, k ? "full pixels, normalised" : "full pixels", &f, false);
+    say(tap, given[k], &f, false);
   }
   uint64_t over = updates_of(&stage, &view, "over"),
            under = updates_of(&stage, &view, "under");
@@ -644,7 +644,7 @@ static void try_pieces(struct tap *tap) {
 int main(int argc, char **argv) {
   int views = argc > 2 ? atoi(argv[2]) : 500;
   state = argc > 1 ? (uint64_t)atoll(argv[1]) : 11;
-  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 10);
+  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 11);
   for (int parallel = 0; parallel < 2; parallel++)
     try_random(&tap, parallel, views);
   for (int k = 0; k < TRIALS; k++)
