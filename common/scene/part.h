@@ -24,8 +24,7 @@ void hsr_scene_extent_reach(struct hsr_scene_extent *extent, const double p[3]);
 /* Finds a sphere that holds a scene: writes its centre and returns its radius,
  * in world units. The centre is that of the bounding box of all instances'
  * vertices, and the radius is the greatest distance of a vertex from it. Of a
- * grid, the box is that of all its cells, kept or not, and the radius is half
- * its diagonal. */
+ * grid, the vertices are the corners of the cells that are kept. */
 double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]);
 
 /* A part of a scene. The caller sets `number`, `of`, keeps_grid and

@@ -370,16 +370,6 @@ static double length_of(const double d[3]) {
   return length >= 0x1p-500 ? length : hypot(hypot(d[0], d[1]), d[2]);
 }
 
-/* The same for a grid: the centre of all its cells, and half the diagonal. */
-static double sphere_of_grid(const struct hsr_grid *grid, double centre[3]) {
-  double half[3];
-  for (int a = 0; a < 3; a++) {
-    half[a] = (grid->bound[a][grid->n[a]] - grid->bound[a][0]) / 2;
-    centre[a] = grid->bound[a][0] + half[a];
-  }
-  return length_of(half);
-}
-
 void hsr_scene_extent_begin(struct hsr_scene_extent *extent) {
   *extent = (struct hsr_scene_extent){.lo = {INFINITY, INFINITY, INFINITY},
                                       .hi = {-INFINITY, -INFINITY, -INFINITY}};
@@ -429,6 +419,40 @@ add_instance(struct hsr_scene_extent *extent, const struct hsr_scene *scene,
     add(&own, p);
   }
   *extent = own;
+}
+
+/* Calls `add` for corners of each row of kept cells: two that are opposite, or all
+ * eight. */
+static void add_grid(struct hsr_scene_extent *extent,
+                     const struct hsr_grid *grid, int corners,
+                     void (*add)(struct hsr_scene_extent *, const double *)) {
+  const uint32_t rows = grid->n[1] * grid->n[2];
+  for (uint32_t row = 0; row < rows; row++) {
+    if (grid->row[row] == grid->row[row + 1])
+      continue;
+    const uint32_t first[3] = {grid->x[grid->row[row]], row % grid->n[1],
+                               row / grid->n[1]},
+                   last = grid->x[grid->row[row + 1] - 1];
+    for (int c = 0; c < 8; c += corners == 8 ? 1 : 7) {
+      const double p[3] = {
+          grid->bound[0][c & 1 ? last + 1 : first[0]],
+          grid->bound[1][first[1] + (c >> 1 & 1)],
+          grid->bound[2][first[2] + (c >> 2 & 1)],
+      };
+      add(extent, p);
+    }
+  }
+}
+
+/* Of the cells that are kept. */
+static double sphere_of_grid(const struct hsr_grid *grid, double centre[3]) {
+  struct hsr_scene_extent extent;
+  hsr_scene_extent_begin(&extent);
+  add_grid(&extent, grid, 2, add_point);
+  hsr_scene_extent_centre(&extent);
+  add_grid(&extent, grid, 8, reach_point);
+  memcpy(centre, extent.centre, sizeof extent.centre);
+  return extent.radius;
 }
 
 double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]) {

@@ -62,7 +62,7 @@ static const struct {
              {"heights", 0x4e9d9f0fce3aa45a, 0x6473bdd16a47fd6e},
              {"heights:256:7", 0x35b3a0d116185358, 0x59a5de0d0df9ef4e},
              {"checker-plane", 0x82df09a7ac467432, 0x6f1f9e22bcbafa23},
-             {"tubules", 0xce0cbd321eae5970, 0x97a1d6f0b248984a},
+             {"tubules", 0xce0cbd321eae5970, 0x0c54c6df4825d33e},
              {"cyclic-overlap", 0x21769e1614807276, 0xd936af14550fd029},
              {"penetration", 0xf52c450824a57ce6, 0x910ad37b16c545b5},
              {"coplanar", 0x3fd4c3eff437a466, 0xa0bab23422d6a9cc},
