@@ -2,6 +2,8 @@
 algorithm_files += \
   %D%/solid_pyramid.c \
   %D%/solid_pyramid.h \
+  %D%/splats/slab.c \
+  %D%/splats/slab.h \
   %D%/splats/splat.c \
   %D%/splats/splat_sheet.c \
   %D%/splats/splat_volume.c \

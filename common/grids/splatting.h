@@ -7,7 +7,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum hsr_model { HSR_OVER, HSR_UNDER, HSR_SHEET, HSR_VOLUME, HSR_XRAY };
+enum hsr_model {
+  HSR_OVER,
+  HSR_UNDER,
+  HSR_SHEET,
+  HSR_VOLUME,
+  HSR_XRAY,
+  HSR_SLAB
+};
 enum hsr_splat_kernel { HSR_CRAWFIS_MAX, HSR_GAUSSIAN };
 enum hsr_splat_blur { HSR_SHARP, HSR_BLUR_BY_AREA, HSR_BLUR_EXACTLY };
 
@@ -17,11 +24,11 @@ struct hsr_splatting {
   double width; /* a factor of the kernel's size, 1..100 */
   bool antialias;
   uint32_t attenuate; /* a factor of opacities, in units of 1/65536 */
-  bool normalise;
-  bool per_length;   /* opacity=length; never with `normalise`, nor of the model
-                        xray, where the option says nothing */
+  bool normalise;     /* never of the model slab */
+  bool per_length;   /* opacity=length; always of the model slab, and never with
+                        `normalise`, nor of the model xray */
   uint64_t exposure; /* of the model xray, in units of 1/65536 */
-  int buckets;       /* of the model volume, along the view */
+  int buckets;       /* of the models volume and slab, along the view */
   enum hsr_splat_blur blur;
   double threshold; /* a splat that moves by at most this, in cells, is not
                        blurred; 0..1000 */

@@ -117,9 +117,11 @@ static inline void ask_for_colour(const struct hsr_grid *g, uint32_t cell) {
 }
 
 /* `n` kept samples of a row, from a cell on, up or down. A sample of opacity 0
- * gives nothing to any pixel, unless weights are wanted. */
+ * gives nothing to any pixel, unless weights or densities are wanted. */
 static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
                 uint32_t j, uint32_t k) {
+  const bool wants_all =
+      s->splatting.normalise || s->splatting.model == HSR_SLAB;
   s->visited += n;
   while (n && !s->stopped) {
     struct hsr_splat_samples *b = hsr_splats_samples(s);
@@ -136,7 +138,7 @@ static void add(struct hsr_splats *s, uint32_t cell, uint32_t n, int step,
       b->at[0][at] = s->grid->x[cell];
       b->at[1][at] = j;
       b->at[2][at] = k;
-      at += opacity || s->splatting.normalise;
+      at += opacity || wants_all;
     }
     b->n = at;
     n -= here;

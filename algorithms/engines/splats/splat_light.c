@@ -63,9 +63,8 @@ void hsr_splats_fill_lights(struct hsr_splats *s) {
 
 /* --- Colours -------------------------------------------------------------- */
 
-/* A sample's own colour. */
-static inline void find_base(const struct hsr_splats *s, uint32_t cell,
-                             uint32_t base[HSR_SPLAT_OPACITY]) {
+void hsr_splats_base(const struct hsr_splats *s, uint32_t cell,
+                     uint32_t base[HSR_SPLAT_OPACITY]) {
   const struct hsr_grid *g = s->grid;
   const struct hsr_palette *p = &g->palette;
   for (int c = 0; c < HSR_SPLAT_OPACITY; c++)
@@ -81,7 +80,7 @@ void hsr_splats_colour(const struct hsr_splats *s, uint32_t cell,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]) {
   const struct hsr_splat_light *light = &s->light[s->grid->normal[cell]];
   uint32_t base[HSR_SPLAT_OPACITY];
-  find_base(s, cell, base);
+  hsr_splats_base(s, cell, base);
   for (int c = 0; c < HSR_SPLAT_OPACITY; c++) {
     uint64_t lit = (uint64_t)base[c] * light->shade / ONE + light->gloss;
     lit = lit < ONE ? lit : ONE;
@@ -104,7 +103,7 @@ static void gather(const struct hsr_splats *s, const struct hsr_placed *p,
   for (int k = 0; k < n; k++) {
     const struct hsr_splat_light *light = &s->light[s->grid->normal[p[k].cell]];
     uint32_t base[HSR_SPLAT_OPACITY];
-    find_base(s, p[k].cell, base);
+    hsr_splats_base(s, p[k].cell, base);
     for (int c = 0; c < HSR_SPLAT_OPACITY; c++)
       l->base[c][k] = base[c];
     l->shade[k] = light->shade;

@@ -90,20 +90,27 @@ static uint64_t take_sum(struct hsr_splat_picture *sums, size_t at,
   return weight;
 }
 
+void hsr_splats_put_over(struct hsr_splat_picture *picture, size_t at,
+                         const uint16_t S[OPACITY + 1]) {
+  uint16_t *E = picture->rgba[at];
+  uint32_t left = 65536 - (uint32_t)S[OPACITY];
+  for (int c = 0; c <= OPACITY; c++)
+    E[c] = (uint16_t)(S[c] + (E[c] * left >> 16));
+}
+
 static void fold_pixel(struct hsr_splats *s, struct hsr_splat_picture *sums,
                        size_t from, struct hsr_splat_picture *picture,
                        size_t to) {
-  uint16_t S[4], *E = picture->rgba[to];
+  uint16_t S[4];
   uint64_t weight = 0;
   if (sums->sum)
     take_mean(s, sums, from, S);
   else
     weight = take_sum(sums, from, S);
-  uint32_t left = 65536 - (uint32_t)S[OPACITY];
-  for (int c = 0; c <= OPACITY; c++)
-    E[c] = (uint16_t)(S[c] + (E[c] * left >> 16));
+  hsr_splats_put_over(picture, to, S);
   if (picture->weight)
-    picture->weight[to] = weight + (picture->weight[to] * left >> 16);
+    picture->weight[to] =
+        weight + (picture->weight[to] * (65536 - (uint64_t)S[OPACITY]) >> 16);
 }
 
 void hsr_splats_fold(struct hsr_splats *s, struct hsr_splat_picture *sums,

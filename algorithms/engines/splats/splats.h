@@ -385,6 +385,10 @@ static inline uint32_t hsr_splats_opacity(const struct hsr_splats *splats,
   return (uint32_t)(opacity * splats->splatting.attenuate >> 16);
 }
 
+/* A kept sample's own colour, without light. */
+void hsr_splats_base(const struct hsr_splats *splats, uint32_t cell,
+                     uint32_t base[HSR_SPLAT_OPACITY]);
+
 /* The premultiplied colour of a kept sample of this opacity, and the
  * opacity. */
 void hsr_splats_colour(const struct hsr_splats *splats, uint32_t cell,
@@ -547,6 +551,10 @@ void hsr_splats_add(struct hsr_splats *splats, const struct hsr_placed *placed,
 void hsr_splats_fold(struct hsr_splats *splats, struct hsr_splat_picture *sums,
                      const struct hsr_window *where,
                      struct hsr_splat_picture *picture);
+
+/* Puts a colour and its opacity over pixel `at` of E. */
+void hsr_splats_put_over(struct hsr_splat_picture *picture, size_t at,
+                         const uint16_t S[HSR_SPLAT_OPACITY + 1]);
 
 /* Writes the answer of pixel (i, j), made of its channels E. */
 void hsr_splats_write(struct hsr_splats *splats, int i, int j,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The volumetric buffer: what splats give to a range of depths is added in each
- * pixel, and the ranges are composited from back to front.
+ * pixel, and the ranges are composited from back to front. In the model slab it is
+ * what the samples measured that is added (slab.h).
  *
  * Source      proposed by L. Westover, "Footprint Evaluation for Volume
  *             Rendering", 1990; described by J. E. Swan II, PhD thesis, Ohio
@@ -13,7 +14,7 @@
  *             buckets of all pixels
  *
  * Invariant, ties, further departures are those of splats.h. */
-#include "algorithms/engines/splats/splats.h"
+#include "algorithms/volume/splats/slab.h"
 #include "common/answers/kinds/composited.h"
 
 #include <math.h>
@@ -22,7 +23,9 @@ enum { MOST_BYTES = 1 << 25, PARTS = HSR_FOOTPRINT_PARTS };
 
 /* A tile's. */
 struct model {
-  struct hsr_splat_picture picture, *bucket;
+  struct hsr_splat_picture picture;
+  struct hsr_splat_picture *bucket; /* NULL in the model slab */
+  struct hsr_slab *slab;            /* NULL in the model volume */
 };
 
 struct depths {
@@ -109,9 +112,22 @@ static int bucket_at(const struct depths *m, double depth) {
   return b > 0 ? b < m->n - 1 ? (int)b : m->n - 1 : 0;
 }
 
+/* Adds a part of the splat to a bucket. */
+static void add_part(struct hsr_splats *s, struct model *model,
+                     const struct hsr_placed *p,
+                     const struct hsr_slab_sample *sample, int b, int i, int j,
+                     uint32_t weight) {
+  if (model->slab)
+    hsr_slab_add(&model->slab[b], hsr_splats_at(&model->picture, i, j), sample,
+                 weight);
+  else
+    hsr_splats_add(s, p, &model->bucket[b], i, j, weight);
+}
+
 /* Puts the splat into the buckets of a pixel. */
-static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p,
-                       struct hsr_splat_picture *buckets, int i, int j,
+static void draw_pixel(struct hsr_splats *s, struct model *model,
+                       const struct hsr_placed *p,
+                       const struct hsr_slab_sample *sample, int i, int j,
                        int kappa) {
   const struct depths *m = s->common;
   const struct passage ray = passage_of(s, p, i, j);
@@ -122,7 +138,7 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p,
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
     uint32_t here = hsr_splats_between(s->before[part + PARTS], kappa);
     if (here > before)
-      hsr_splats_add(s, p, &buckets[b], i, j, here - before);
+      add_part(s, model, p, sample, b, i, j, here - before);
     before = here;
     more = part < PARTS;
   }
@@ -131,7 +147,10 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p,
 static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
                  const struct hsr_placed *p) {
   struct model *m = tile->model;
+  struct hsr_slab_sample sample = {{0}};
   int32_t index[HSR_SPLAT_LANES];
+  if (m->slab)
+    sample = hsr_slab_sample(s, p);
   HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
            p->box, 2);
   for (int j = p->box.y0; j < p->box.y1; j++)
@@ -142,7 +161,7 @@ static void draw(struct hsr_splats *s, struct hsr_splat_tile *tile,
           HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
                    HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
           HSR_TOUCH(s->tally, x + l, j);
-          draw_pixel(s, p, m->bucket, x + l, j, index[l]);
+          draw_pixel(s, m, p, &sample, x + l, j, index[l]);
         }
     }
 }
@@ -163,7 +182,9 @@ static enum hsr_status open_parts(struct hsr_splats *s) {
 static void choose_strip(struct hsr_splats *s, const struct depths *depths) {
   struct hsr_window *w = &s->window;
   const struct hsr_splat_picture *none = NULL;
-  const size_t pixel = s->splatting.per_length
+  const struct hsr_slab *slab = NULL;
+  const size_t pixel = s->splatting.model == HSR_SLAB ? sizeof *slab->sum
+                       : s->splatting.per_length
                            ? sizeof *none->sum + sizeof *none->weight
                            : sizeof *none->rgba;
   int64_t row =
@@ -173,16 +194,27 @@ static void choose_strip(struct hsr_splats *s, const struct depths *depths) {
     w->y1 = w->y0 + (int)rows;
 }
 
+static enum hsr_status open_slabs(struct hsr_splats *s, struct model *m,
+                                  size_t n) {
+  m->slab = HSR_NEW(s->job->scratch, struct hsr_slab, n);
+  for (size_t b = 0; m->slab && b < n; b++)
+    if (hsr_slab_open(s, &m->picture, &m->slab[b]))
+      return HSR_E_NOMEM;
+  return m->slab ? HSR_OK : HSR_E_NOMEM;
+}
+
 static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
   size_t n = (size_t)((const struct depths *)s->common)->n;
-  m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, n);
-  if (!m->bucket || hsr_splats_open(s, tile, &m->picture))
+  if (hsr_splats_open(s, tile, &m->picture))
     return HSR_E_NOMEM;
-  for (size_t b = 0; b < n; b++)
+  if (s->splatting.model == HSR_SLAB)
+    return open_slabs(s, m, n);
+  m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, n);
+  for (size_t b = 0; m->bucket && b < n; b++)
     if (hsr_splats_open_sums(s, tile, &m->bucket[b]))
       return HSR_E_NOMEM;
-  return HSR_OK;
+  return m->bucket ? HSR_OK : HSR_E_NOMEM;
 }
 
 static const struct hsr_splats_module how = {
@@ -192,7 +224,10 @@ static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
   const struct depths *depths = s->common;
   for (int b = depths->n - 1; b >= 0; b--)
-    hsr_splats_fold(s, &m->bucket[b], &tile->window, &m->picture);
+    if (m->slab)
+      hsr_slab_fold(s, &m->slab[b], &tile->window, &m->picture);
+    else
+      hsr_splats_fold(s, &m->bucket[b], &tile->window, &m->picture);
   hsr_splats_finish(s, &m->picture);
   hsr_splats_clear(&m->picture);
 }
@@ -253,7 +288,7 @@ const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "object",
     .subjects = 1 << HSR_GRID,
-    .makes = {{HSR_COMPOSITED, 1 << HSR_VOLUME}},
+    .makes = {{HSR_COMPOSITED, 1 << HSR_VOLUME | 1 << HSR_SLAB}},
     .flags = HSR_INSTANCED | HSR_OWN_TILES,
     .parts = uses,
     .outline = outline,

@@ -37,6 +37,10 @@ static const struct hsr_word models[] = {
     [HSR_VOLUME] = {"volume", "what splats give to a range of depths is added",
                     0},
     [HSR_XRAY] = {"xray", "all splats are added", 0},
+    [HSR_SLAB] = {"slab",
+                  "densities and light are added in a range of depth, and what "
+                  "their means show goes over",
+                  0},
     {NULL}};
 static const struct hsr_word kernels[] = {
     [HSR_CRAWFIS_MAX] = {"crawfis-max", "the cubic spline of 1993", 0},
@@ -60,7 +64,7 @@ static const struct hsr_word off_on[] = {
     {"off", "not so", 0}, {"on", "so", 0}, {NULL}};
 
 static const struct hsr_option options[] = {
-    [MODEL] = {"model", "how splats come together", models, 0, HSR_XRAY, 0},
+    [MODEL] = {"model", "how splats come together", models, 0, HSR_SLAB, 0},
     [KERNEL] = {"kernel", "what a sample looks like", kernels, 0, 1, 0},
     [WIDTH] = {"width", "splats are so many times as wide", .real = true,
                .real_least = 1, .real_most = 100, .real_standard = 1},
@@ -74,7 +78,8 @@ static const struct hsr_option options[] = {
                  1, 0},
     [EXPOSURE] = {"exposure", "a factor of the sums of xray", .real = true,
                   .real_least = 0, .real_most = 1000, .real_standard = 1},
-    [BUCKETS] = {"buckets", "ranges of depth, of volume", NULL, 1, 1024, 64},
+    [BUCKETS] = {"buckets", "ranges of depth, of volume and slab", NULL, 1,
+                 1024, 64},
     [BLUR] = {"blur", "motion since the view before", blurs, 0, 2, 0},
     [THRESHOLD] = {"threshold", "cells that a splat moves without blur",
                    .real = true, .real_least = 0, .real_most = 1000,
@@ -84,15 +89,16 @@ static const struct hsr_option options[] = {
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
   const long *option = form->values.option;
   const double *real = form->values.real;
-  const bool has_opacity = option[MODEL] != HSR_XRAY && !option[NORMALISE];
+  const bool is_slab = option[MODEL] == HSR_SLAB,
+             has_opacity = option[MODEL] != HSR_XRAY && !option[NORMALISE];
   return (struct hsr_splatting){
       .model = (enum hsr_model)option[MODEL],
       .kernel = (enum hsr_splat_kernel)option[KERNEL],
       .width = real[WIDTH],
       .antialias = option[ANTIALIAS],
       .attenuate = (uint32_t)lrint(65536 * real[ATTENUATE]),
-      .normalise = option[NORMALISE],
-      .per_length = has_opacity && option[OPACITY],
+      .normalise = option[NORMALISE] && !is_slab,
+      .per_length = is_slab || (has_opacity && option[OPACITY]),
       .exposure = (uint64_t)lrint(65536 * real[EXPOSURE]),
       .buckets = (int)option[BUCKETS],
       .blur = (enum hsr_splat_blur)option[BLUR],
