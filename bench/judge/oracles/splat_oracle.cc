@@ -195,6 +195,31 @@ struct looks {
   std::array<uint64_t, 4> C;
 };
 
+/* What the model slab sums of a sample: weight, levels of density and gradient,
+ * light, its own colour. */
+enum { SUM_WEIGHT, SUM_LEVEL, SUM_STEEP, SUM_BRIGHT, SUM_SHINE, SUM_RGB };
+using measures = std::array<uint64_t, SUM_RGB + 3>;
+
+measures measures_of(const hsr_grid &grid, uint32_t cell, const whole_vec &V) {
+  const hsr_palette &p = grid.palette;
+  const light l(p, grid.normal[cell], V);
+  measures x = {65536, 257ul * grid.level[cell], 257ul * grid.steep[cell],
+                p.ambient + p.diffuse * uint64_t(l.diffuse) / 8192,
+                p.specular * uint64_t(l.specular) / 8192};
+  for (size_t c = 0; c < 3 && grid.rgb; c++) {
+    const uint64_t byte = grid.rgb[cell][c];
+    x[SUM_RGB + c] = 65535 * byte * byte / 65025;
+  }
+  return x;
+}
+
+/* A table of a palette at a level of 65535ths. */
+uint64_t entry_at(const uint16_t *table, size_t stride, uint64_t level) {
+  const uint64_t i = level / 257, f = level % 257,
+                 next = std::min<uint64_t>(i + 1, 255);
+  return ((257 - f) * table[i * stride] + f * table[next * stride]) / 257;
+}
+
 looks looks_of(const hsr_grid &grid, uint32_t cell, const whole_vec &V,
                uint64_t attenuate) {
   const hsr_palette &p = grid.palette;
@@ -639,7 +664,10 @@ class judge {
   channels under() const;
   channels xray() const;
   channels sheet() const;
+  template <class Give> void each_part(Give give) const;
   channels volume() const;
+  channels slab_of(const measures &sum) const;
+  channels slab() const;
   channels composite() const;
   void write(const channels &E, uint16_t *rgba) const;
   void count_exact() const {
@@ -665,7 +693,7 @@ judge::judge(const scenery &of, const tables &made, hsr_tally *counts)
     if (std::fabs(F[a]) > std::fabs(F[across]))
       across = a;
   find_splats();
-  if (of.options.model == HSR_VOLUME)
+  if (of.options.model == HSR_VOLUME || of.options.model == HSR_SLAB)
     find_buckets();
 }
 
@@ -984,10 +1012,10 @@ channels judge::sheet() const {
   return E;
 }
 
-/* Lambda does not fall from one end of a bucket to the next. So the first one
- * that a splat reaches is found by halving. */
-channels judge::volume() const {
-  std::vector<channels> sums(ends.size() + 1);
+/* Calls give(bucket, splat, weight) for all parts of all splats. Lambda does not
+ * fall from one end of a bucket to the next. So the first one that a splat reaches
+ * is found by halving. */
+template <class Give> void judge::each_part(Give give) const {
   for (const covering &c : covered) {
     size_t b = 0, reached = ends.size();
     while (b < reached) {
@@ -1001,13 +1029,59 @@ channels judge::volume() const {
     for (uint64_t before = 0; before < all; b++) {
       const uint64_t next =
           b < ends.size() ? kernel.weight_before(c.kappa, lambda(c, b)) : all;
-      add(&sums[b], given(*c.of, next - before));
+      give(b, *c.of, next - before);
       before = next;
     }
   }
+}
+
+channels judge::volume() const {
+  std::vector<channels> sums(ends.size() + 1);
+  each_part([&](size_t b, const splat &s, uint64_t weight) {
+    add(&sums[b], given(s, weight));
+  });
   channels E = {};
   for (auto s = sums.rbegin(); s != sums.rend(); ++s)
     put_sum_over(&E, *s);
+  return E;
+}
+
+/* What the means of a slab show; the sums of weights are not 0. */
+channels judge::slab_of(const measures &sum) const {
+  const hsr_palette &p = seen.grid.palette;
+  const auto mean = [&](size_t x, uint64_t most) {
+    return std::min(65536 * sum[x] / sum[SUM_WEIGHT], most);
+  };
+  const uint64_t level = mean(SUM_LEVEL, 65535), steep = mean(SUM_STEEP, 65535);
+  const uint64_t O = entry_at(p.opacity, 1, level),
+                 G = entry_at(p.gradient, 1, steep),
+                 A = O * G / 65535 * seen.options.attenuate / 65536;
+  const uint64_t S =
+      65535 * veil_of(length_of(A) * sum[SUM_WEIGHT] / 65536) / 65536;
+  channels D = {};
+  for (size_t c = 0; c < OPACITY; c++) {
+    const uint64_t T = seen.grid.rgb && p.own_colours
+                           ? mean(SUM_RGB + c, 65535)
+                           : entry_at(p.rgb[0] + c, 3, level);
+    const uint64_t lit = std::min<uint64_t>(
+        T * mean(SUM_BRIGHT, 131070) / 65535 + mean(SUM_SHINE, 65535), 65535);
+    D[c] = lit * S / 65535;
+  }
+  D[OPACITY] = S;
+  return D;
+}
+
+channels judge::slab() const {
+  std::vector<measures> sums(ends.size() + 1);
+  each_part([&](size_t b, const splat &s, uint64_t weight) {
+    const measures x = measures_of(seen.grid, s.where.cell, seen.V);
+    for (size_t k = 0; k < x.size(); k++)
+      sums[b][k] += weight * (x[k] * s.e / 65536) / 65536;
+  });
+  channels E = {};
+  for (auto s = sums.rbegin(); s != sums.rend(); ++s)
+    if ((*s)[SUM_WEIGHT])
+      put_over(&E, slab_of(*s));
   return E;
 }
 
@@ -1021,6 +1095,8 @@ channels judge::composite() const {
     return sheet();
   case HSR_VOLUME:
     return volume();
+  case HSR_SLAB:
+    return slab();
   case HSR_XRAY:
     break;
   }

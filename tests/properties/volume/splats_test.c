@@ -44,6 +44,7 @@ static const struct player players[] = {{"splat", "over"},
                                         {"splat", "under"},
                                         {"splat-sheet", "sheet"},
                                         {"splat-volume", "volume"},
+                                        {"splat-volume", "slab"},
                                         {"splat-xray", "xray"}};
 enum { PLAYERS = sizeof players / sizeof *players };
 static const char *const kernels[] = {"crawfis-max", "gaussian"};
