@@ -305,27 +305,47 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
 
 /* --- Slices --------------------------------------------------------------- */
 
-/* Sorts all kept samples by x, by counting. */
-static enum hsr_status sort_by_x(struct hsr_splats *s) {
+/* The slice of each kept sample. */
+static void number_samples(const struct hsr_splats *s,
+                           hsr_splats_slice_of *slice_of, uint32_t *slice) {
+  const struct hsr_grid *g = s->grid;
+  for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++)
+    for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++) {
+      const uint32_t at[3] = {g->x[c], row % g->n[1], row / g->n[1]};
+      slice[c] = slice_of(s, at);
+    }
+}
+
+/* Sorts all kept samples by their slices, by counting. */
+enum hsr_status hsr_splats_open_lists(struct hsr_splats *s, uint32_t n,
+                                      hsr_splats_slice_of *slice_of) {
   const struct hsr_grid *g = s->grid;
   struct hsr_arena *arena = s->job->scratch;
-  s->start = HSR_NEW_ZEROED(arena, uint32_t, (size_t)g->n[0] + 2);
+  uint32_t *slice = HSR_NEW(arena, uint32_t, g->n_cells);
+  s->start = HSR_NEW_ZEROED(arena, uint32_t, (size_t)n + 2);
   s->sample = HSR_NEW(arena, struct hsr_splat_sample, g->n_cells);
-  if (!s->start || !s->sample)
+  if (!slice || !s->start || !s->sample)
     return HSR_E_NOMEM;
+  number_samples(s, slice_of, slice);
   for (uint32_t c = 0; c < g->n_cells; c++)
-    s->start[g->x[c] + 2]++;
-  for (uint32_t x = 0; x < g->n[0]; x++)
-    s->start[x + 2] += s->start[x + 1];
-  for (size_t row = 0; row < (size_t)g->n[1] * g->n[2]; row++)
+    s->start[slice[c] + 2]++;
+  for (uint32_t k = 0; k < n; k++)
+    s->start[k + 2] += s->start[k + 1];
+  for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++)
     for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++)
-      s->sample[s->start[g->x[c] + 1]++] =
-          (struct hsr_splat_sample){c, (uint32_t)row};
+      s->sample[s->start[slice[c] + 1]++] = (struct hsr_splat_sample){c, row};
   return HSR_OK;
 }
 
+static uint32_t slice_across_x(const struct hsr_splats *s,
+                               const uint32_t at[3]) {
+  (void)s;
+  return at[0];
+}
+
 enum hsr_status hsr_splats_open_slices(struct hsr_splats *s, int axis) {
-  return axis == 0 ? sort_by_x(s) : HSR_OK;
+  return axis == 0 ? hsr_splats_open_lists(s, s->grid->n[0], slice_across_x)
+                   : HSR_OK;
 }
 
 static void visit_slice(struct hsr_splats *s, int axis, uint32_t index) {

@@ -251,8 +251,8 @@ struct hsr_splats {
   uint32_t weight[HSR_FOOTPRINT + 1];             /* W by kappa; last 0 */
   uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1];  /* hsr_splats_fill_parts */
 
-  /* If slices across x are open: the samples at x are sample[start[x]] to
-   * sample[start[x + 1] - 1]. */
+  /* If lists are open: the samples of slice k are sample[start[k]] to
+   * sample[start[k + 1] - 1]. */
   uint32_t *start;
   struct hsr_splat_sample *sample;
 
@@ -309,10 +309,15 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
                                  enum hsr_grid_order order, int nesting,
                                  bool front, struct hsr_error *err);
 
-/* hsr_splats_open_slices makes ready for slices of the grid across an axis:
- * HSR_E_NOMEM. hsr_splats_visit_slices draws n of them from `first` on, each of
+/* hsr_splats_open_slices makes ready for slices of the grid across an axis, and
+ * hsr_splats_open_lists for n slices of which slice_of tells the number of a
+ * sample by its indices; axis is 0 then. HSR_E_NOMEM. hsr_splats_visit_slices draws n of them from `first` on, each of
  * which is followed by how->fold: up or down. HSR_E_STOPPED, as before. */
 enum hsr_status hsr_splats_open_slices(struct hsr_splats *splats, int axis);
+typedef uint32_t hsr_splats_slice_of(const struct hsr_splats *splats,
+                                     const uint32_t at[3]);
+enum hsr_status hsr_splats_open_lists(struct hsr_splats *splats, uint32_t n,
+                                      hsr_splats_slice_of *slice_of);
 enum hsr_status hsr_splats_visit_slices(struct hsr_splats *splats, int axis,
                                         uint32_t first, uint32_t n, int step,
                                         struct hsr_error *err);

@@ -7,8 +7,12 @@
  *             Rendering", 1990; described by J. E. Swan II, PhD thesis, Ohio
  *             State University, 1998, 1.2.2, and built by neither
  * Notation    the buckets and lambda of docs/composited-picture.md
- * Strips      the buffer is of a strip of the picture, so that it is not larger
- *             than MOST_BYTES. The grid is visited once for each strip.
+ * Slices      the samples are sorted by the last bucket that they can reach, and
+ *             visited from the back. So a bucket is complete after its slice, and is
+ *             put over the picture. Only as many buckets are kept as a splat can
+ *             reach. With blur all are: how far a splat reaches depends on its way.
+ * Strips      the buckets are of a strip of the picture, so that they are not
+ *             larger than MOST_BYTES. The grid is visited once for each strip.
  * Exact       lambda is found in doubles with a bound of its error, else exactly
  * Cost        as splats.h, times the buckets that a splat reaches; and all
  *             buckets of all pixels
@@ -21,18 +25,22 @@
 
 enum { MOST_BYTES = 1 << 25, PARTS = HSR_FOOTPRINT_PARTS };
 
-/* A tile's. */
+/* A tile's. Bucket b is at the place b mod depths.kept. */
 struct model {
   struct hsr_splat_picture picture;
   struct hsr_splat_picture *bucket; /* NULL in the model slab */
   struct hsr_slab *slab;            /* NULL in the model volume */
+  struct hsr_window *drawn;         /* of each bucket that is kept */
+  int next;                         /* the bucket that is complete next */
 };
 
 struct depths {
   int n;               /* buckets */
+  int kept;            /* of them at a time */
   double from, each;   /* the first begins there, and they are so deep */
   double off;          /* how far an end may be off */
   double lo[3], hi[3]; /* of all samples */
+  double F[3];         /* the change of depth along each axis */
 };
 
 /* --- Depths --------------------------------------------------------------- */
@@ -59,6 +67,78 @@ static void find_depths(struct hsr_splats *s, struct depths *m) {
       !hsr_exact_is_deep(v, m->lo, m->hi, &s->tally->out_of_memory))
     m->n = 1;
   m->each = (to - m->from) / m->n;
+}
+
+/* --- Slices --------------------------------------------------------------- */
+
+/* How depth changes along each axis: its product with P - E is t. */
+static void find_slope(const struct hsr_view *v, double slope[3]) {
+  double by = 0;
+  for (int a = 0; a < 3; a++) {
+    int b = (a + 1) % 3, c = (a + 2) % 3;
+    slope[a] = v->R[b] * v->U[c] - v->R[c] * v->U[b];
+    by += v->F[a] * slope[a];
+  }
+  for (int a = 0; a < 3; a++)
+    slope[a] /= by;
+}
+
+/* The first and the last bucket that the splat of a sample can reach. It is in
+ * pixels whose rays pass its middle within g r cells, and there for g r cells to
+ * either side: within sqrt(2) g r cells of the middle. g is at most what a splat
+ * that is so far away is widened by; a little is added for rounding. */
+struct span {
+  int first, last;
+};
+
+static struct span reached(const struct hsr_splats *s, const uint32_t at[3]) {
+  const struct depths *m = s->common;
+  const double root_2 = 1.4142135623730951, more = 1 + 0x1p-30;
+  double t = 0, deep = 0;
+  for (int a = 0; a < 3; a++) {
+    t += s->term[a][HSR_TERM_DEPTH][at[a]];
+    double cell = m->F[a] / s->per_size[a][at[a]];
+    deep += cell * cell;
+  }
+  double apart = s->apart * (s->view->parallel ? 1 : t * t);
+  double g = s->splatting.width * sqrt(hsr_max(1, apart));
+  double reach = root_2 * g * s->reach * sqrt(deep) * more + 16 * m->off;
+  double first = floor((t - reach - m->from) / m->each) - 1,
+         last = floor((t + reach - m->from) / m->each) + 1;
+  return (struct span){(int)hsr_min(hsr_max(first, 0), m->n - 1),
+                       (int)hsr_min(hsr_max(last, 0), m->n - 1)};
+}
+
+static uint32_t slice_of(const struct hsr_splats *s, const uint32_t at[3]) {
+  return (uint32_t)reached(s, at).last;
+}
+
+/* How many buckets must be kept at a time. */
+static int most_reached(const struct hsr_splats *s) {
+  const struct hsr_grid *g = s->grid;
+  int most = 1;
+  for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++)
+    for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++) {
+      const uint32_t at[3] = {g->x[c], row % g->n[1], row / g->n[1]};
+      struct span span = reached(s, at);
+      int here = span.last - span.first + 1;
+      most = here > most ? here : most;
+    }
+  return most;
+}
+
+/* If all buckets are kept, all samples are in the last slice. */
+static uint32_t last_slice(const struct hsr_splats *s, const uint32_t at[3]) {
+  (void)at;
+  return (uint32_t)((const struct depths *)s->common)->n - 1;
+}
+
+static enum hsr_status open_slices(struct hsr_splats *s, struct depths *m) {
+  find_slope(s->view, m->F);
+  bool is_narrow = !s->splatting.blur && m->n > 1 && m->each > 0;
+  m->kept = is_narrow ? most_reached(s) : m->n;
+  return hsr_splats_open_lists(s, (uint32_t)m->n,
+                               m->kept < m->n ? slice_of : last_slice);
 }
 
 /* --- Splats --------------------------------------------------------------- */
@@ -117,11 +197,14 @@ static void add_part(struct hsr_splats *s, struct model *model,
                      const struct hsr_placed *p,
                      const struct hsr_slab_sample *sample, int b, int i, int j,
                      uint32_t weight) {
+  const struct depths *depths = s->common;
+  int at = b % depths->kept;
+  hsr_splats_widen(&model->drawn[at], &p->box);
   if (model->slab)
-    hsr_slab_add(&model->slab[b], hsr_splats_at(&model->picture, i, j), sample,
+    hsr_slab_add(&model->slab[at], hsr_splats_at(&model->picture, i, j), sample,
                  weight);
   else
-    hsr_splats_add(s, p, &model->bucket[b], i, j, weight);
+    hsr_splats_add(s, p, &model->bucket[at], i, j, weight);
 }
 
 /* Puts the splat into the buckets of a pixel. */
@@ -187,8 +270,8 @@ static void choose_strip(struct hsr_splats *s, const struct depths *depths) {
                        : s->splatting.per_length
                            ? sizeof *none->sum + sizeof *none->weight
                            : sizeof *none->rgba;
-  int64_t row =
-      (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * depths->n * (int64_t)pixel;
+  int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * depths->kept *
+                (int64_t)pixel;
   int64_t rows = MOST_BYTES / row > 0 ? MOST_BYTES / row : 1;
   if (rows < w->y1 - w->y0)
     w->y1 = w->y0 + (int)rows;
@@ -203,13 +286,9 @@ static enum hsr_status open_slabs(struct hsr_splats *s, struct model *m,
   return m->slab ? HSR_OK : HSR_E_NOMEM;
 }
 
-static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
-  struct model *m = tile->model;
-  size_t n = (size_t)((const struct depths *)s->common)->n;
-  if (hsr_splats_open(s, tile, &m->picture))
-    return HSR_E_NOMEM;
-  if (s->splatting.model == HSR_SLAB)
-    return open_slabs(s, m, n);
+static enum hsr_status open_buckets(struct hsr_splats *s,
+                                    struct hsr_splat_tile *tile,
+                                    struct model *m, size_t n) {
   m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, n);
   for (size_t b = 0; m->bucket && b < n; b++)
     if (hsr_splats_open_sums(s, tile, &m->bucket[b]))
@@ -217,17 +296,40 @@ static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   return m->bucket ? HSR_OK : HSR_E_NOMEM;
 }
 
+static void begin_strip(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  const struct depths *depths = s->common;
+  m->next = depths->n - 1;
+  for (int b = 0; b < depths->kept; b++)
+    m->drawn[b] = hsr_splats_none(&tile->window);
+}
+
+static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  size_t n = (size_t)((const struct depths *)s->common)->kept;
+  m->drawn = HSR_NEW(s->job->scratch, struct hsr_window, n);
+  if (!m->drawn || hsr_splats_open(s, tile, &m->picture))
+    return HSR_E_NOMEM;
+  return s->splatting.model == HSR_SLAB ? open_slabs(s, m, n)
+                                        : open_buckets(s, tile, m, n);
+}
+
+/* The bucket that is complete goes over the picture. */
+static void fold(struct hsr_splats *s, struct hsr_splat_tile *tile) {
+  struct model *m = tile->model;
+  int at = m->next-- % ((const struct depths *)s->common)->kept;
+  if (m->slab)
+    hsr_slab_fold(s, &m->slab[at], &m->drawn[at], &m->picture);
+  else
+    hsr_splats_fold(s, &m->bucket[at], &m->drawn[at], &m->picture);
+  m->drawn[at] = hsr_splats_none(&tile->window);
+}
+
 static const struct hsr_splats_module how = {
-    .size = sizeof(struct model), .open = open, .draw = draw};
+    .size = sizeof(struct model), .open = open, .draw = draw, .fold = fold};
 
 static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
-  const struct depths *depths = s->common;
-  for (int b = depths->n - 1; b >= 0; b--)
-    if (m->slab)
-      hsr_slab_fold(s, &m->slab[b], &tile->window, &m->picture);
-    else
-      hsr_splats_fold(s, &m->bucket[b], &tile->window, &m->picture);
   hsr_splats_finish(s, &m->picture);
   hsr_splats_clear(&m->picture);
 }
@@ -241,6 +343,8 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   find_depths(&s, &depths);
   s.common = &depths;
+  if (open_slices(&s, &depths))
+    return hsr_fail_nomem(err);
   choose_strip(&s, &depths);
   if (hsr_splats_divide(&s, &how))
     return hsr_fail_nomem(err);
@@ -251,7 +355,9 @@ static enum hsr_status render(const struct hsr_job *job,
     s.window.y0 = y;
     s.window.y1 = y + rows < all->y1 ? y + rows : all->y1;
     hsr_splats_lay(&s);
-    status = hsr_splats_visit(&s, HSR_PBTF, 0, false, err);
+    hsr_splats_each(&s, begin_strip);
+    uint32_t n = (uint32_t)depths.n;
+    status = hsr_splats_visit_slices(&s, 0, n - 1, n, -1, err);
     hsr_splats_each(&s, finish);
   }
   return status;
@@ -263,16 +369,15 @@ static const struct hsr_use uses[] = {
     {&hsr_splats_part}, {&hsr_folds_part}, {NULL}};
 
 static const struct hsr_line outline[] = {
-    {"for each row of samples; is its box out of the window? leave it",
-     HSR_RAISES(HSR_SPLAT_ROWS)},
-    {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"sort the samples by the last bucket that they can reach"},
+    {"for each bucket, from the last to the first"},
+    {"  for each of its samples", HSR_RAISES(HSR_SPLAT_CELLS)},
     {"      find its footprint; is it out of sight? leave it",
      HSR_RAISES(HSR_SPLAT_SPLATS)},
     {"    for each pixel of the footprint", HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"      add the parts of the kernel, times colour, to the buckets that "
      "they are in"},
-    {"from the last bucket to the first, put it over the picture",
-     HSR_RAISES(HSR_SPLAT_FOLDS)},
+    {"  put the bucket over the picture", HSR_RAISES(HSR_SPLAT_FOLDS)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
     {NULL}};
 
