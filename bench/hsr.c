@@ -3,10 +3,13 @@
 #include "config.h"
 
 #include "bench/options/command.h"
+#include "bench/options/complete.h"
+#include "bench/options/parser.h"
 #include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/options/streams.h"
+#include "bench/terminal/pager.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
 
@@ -147,6 +150,42 @@ static int no_command(const char *name) {
   return HSR_E_USAGE;
 }
 
+static bool is_help(const char *word) {
+  static const char *const words[] = {"--help", "-h", "-?", "help"};
+  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+    if (!strcmp(word, words[k]))
+      return true;
+  return false;
+}
+
+/* The commands that print a text, at once. */
+static bool is_text(const struct hsr_command *command) {
+  return command->run == command_list || command->run == command_scenes ||
+         command->run == command_stats || command->run == command_tables ||
+         command->run == command_times;
+}
+
+/* hsr complete WORD...: prints what the last word may become. */
+static int complete(int n, char **words) {
+  static const char *const alone[] = {"help", "--help", "--version", "--cite"};
+  const char *last = n ? words[n - 1] : "";
+  struct hsr_error err;
+  if (n > 1 && !is_help(words[0])) {
+    const struct hsr_command *command = find_command(words[0]);
+    parse_instead(complete_words);
+    if (command)
+      command->run(n, words, &err);
+    return 0;
+  }
+  for (const struct hsr_command *c = commands; c->name && n < 3; c++)
+    if (c->about)
+      complete_offer(last, c->name);
+  for (size_t k = 0; k < sizeof alone / sizeof *alone && n < 2; k++)
+    if (!k || *last == '-')
+      complete_offer(last, alone[k]);
+  return 0;
+}
+
 /* The commands whose work several ranks share. */
 static bool takes_ranks(const struct hsr_command *command) {
   return command->run == command_render || command->run == command_check;
@@ -188,14 +227,6 @@ static int end(enum hsr_status status, const struct hsr_error *err) {
   return exit_status;
 }
 
-static bool is_help(const char *word) {
-  static const char *const words[] = {"--help", "-h", "-?", "help"};
-  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    if (!strcmp(word, words[k]))
-      return true;
-  return false;
-}
-
 /* Loads the modules that the words -m FILE name, which come before all others.
  * *argc and *argv are moved past them. */
 static enum hsr_status load_modules(int *argc, char ***argv,
@@ -233,7 +264,10 @@ int main(int argc, char **argv) {
     return 0;
   }
   bool help = is_help(argv[1]);
+  if (!strcmp(argv[1], "complete"))
+    return complete(argc - 2, argv + 2);
   if (help && (argc == 2 || is_help(argv[2]))) {
+    pager_begin();
     print_help(stdout);
     return 0;
   }
@@ -245,6 +279,8 @@ int main(int argc, char **argv) {
   const struct hsr_command *command = find_command(words[0]);
   if (!command)
     return no_command(words[0]);
+  if (help || is_text(command))
+    pager_begin();
   status = begin(command, &err);
   if (!status)
     status = streams_end(command->run(n, words, &err), &err);

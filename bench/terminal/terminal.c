@@ -8,8 +8,16 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+static int kept_columns; /* of standard output; 0: it is shown at once */
+
+void terminal_keep(int columns) {
+  kept_columns = columns;
+}
+
 int terminal_columns(FILE *out) {
   struct winsize size = {.ws_col = 0};
+  if (kept_columns && out == stdout)
+    return kept_columns;
   if (!isatty(fileno(out)))
     return 0;
   const char *variable = getenv("COLUMNS");

@@ -14,6 +14,10 @@
  * terminal says. */
 int terminal_columns(FILE *out);
 
+/* Standard output will be shown on a terminal of so many columns, though it is
+ * none itself. */
+void terminal_keep(int columns);
+
 /* Prints words, which spaces divide, and a newline. Lines are broken to fit
  * terminal_columns(); those after the first begin with `indent` spaces. `used`
  * columns of the first line are printed already. The text is printed as
