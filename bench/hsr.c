@@ -8,6 +8,7 @@
 #include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
+#include "bench/suite/suite.h"
 #include "bench/options/streams.h"
 #include "bench/terminal/pager.h"
 #include "bench/terminal/terminal.h"
@@ -165,6 +166,28 @@ static bool is_text(const struct hsr_command *command) {
          command->run == command_times;
 }
 
+/* The groups and scenes of hsr suite --scenes A,B; else what the options say. */
+static void complete_command(const struct argp *argp, int n,
+                             char *const *words) {
+  if (n < 3 || strcmp(words[0], "suite") || strcmp(words[n - 2], "--scenes")) {
+    complete_words(argp, n, words);
+    return;
+  }
+  const char *comma = strrchr(words[n - 1], ',');
+  int stays = comma ? (int)(comma + 1 - words[n - 1]) : 0;
+  char name[SUITE_NAME], word[1000];
+  for (const struct suite_row *row = suite_rows; row->scene; row++) {
+    suite_name(row->scene, name);
+    snprintf(word, sizeof word, "%.*s%s", stays, words[n - 1], name);
+    if (row == suite_rows || strcmp(row[-1].scene, row->scene))
+      complete_offer(words[n - 1], word);
+    snprintf(word, sizeof word, "%.*s%s", stays, words[n - 1], row->group);
+    if ((row == suite_rows || strcmp(row[-1].group, row->group)) &&
+        strcmp(row->group, name))
+      complete_offer(words[n - 1], word);
+  }
+}
+
 /* hsr complete WORD...: prints what the last word may become. */
 static int complete(int n, char **words) {
   static const char *const alone[] = {"help", "--help", "--version", "--cite"};
@@ -172,7 +195,7 @@ static int complete(int n, char **words) {
   struct hsr_error err;
   if (n > 1 && !is_help(words[0])) {
     const struct hsr_command *command = find_command(words[0]);
-    parse_instead(complete_words);
+    parse_instead(complete_command);
     if (command)
       command->run(n, words, &err);
     return 0;

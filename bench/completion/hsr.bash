@@ -13,7 +13,7 @@ _hsr() {
     ":files "*) COMPREPLY+=($(compgen -f -X "!*${offered#:files }" -- "${word#--*=}")) ;;
     *) COMPREPLY+=("$offered") ;;
     esac
-  done < <("${list[0]}" complete "${list[@]:1}" 2>/dev/null)
+  done < <("${COMP_WORDS[0]}" complete "${list[@]:1}" 2>/dev/null)
   # bash keeps what stands before the last colon or =
   COMPREPLY=("${COMPREPLY[@]#"${word%"${word##*[:=]}"}"}")
   [[ ${#COMPREPLY[@]} == 1 && ${COMPREPLY[0]} == *= ]] && compopt -o nospace
