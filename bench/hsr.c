@@ -64,6 +64,11 @@ static void print_help(FILE *out) {
         "A testbed for the classic hidden-surface algorithms: one correct\n"
         "picture, every algorithm must produce it, and its work is counted.\n"
         "\n"
+        "to begin with:\n"
+        "  hsr render house          a picture\n"
+        "  hsr check house           who draws it right\n"
+        "  hsr list watkins          all of one algorithm\n"
+        "\n"
         "commands:\n",
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
@@ -83,11 +88,7 @@ static void print_help(FILE *out) {
       ".vtr) or a .scene.json.\n"
       "\n"
       "exit status: 0 good, 1 a difference or a failed check, 2 usage, 3 bad\n"
-      "input, 4 out of memory or a limit, 5 internal.\n"
-      "\n"
-      "to begin with:\n"
-      "  hsr render house -a watkins -o house.png\n"
-      "  hsr check house\n",
+      "input, 4 out of memory or a limit, 5 internal.\n",
       out);
 }
 

@@ -142,8 +142,11 @@ void progress_tell(struct progress *p, size_t done, size_t all,
   snprintf(tail, sizeof tail, ": %zu%s %s%s", done, of, things, rest);
   int columns = p->rewrites ? terminal_columns(p->out) : 0;
   int room = columns ? columns - (int)strlen(tail) - 1 : TERMINAL_NAME;
-  fprintf(p->out, "%s%.*s%s%s", p->rewrites ? "\r\033[K" : "",
-          room > 10 ? room : 10, name, tail, p->rewrites ? "" : "\n");
+  room = room > 10 ? room : 10;
+  if (strlen(name) > (size_t)room)
+    memcpy(name + room - 3, "...", 4);
+  fprintf(p->out, "%s%s%s%s", p->rewrites ? "\r\033[K" : "", name, tail,
+          p->rewrites ? "" : "\n");
   fflush(p->out);
 }
 
