@@ -49,7 +49,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp argp = {
     (const struct argp_option[]){
         {"output", 'o', "FILE", 0, "write them to this file, .csv or .json", 0},
-        {"filter", 'f', "F", 0,
+        {"filter", 'f', "box|tent|quadratic|cubic", 0,
          "weigh each pixel's surroundings by a B-spline: box, tent, quadratic, "
          "cubic (standard: box, the pixel itself)",
          0},

@@ -100,7 +100,7 @@ static const struct argp argp = {
          "N x N samples a pixel, of algorithms that draw samples, for each of "
          "these N (standard: 1)",
          0},
-        {"filter", 'f', "F", 0,
+        {"filter", 'f', "box|tent|quadratic|cubic", 0,
          "against the integral weighed by a B-spline: box, tent, quadratic, "
          "cubic (standard: box, the pixel itself)",
          0},

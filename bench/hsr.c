@@ -3,10 +3,14 @@
 #include "config.h"
 
 #include "bench/options/command.h"
+#include "bench/options/complete.h"
+#include "bench/options/parser.h"
 #include "bench/modules/outside.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/terminate.h"
+#include "bench/suite/suite.h"
 #include "bench/options/streams.h"
+#include "bench/terminal/pager.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
 
@@ -60,6 +64,11 @@ static void print_help(FILE *out) {
         "A testbed for the classic hidden-surface algorithms: one correct\n"
         "picture, every algorithm must produce it, and its work is counted.\n"
         "\n"
+        "to begin with:\n"
+        "  hsr render house          a picture\n"
+        "  hsr check house           who draws it right\n"
+        "  hsr list watkins          all of one algorithm\n"
+        "\n"
         "commands:\n",
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
@@ -79,11 +88,7 @@ static void print_help(FILE *out) {
       ".vtr) or a .scene.json.\n"
       "\n"
       "exit status: 0 good, 1 a difference or a failed check, 2 usage, 3 bad\n"
-      "input, 4 out of memory or a limit, 5 internal.\n"
-      "\n"
-      "to begin with:\n"
-      "  hsr render house -a watkins -o house.png\n"
-      "  hsr check house\n",
+      "input, 4 out of memory or a limit, 5 internal.\n",
       out);
 }
 
@@ -147,6 +152,64 @@ static int no_command(const char *name) {
   return HSR_E_USAGE;
 }
 
+static bool is_help(const char *word) {
+  static const char *const words[] = {"--help", "-h", "-?", "help"};
+  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+    if (!strcmp(word, words[k]))
+      return true;
+  return false;
+}
+
+/* The commands that print a text, at once. */
+static bool is_text(const struct hsr_command *command) {
+  return command->run == command_list || command->run == command_scenes ||
+         command->run == command_stats || command->run == command_tables ||
+         command->run == command_times;
+}
+
+/* The groups and scenes of hsr suite --scenes A,B; else what the options say. */
+static void complete_command(const struct argp *argp, int n,
+                             char *const *words) {
+  if (n < 3 || strcmp(words[0], "suite") || strcmp(words[n - 2], "--scenes")) {
+    complete_words(argp, n, words);
+    return;
+  }
+  const char *comma = strrchr(words[n - 1], ',');
+  int stays = comma ? (int)(comma + 1 - words[n - 1]) : 0;
+  char name[SUITE_NAME], word[1000];
+  for (const struct suite_row *row = suite_rows; row->scene; row++) {
+    suite_name(row->scene, name);
+    snprintf(word, sizeof word, "%.*s%s", stays, words[n - 1], name);
+    if (row == suite_rows || strcmp(row[-1].scene, row->scene))
+      complete_offer(words[n - 1], word);
+    snprintf(word, sizeof word, "%.*s%s", stays, words[n - 1], row->group);
+    if ((row == suite_rows || strcmp(row[-1].group, row->group)) &&
+        strcmp(row->group, name))
+      complete_offer(words[n - 1], word);
+  }
+}
+
+/* hsr complete WORD...: prints what the last word may become. */
+static int complete(int n, char **words) {
+  static const char *const alone[] = {"help", "--help", "--version", "--cite"};
+  const char *last = n ? words[n - 1] : "";
+  struct hsr_error err;
+  if (n > 1 && !is_help(words[0])) {
+    const struct hsr_command *command = find_command(words[0]);
+    parse_instead(complete_command);
+    if (command)
+      command->run(n, words, &err);
+    return 0;
+  }
+  for (const struct hsr_command *c = commands; c->name && n < 3; c++)
+    if (c->about)
+      complete_offer(last, c->name);
+  for (size_t k = 0; k < sizeof alone / sizeof *alone && n < 2; k++)
+    if (!k || *last == '-')
+      complete_offer(last, alone[k]);
+  return 0;
+}
+
 /* The commands whose work several ranks share. */
 static bool takes_ranks(const struct hsr_command *command) {
   return command->run == command_render || command->run == command_check;
@@ -188,14 +251,6 @@ static int end(enum hsr_status status, const struct hsr_error *err) {
   return exit_status;
 }
 
-static bool is_help(const char *word) {
-  static const char *const words[] = {"--help", "-h", "-?", "help"};
-  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    if (!strcmp(word, words[k]))
-      return true;
-  return false;
-}
-
 /* Loads the modules that the words -m FILE name, which come before all others.
  * *argc and *argv are moved past them. */
 static enum hsr_status load_modules(int *argc, char ***argv,
@@ -233,7 +288,10 @@ int main(int argc, char **argv) {
     return 0;
   }
   bool help = is_help(argv[1]);
+  if (!strcmp(argv[1], "complete"))
+    return complete(argc - 2, argv + 2);
   if (help && (argc == 2 || is_help(argv[2]))) {
+    pager_begin();
     print_help(stdout);
     return 0;
   }
@@ -245,6 +303,8 @@ int main(int argc, char **argv) {
   const struct hsr_command *command = find_command(words[0]);
   if (!command)
     return no_command(words[0]);
+  if (help || is_text(command))
+    pager_begin();
   status = begin(command, &err);
   if (!status)
     status = streams_end(command->run(n, words, &err), &err);

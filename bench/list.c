@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr list: the algorithms and their taxonomy entries; the palettes. */
+/* hsr list: the algorithms and their taxonomy entries; the palettes. list_one.c
+ * tells of one. */
+#include "bench/list.h"
 #include "bench/modules/modules.h"
 #include "bench/options/command.h"
 #include "bench/options/parser.h"
@@ -14,7 +16,9 @@
 static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
     "Sproull and Schumacker, sorting order, environment restrictions, "
-    "options; and the palettes of splats.";
+    "options; and the palettes of splats. With a NAME it tells all of that "
+    "algorithm: also its source, sorts, counters, steps and pseudocode.\v"
+    "  hsr list watkins";
 
 static json_t *palettes_json(void) {
   json_t *all = json_array();
@@ -68,32 +72,32 @@ static void print_algorithm(const struct hsr_algorithm *a, int sorts) {
 }
 
 /* One word of an option, or an option of numbers. */
-static void print_choice(const char *what, const char *meaning) {
+void list_print_meaning(const char *what, const char *meaning) {
   int used = printf("    %-22s  ", what);
   terminal_wrap(stdout, used, 28, meaning);
 }
 
-static void print_option(const struct hsr_option *o) {
+void list_print_option(const struct hsr_option *o) {
   char what[60], meaning[300];
   snprintf(what, sizeof what, "%s=%s", o->name, o->real ? "X" : "N");
   if (o->real) {
     snprintf(meaning, sizeof meaning, "%s, %g to %g (standard: %g)", o->meaning,
              o->real_least, o->real_most, o->real_standard);
-    print_choice(what, meaning);
+    list_print_meaning(what, meaning);
     return;
   }
   if (!o->words) {
     snprintf(meaning, sizeof meaning, "%s, %ld to %ld (standard: %ld)",
              o->meaning, o->least, o->most, o->standard);
-    print_choice(what, meaning);
+    list_print_meaning(what, meaning);
     return;
   }
-  print_choice(o->name, o->meaning);
+  list_print_meaning(o->name, o->meaning);
   for (const struct hsr_word *w = o->words; w->name; w++) {
     snprintf(what, sizeof what, "  %s=%s", o->name, w->name);
     snprintf(meaning, sizeof meaning, "%s%s", w->meaning,
              w == &o->words[o->standard] ? " (standard)" : "");
-    print_choice(what, meaning);
+    list_print_meaning(what, meaning);
   }
 }
 
@@ -115,14 +119,14 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
     return;
   printf("  all that draw %s\n", kind->name);
   if (kind->by_windows)
-    print_choice("window=N",
-                 "in squares of N x N samples, each a separate job");
+    list_print_meaning("window=N",
+                       "in squares of N x N samples, each a separate job");
   for (int k = 0; hsr_answer_types[k]; k++) {
     const struct hsr_answer_type *type = hsr_answer_types[k];
     if (!hsr_is_asked_of(type, kind))
       continue;
     for (const struct hsr_option *o = type->options; o && o->name; o++)
-      print_option(o);
+      list_print_option(o);
   }
 }
 
@@ -140,7 +144,7 @@ static void print_further_kind(const struct hsr_answer_type *type) {
   printf("  ");
   terminal_wrap(stdout, 2, 4, names);
   for (const struct hsr_option *o = type->options; o && o->name; o++)
-    print_option(o);
+    list_print_option(o);
 }
 
 /* Prints, below the table, the options that NAME:OPTION=VALUE can choose. */
@@ -154,7 +158,7 @@ static void print_options(void) {
     if (a->plain->options)
       printf("  %s\n", a->plain->name);
     for (const struct hsr_option *o = a->plain->options; o && o->name; o++)
-      print_option(o);
+      list_print_option(o);
   }
 }
 
@@ -168,12 +172,49 @@ static void print_palettes(void) {
   }
 }
 
-enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
+struct options {
+  struct option_base base;
+  const char *name; /* the one that is told of, or NULL */
   bool json;
-  enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case 'j':
+    o->json = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->name)
+      return option_fail(&o->base, "list: one name at a time, not '%s' too",
+                         arg);
+    o->name = arg;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){JSON_ARGP_OPTION, {0}},
+    parse,
+    "[ALGORITHM]",
+    about,
+    NULL,
+    NULL,
+    NULL};
+
+enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
+  struct options o = {.base = {.err = err}};
+  enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
   if (status)
     return status;
-  if (json)
+  if (o.json && o.name)
+    return hsr_fail(err, HSR_E_USAGE, "list: --json tells of all, not of '%s'",
+                    o.name);
+  if (o.name)
+    return list_one(o.name, err);
+  if (o.json)
     return print_json(err);
   int sorts = sorts_width();
   printf("%-19s %4s  %-*s %-8s  %s\n", "name", "year", sorts, "sorts", "kind",

@@ -32,7 +32,11 @@ libbench_a_SOURCES = \
   %D%/areas.c \
   %D%/errors.c \
   %D%/list.c \
+  %D%/list.h \
+  %D%/list_one.c \
   %D%/scenes.c \
+  %D%/scenes_one.c \
+  %D%/scenes_one.h \
   %D%/densities.c \
   %D%/densities.h \
   %D%/stats.c \
@@ -66,6 +70,8 @@ libbench_a_SOURCES = \
   %D%/options/camera.c \
   %D%/options/camera.h \
   %D%/options/command.h \
+  %D%/options/complete.c \
+  %D%/options/complete.h \
   %D%/options/lines.c \
   %D%/options/lines.h \
   %D%/options/page.c \
@@ -193,6 +199,10 @@ libbench_a_SOURCES = \
   %D%/tables/text.c \
   %D%/terminal/interrupt.c \
   %D%/terminal/interrupt.h \
+  %D%/terminal/pager.c \
+  %D%/terminal/pager.h \
+  %D%/terminal/pixels.c \
+  %D%/terminal/pixels.h \
   %D%/terminal/terminal.c \
   %D%/terminal/terminal.h \
   %D%/times/command.c \

@@ -2,6 +2,7 @@
 /* hsr scenes: lists the built-in scenes and the meshes, or tells the cameras of
  * one. */
 #include "bench/options/command.h"
+#include "bench/scenes_one.h"
 #include "bench/options/scene.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
@@ -15,6 +16,7 @@
 struct options {
   struct option_base base;
   const char *cameras; /* the scene whose cameras are printed, or NULL */
+  const char *name;    /* the scene that is told of, or NULL */
   bool json;
 };
 
@@ -28,10 +30,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->cameras = arg;
     return 0;
   case ARGP_KEY_ARG:
-    return option_fail(&o->base,
-                       "scenes: takes no scene or file, not '%s'; --cameras "
-                       "does",
-                       arg);
+    if (o->name)
+      return option_fail(&o->base, "scenes: one scene at a time, not '%s' too",
+                         arg);
+    o->name = arg;
+    return 0;
   default:
     return ARGP_ERR_UNKNOWN;
   }
@@ -46,10 +49,13 @@ static const struct argp argp = {
         JSON_ARGP_OPTION,
         {0}},
     parse,
-    NULL,
+    "[SCENE]",
     "Lists the built-in scenes with their standard parameters, the number of "
     "faces and views that these give, and what each is for; and the real "
-    "meshes of Debian's libcgal-demo with their faces, if that is installed.\v"
+    "meshes of Debian's libcgal-demo with their faces, if that is installed. "
+    "With a SCENE it tells all of that one: its parameters, cameras, and Table "
+    "I.\v"
+    "  hsr scenes house\n"
     "  hsr scenes --cameras house > house.json\n"
     "  hsr render house --camera house.json --view 2 -o house.png",
     NULL,
@@ -210,5 +216,10 @@ enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
   if (status)
     return status;
+  if (o.name && (o.cameras || o.json))
+    return hsr_fail(err, HSR_E_USAGE, "scenes: '%.200s' does not go with %s",
+                    o.name, o.json ? "--json" : "--cameras");
+  if (o.name)
+    return scenes_one(o.name, err);
   return o.cameras ? print_cameras(o.cameras, err) : print_scenes(o.json, err);
 }

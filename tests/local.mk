@@ -154,6 +154,7 @@ tap_scripts = \
   %D%/command/examples.test \
   %D%/command/exposure.test \
   %D%/command/full.test \
+  %D%/command/gallery.test \
   %D%/command/generate.test \
   %D%/command/gltf.test \
   %D%/command/import.test \
@@ -162,14 +163,17 @@ tap_scripts = \
   %D%/command/looks.test \
   %D%/command/models.test \
   %D%/command/outside.test \
+  %D%/command/pages.test \
   %D%/command/peers.test \
   %D%/command/pictures.test \
   %D%/command/programs.test \
   %D%/command/programs_bench.test \
+  %D%/command/quickstart.test \
   %D%/command/ranks.test \
   %D%/command/sort_last.test \
   %D%/command/splat_tiles.test \
   %D%/command/streams.test \
+  %D%/command/terminal.test \
   %D%/command/tiles.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \

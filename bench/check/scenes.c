@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /* As many scenes are open at most, and none is opened while those that are have
@@ -33,6 +34,7 @@ struct open_scene {
 struct judging {
   pid_t process;
   struct open_scene *scene;
+  const struct group *group;
 };
 
 struct scenes {
@@ -191,11 +193,31 @@ static enum hsr_status make_groups(struct open_scene *scene,
 
 /* --- Processes ------------------------------------------------------------ */
 
-/* Tells how many groups are done, of all scenes, which have alike many. */
+/* Adds the algorithms of a group that are not judged yet. */
+static void name_waited(const struct group *g, char text[PROGRESS_TEXT]) {
+  for (int k = 0; k < g->n_algorithms; k++) {
+    const struct hsr_variant *v = &g->algorithm[k];
+    if (hsr_same_form(&v->choice.form, &g->form) &&
+        keeps_state(v) == (g->flags == HSR_FRAME_STATE) &&
+        !__atomic_load_n(&g->cells[k].done, __ATOMIC_ACQUIRE))
+      progress_add(text, v->name);
+  }
+}
+
+/* Tells how many groups are done, of all scenes, which have alike many; and which
+ * algorithms are at work. */
 static void show_progress(struct scenes *s, const struct open_scene *scene) {
+  char text[PROGRESS_TEXT];
+  if (!s->progress.told)
+    return;
+  snprintf(text, sizeof text, "%.100s", scene->run.name);
+  for (int k = 0; k < s->n_judging; k++)
+    if (s->judging[k].scene == scene)
+      name_waited(s->judging[k].group, text);
+  progress_close(text);
   progress_tell(&s->progress, (size_t)s->n_done,
                 (size_t)(s->options->n_scenes * scene->n_groups),
-                "groups of pictures", scene->run.name);
+                "groups of pictures", text);
 }
 
 static enum hsr_status start_group(struct scenes *s, struct open_scene *scene,
@@ -209,7 +231,7 @@ static enum hsr_status start_group(struct scenes *s, struct open_scene *scene,
   }
   if (child < 0)
     return hsr_fail_nomem(err);
-  s->judging[s->n_judging++] = (struct judging){child, scene};
+  s->judging[s->n_judging++] = (struct judging){child, scene, g};
   scene->running++;
   return HSR_OK;
 }
@@ -226,9 +248,13 @@ static enum hsr_status failure_of(int end) {
 static void wait_for_group(struct scenes *s) {
   int end = 0, k = 0;
   pid_t child;
-  do
-    child = waitpid(-1, &end, 0);
-  while (child < 0 && errno == EINTR);
+  do {
+    child = waitpid(-1, &end, s->progress.told ? WNOHANG : 0);
+    if (!child) { /* it goes on, and is named */
+      show_progress(s, s->judging[0].scene);
+      nanosleep(&(struct timespec){0, 20000000}, NULL);
+    }
+  } while (!child || (child < 0 && errno == EINTR));
   while (child > 0 && k < s->n_judging - 1 && s->judging[k].process != child)
     k++;
   if (child > 0 && WIFSIGNALED(end))

@@ -107,7 +107,7 @@ static const struct argp_option entries[] = {
      "materials; .ply with colours; .stl; .glb, which hsr reads again as the "
      "same scene",
      0},
-    {"what", WHAT, "WHAT", 0,
+    {"what", WHAT, "faces|octree|bsp|separators|frustum|spans", 0,
      "faces (standard); octree, bsp (its cells in .vtu, its planes in .vtp), "
      "separators, frustum or spans, as .vtp or .vtu",
      0},
@@ -124,7 +124,8 @@ static const struct argp_option entries[] = {
      "In .glb files, which are in metres and have y up (else coordinates are "
      "written as they are, here and in all other files):",
      3},
-    {"unit", UNIT, "UNIT", 0, "the scene is in mm, cm, m (standard) or in", 3},
+    {"unit", UNIT, "mm|cm|m|in", 0,
+     "the scene is in mm, cm, m (standard) or in", 3},
     {"z-up", Z_UP, NULL, 0, "z is up in the scene", 3},
     {0}};
 

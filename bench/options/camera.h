@@ -36,7 +36,7 @@ enum {
        10},                                                                     \
       {"parallel",                                                              \
        CAMERA_EYE + 5,                                                          \
-       "HEIGHT",                                                                \
+       "fit|same|HEIGHT",                                                       \
        0,                                                                       \
        "in parallel projection, the picture so high; fit: the scene fills "     \
        "it, "                                                                   \
@@ -57,9 +57,9 @@ enum {
        10},                                                                     \
       {"up-axis",                                                               \
        CAMERA_EYE + 8,                                                          \
-       "A",                                                                     \
+       "x|y|z",                                                                 \
        0,                                                                       \
-       "x, y or z is up: views that stand on y are turned to stand on it",      \
+       "this axis is up: views that stand on y are turned to stand on it",      \
        10},                                                                     \
       {"front",                                                                 \
        CAMERA_LOOK + 0,                                                         \

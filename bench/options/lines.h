@@ -40,14 +40,14 @@ enum {
 #define LINE_ARGP_OPTIONS(group)                                               \
   {"style",                                                                    \
    LINE_STYLE,                                                                 \
-   "NAME|FILE",                                                                \
+   "screen|iso|plotter|FILE",                                                  \
    0,                                                                          \
    "how lines are drawn: screen (standard), iso (line types and widths of "    \
    "ISO 128), plotter (one pen, little travel), or a .json file",              \
    group},                                                                     \
       {"hidden",                                                               \
        LINE_HIDDEN,                                                            \
-       "HOW",                                                                  \
+       "none|dashed|thin|all|PEN",                                             \
        0,                                                                      \
        "how hidden lines are drawn: none (standard: left out), dashed, thin "  \
        "(and lighter the more faces hide them), or all (like visible ones); "  \
@@ -55,7 +55,7 @@ enum {
        group},                                                                 \
       {"crease",                                                               \
        LINE_CREASE,                                                            \
-       "DEG|PEN",                                                              \
+       "all|DEG|PEN",                                                          \
        0,                                                                      \
        "leave out lines whose two faces turn by at most DEG degrees, except "  \
        "silhouettes; all: leave out none; the pen of those that turn more; "   \
@@ -98,13 +98,13 @@ enum {
        group},                                                                 \
       {"layers",                                                               \
        LINE_LAYERS,                                                            \
-       "BY",                                                                   \
+       "visibility|class|object",                                              \
        0,                                                                      \
        "layers by visibility (standard), class or object",                     \
        group},                                                                 \
   {                                                                            \
-    "order", LINE_ORDER, "HOW", 0,                                             \
-        "pen: strokes in an order of little pen travel", group                 \
+    "order", LINE_ORDER, "pen", 0, "strokes in an order of little pen travel", \
+        group                                                                  \
   }
 /* The name of the option: "--style". */
 const char *line_option_name(int key);

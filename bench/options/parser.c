@@ -41,15 +41,35 @@ static enum hsr_status lacks_value(const struct words *words,
                   words->command, o->name, o->name, o->arg);
 }
 
+/* Makes "did you mean --eye, --near?" of "did you mean eye, near?". */
+static void add_dashes(char *hint, size_t size) {
+  const char *before = "did you mean ";
+  char *name = strstr(hint, before);
+  for (size_t n = name ? strlen(before) : 0; n; n = 2) {
+    name += n;
+    if (strlen(hint) + 2 >= size)
+      return;
+    memmove(name + 2, name, strlen(name) + 1);
+    memcpy(name, "--", 2);
+    name = strstr(name, ", ");
+    if (!name)
+      return;
+  }
+}
+
 static enum hsr_status no_option(const struct words *words, const char *word) {
   struct hsr_names list = {0};
   char hint[256] = "", name[64], see[64];
   snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
-  for (const struct argp_option *o = words->argp->options; is_option(o); o++)
-    if (o->name && hsr_names_add(&list, o->name, strlen(o->name)))
+  for (const struct argp_option *o = words->argp->options; is_option(o); o++) {
+    if (!o->name || o->flags & OPTION_HIDDEN)
+      continue;
+    if (hsr_names_add(&list, o->name, strlen(o->name)))
       break; /* there is no hint without memory */
+  }
   if (!strncmp(name, "--", 2))
     hsr_names_like(&list, name + 2, hint, sizeof hint);
+  add_dashes(hint, sizeof hint);
   hsr_names_free(&list);
   snprintf(see, sizeof see, " (see hsr help %s)", words->command);
   return hsr_fail(words->err, HSR_E_USAGE, "%s: there is no option '%s'%s",
@@ -136,11 +156,23 @@ static void help_if_asked(const struct argp *argp, int argc, char **argv,
     }
 }
 
+static void (*look_instead)(const struct argp *argp, int argc,
+                            char *const *argv);
+
+void parse_instead(void (*look)(const struct argp *argp, int argc,
+                                char *const *argv)) {
+  look_instead = look;
+}
+
 enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
                               void *input, struct hsr_error *err) {
   struct option_base *base = input;
   base->err = err;
   base->failed = false;
+  if (look_instead) {
+    look_instead(argp, argc, argv);
+    exit(fflush(stdout) ? HSR_E_INPUT : 0);
+  }
   char name[32], *first = argv[0];
   snprintf(name, sizeof name, "hsr %s", first);
   help_if_asked(argp, argc, argv, name);
@@ -159,30 +191,4 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
   if (base->failed)
     return HSR_E_USAGE;
   return hsr_fail(err, HSR_E_USAGE, "%s: see hsr help %s", first, first);
-}
-
-struct json_options {
-  struct option_base base;
-  const char *command;
-  bool *json;
-};
-
-static error_t parse_json(int key, char *arg, struct argp_state *state) {
-  struct json_options *options = state->input;
-  if (key == ARGP_KEY_ARG)
-    return option_fail(&options->base, "%s: takes no scene or file, not '%s'",
-                       options->command, arg);
-  if (key != 'j')
-    return ARGP_ERR_UNKNOWN;
-  *options->json = true;
-  return 0;
-}
-
-enum hsr_status parse_json_option(int argc, char **argv, const char *about,
-                                  bool *json, struct hsr_error *err) {
-  const struct argp_option entries[] = {JSON_ARGP_OPTION, {0}};
-  const struct argp argp = {entries, parse_json, NULL, about, NULL, NULL, NULL};
-  struct json_options options = {.command = argv[0], .json = json};
-  *json = false;
-  return parse_options(&argp, argc, argv, &options, err);
 }

@@ -14,6 +14,11 @@
 enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
                               void *input, struct hsr_error *err);
 
+/* Sets what parse_options does instead of parsing, before it ends the program; NULL:
+ * nothing. hsr complete looks at the options of a command so. */
+void parse_instead(void (*look)(const struct argp *argp, int argc,
+                                char *const *argv));
+
 /* For use in an argp parser: stores the message and makes parse_options return
  * HSR_E_USAGE. `input` of every parser starts with a struct option_base. */
 struct option_base {
@@ -25,9 +30,5 @@ error_t option_fail(struct option_base *base, const char *format, ...)
 
 #define JSON_ARGP_OPTION                                                       \
   { "json", 'j', NULL, 0, "print one JSON object", 0 }
-
-/* For subcommands that only take --json; --help prints `about`. */
-enum hsr_status parse_json_option(int argc, char **argv, const char *about,
-                                  bool *json, struct hsr_error *err);
 
 #endif

@@ -49,9 +49,9 @@ error_t parse_import_option(struct hsr_import *import, int key, const char *arg,
 #define SCENE_ARGP_OPTIONS                                                     \
   {"format",                                                                   \
    FORMAT,                                                                     \
-   "SUFFIX",                                                                   \
+   "obj|ply|stl|off|glb|vtp|nii|vti|scene.json|SUFFIX",                        \
    0,                                                                          \
-   "what standard input holds, if SCENE is -: obj, ply, nii, scene.json",      \
+   "what standard input holds, if SCENE is -",                                 \
    0},                                                                         \
       IMPORT_ARGP_OPTIONS
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,

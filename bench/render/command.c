@@ -6,6 +6,7 @@
 #include "bench/render/render.h"
 #include "bench/ranks/ranks.h"
 #include "bench/run/crew.h"
+#include "bench/terminal/pixels.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/clock.h"
 #include "common/files/suffix.h"
@@ -84,6 +85,19 @@ static void print_size(const struct render *r, char *text, size_t size) {
     snprintf(text, size, "%d x %d %s", m, n, r->kind->grains);
 }
 
+/* A picture that goes to no file, and is alone, is shown on a terminal. */
+static bool wants_showing(const struct render_options *o) {
+  return !o->n_outputs && !o->work && !o->tile && !o->sort_last && !o->sheet &&
+         !is_series(o) && pixels_known() != PIXELS_NONE;
+}
+
+static void show_on_terminal(struct render *r) {
+  const int report = 6; /* lines below it */
+  if (r->shows && r->shaded.rgb)
+    r->shows = pixels_show(pixels_known(), r->view.m, r->view.n, r->shaded.rgb,
+                           report);
+}
+
 static void print_report(struct render *r, const struct hsr_algorithm *a) {
   char name[TERMINAL_NAME];
   char views[100], size[100];
@@ -129,7 +143,9 @@ static void print_report(struct render *r, const struct hsr_algorithm *a) {
              1e3 * r->write);
   terminal_wrap(stdout, 0, 4, times);
   if (!r->options->n_outputs && !r->options->work)
-    puts("nothing was written: -o FILE writes the picture");
+    puts(r->shaded.rgb && r->shows
+             ? "-o FILE writes the picture"
+             : "nothing was written: -o FILE writes the picture");
   if (!r->options->work)
     return;
   for (int k = 0; a->counters && a->counters[k].name; k++) {
@@ -359,7 +375,9 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   const struct hsr_algorithm *a =
       options.work ? variant.listed->counting : variant.listed->plain;
 
-  struct render r = {.options = &options, .crew = crew_new(options.threads)};
+  struct render r = {.options = &options,
+                     .crew = crew_new(options.threads),
+                     .shows = wants_showing(&options)};
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
   if (!status && !options.tile && !options.sort_last)
     crew_join_ranks(r.crew);
@@ -374,8 +392,10 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
              : options.sheet           ? make_sheet(&r, err)
              : is_series(&options)     ? make_series(&r, err)
                                        : make_picture(&r, err);
-  if (!status && !ranks_own())
+  if (!status && !ranks_own()) {
+    show_on_terminal(&r);
     print_report(&r, a);
+  }
   if (!status && !ranks_own())
     status = say_notes(&r, err);
   if (!status)

@@ -259,13 +259,13 @@ static const struct argp_option entries[] = {
      "write the work picture: how often each sample was touched (runs the "
      "counting build); filtered, only where the algorithm filters itself",
      2},
-    {"shade", SHADE, "HOW", 0,
+    {"shade", SHADE, "lambert|gouraud|flat|ids", 0,
      "lambert (standard), gouraud (colours at corners, interpolated), flat, "
      "or ids",
      2},
     {"supersample", 'S', "N", 0,
      "N x N samples a pixel, averaged (colours only)", 2},
-    {"background", BACKGROUND, "COLOUR", 0,
+    {"background", BACKGROUND, "white|none|R,G,B", 0,
      "white, R,G,B (each 0 to 255), or none: transparent, in .png and .exr "
      "files (standard: a dark blue grey; behind splats, black)",
      2},
@@ -286,11 +286,11 @@ static const struct argp_option entries[] = {
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     LINE_ARGP_OPTIONS(3),
     {NULL, 0, NULL, 0, "On paper:", 5},
-    {"sheet", SHEET, "VIEWS", 0,
+    {"sheet", SHEET, "front|back|left|right|top|bottom|iso|dimetric,...", 0,
      "several standard views on one sheet, aligned, to one scale: "
      "--sheet=front,top,left,iso",
      5},
-    {"angle", ANGLE, "WHICH", 0,
+    {"angle", ANGLE, "third|first", 0,
      "third (standard: the top view stands above the front) or first (below "
      "it)",
      5},

@@ -77,7 +77,7 @@ enum hsr_status shade_picture(struct render *r, struct hsr_error *err) {
   struct hsr_showing showing = showing_of(r);
   double begin = hsr_seconds_now();
   enum hsr_status status = HSR_OK;
-  if (r->kind->shade && (r->options->n_outputs || r->options->work))
+  if (r->kind->shade && (r->options->n_outputs || r->options->work || r->shows))
     status = r->kind->shade(&r->answer, &showing, &r->shaded, err);
   r->shade += hsr_seconds_now() - begin;
   return status;

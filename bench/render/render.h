@@ -82,6 +82,7 @@ struct render {
   long frame;                   /* of --frames */
   long n_kept; /* frames that went on with what was prepared for the last one */
   long n_tiles, n_found; /* of --tiles: all, and those there were before */
+  bool shows;            /* the picture on the terminal: no file is asked for */
   double exposure;       /* that was chosen for an X-ray picture; 0: none */
   uint32_t n_faces;      /* of --sort-last: of all parts */
   long n_drawn;          /* parts, by this rank */

@@ -285,7 +285,7 @@ static void name_place(const struct place_run *run,
 /* Waits for all processes, and notes what they have judged. After an interrupt
  * it waits no longer. */
 static bool wait_and_note(struct place_run *run) {
-  char name[RESULTS_KEY + 40];
+  char name[RESULTS_KEY + 40], text[PROGRESS_TEXT];
   name_place(run, name);
   struct progress progress = progress_begin(stderr);
   bool good = true;
@@ -296,10 +296,15 @@ static bool wait_and_note(struct place_run *run) {
       continue;
     int judged = 0;
     good = note_judged(run) && good;
-    for (int k = 0; k < run->n; k++)
+    snprintf(text, sizeof text, "%.150s", name);
+    for (int k = 0; k < run->n; k++) {
       judged += run->noted[k];
+      if (!run->noted[k])
+        progress_add(text, run->entrant[k]->name);
+    }
+    progress_close(text);
     progress_tell(&progress, (size_t)judged, (size_t)run->n,
-                  "algorithms judged", name);
+                  "algorithms judged", text);
     nanosleep(&(struct timespec){0, 5000000}, NULL);
   }
   progress_end(&progress);

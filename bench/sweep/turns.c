@@ -278,10 +278,16 @@ static enum hsr_status finish_lot(const struct plan *plan,
 }
 
 static void tell(struct progress *progress, const struct plan *plan,
-                 const struct turn_listener *listener, int start) {
+                 const struct turn_listener *listener,
+                 const struct turn_taker *taker, int start) {
+  char text[PROGRESS_TEXT];
+  snprintf(text, sizeof text, "%.150s", listener->name);
+  if (taker)
+    progress_add(text, taker->entrant->name);
+  progress_close(text);
   progress_tell(progress, (size_t)start,
                 isfinite(listener->end) ? 0 : (size_t)plan->options->starts,
-                "starts timed", listener->name);
+                "starts timed", text);
 }
 
 static enum hsr_status
@@ -304,8 +310,8 @@ run_lot(const struct plan *plan, const struct place *place,
     gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
     for (int k = 0; k < n; k++)
       if (is_alive(&process[order[k]])) {
+        tell(progress, plan, listener, process[order[k]].taker, start);
         draw(&process[order[k]], plan, start, round, listener);
-        tell(progress, plan, listener, start);
       }
   }
   if (interrupt_came()) {
@@ -391,7 +397,7 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
   struct progress progress = progress_begin(stderr);
   int start = 0, all = (int)plan->options->starts;
   for (bool enough = false; start < all && !enough && !status; start++) {
-    tell(&progress, plan, listener, start);
+    tell(&progress, plan, listener, NULL, start);
     status = run_start(plan, place, taker, n, start, random, listener,
                        &progress, err);
     bool good = true;

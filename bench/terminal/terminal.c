@@ -8,8 +8,16 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+static int kept_columns; /* of standard output; 0: it is shown at once */
+
+void terminal_keep(int columns) {
+  kept_columns = columns;
+}
+
 int terminal_columns(FILE *out) {
   struct winsize size = {.ws_col = 0};
+  if (kept_columns && out == stdout)
+    return kept_columns;
   if (!isatty(fileno(out)))
     return 0;
   const char *variable = getenv("COLUMNS");
@@ -123,21 +131,47 @@ void progress_tell(struct progress *p, size_t done, size_t all,
                    const char *things, const char *now) {
   if (!p->told || !is_time(p))
     return;
-  char name[TERMINAL_NAME], rest[60] = "";
+  char name[TERMINAL_NAME], rest[60] = "", of[30] = "", tail[160];
   double passed = p->last - p->begin;
-  if (done && done < all && passed > 1)
-    snprintf(rest, sizeof rest, ", about %.0f s left",
-             passed / (double)done * (double)(all - done));
+  double left = done ? passed / (double)done * (double)(all - done) : 0;
+  if (done && done < all && passed > 1 && left >= .5)
+    snprintf(rest, sizeof rest, ", about %.0f s left", left);
   terminal_plain(now, name, sizeof name);
-  int columns = p->rewrites ? terminal_columns(p->out) : 0;
-  int room = columns ? columns - (int)strlen(rest) - 40 : TERMINAL_NAME;
-  char of[30] = "";
   if (all)
     snprintf(of, sizeof of, " of %zu", all);
-  fprintf(p->out, "%s%.*s: %zu%s %s%s%s", p->rewrites ? "\r\033[K" : "",
-          room > 10 ? room : 10, name, done, of, things, rest,
+  snprintf(tail, sizeof tail, ": %zu%s %s%s", done, of, things, rest);
+  int columns = p->rewrites ? terminal_columns(p->out) : 0;
+  int room = columns ? columns - (int)strlen(tail) - 1 : TERMINAL_NAME;
+  room = room > 10 ? room : 10;
+  if (strlen(name) > (size_t)room)
+    memcpy(name + room - 3, "...", 4);
+  fprintf(p->out, "%s%s%s%s", p->rewrites ? "\r\033[K" : "", name, tail,
           p->rewrites ? "" : "\n");
   fflush(p->out);
+}
+
+enum { MOST_WAITED = 3 };
+
+static int count(const char *text, char letter) {
+  int n = 0;
+  for (; *text; text++)
+    n += *text == letter;
+  return n;
+}
+
+void progress_add(char text[PROGRESS_TEXT], const char *name) {
+  const char *open = strstr(text, " (");
+  size_t used = strlen(text);
+  int n = open ? 1 + count(open, ',') : 0;
+  if (n <= MOST_WAITED)
+    snprintf(text + used, PROGRESS_TEXT - used, "%s%.60s", open ? ", " : " (",
+             n < MOST_WAITED ? name : "...");
+}
+
+void progress_close(char text[PROGRESS_TEXT]) {
+  size_t used = strlen(text);
+  if (strstr(text, " ("))
+    snprintf(text + used, PROGRESS_TEXT - used, ")");
 }
 
 void progress_end(struct progress *p) {

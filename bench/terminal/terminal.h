@@ -14,6 +14,10 @@
  * terminal says. */
 int terminal_columns(FILE *out);
 
+/* Standard output will be shown on a terminal of so many columns, though it is
+ * none itself. */
+void terminal_keep(int columns);
+
 /* Prints words, which spaces divide, and a newline. Lines are broken to fit
  * terminal_columns(); those after the first begin with `indent` spaces. `used`
  * columns of the first line are printed already. The text is printed as
@@ -49,11 +53,17 @@ struct progress {
  * is set: by a line every 8 seconds. */
 struct progress progress_begin(FILE *out);
 
-/* Says that `done` of `all` `things` are done, what is done now, and about how
- * long the rest takes: "house: 3 of 12 pictures, about 5 s left". If `all` is 0,
+/* Says that `done` of `all` `things` are done, what is done or waited for now, and
+ * about how long the rest takes: "house: 3 of 12 pictures, about 5 s left". If `all` is 0,
  * nobody knows how many there will be. */
 void progress_tell(struct progress *progress, size_t done, size_t all,
                    const char *things, const char *now);
+
+/* Appends a name to "house (a, b": one that is waited for. Of many, the first few
+ * are named. The text begins without a bracket, and progress_close ends it. */
+enum { PROGRESS_TEXT = 300 };
+void progress_add(char text[PROGRESS_TEXT], const char *name);
+void progress_close(char text[PROGRESS_TEXT]);
 
 /* Removes the line from a terminal. */
 void progress_end(struct progress *progress);

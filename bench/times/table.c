@@ -37,11 +37,11 @@ static double scale_of(double seconds) {
   return seconds < 1e-3 ? 1e6 : seconds < 1 ? 1e3 : 1;
 }
 
-static void print_heading(const struct rows *rows, const struct row *row) {
+static void print_heading(const struct row *row, bool first) {
   char key[RESULTS_KEY], plain[TERMINAL_NAME], title[TERMINAL_NAME];
   rows_name_place(row, key);
   snprintf(title, sizeof title, "%s", terminal_plain(key, plain, sizeof plain));
-  printf("%s%-24s", row == rows->row ? "" : "\n", title);
+  printf("%s%-24s", first ? "" : "\n", title);
   if (strlen(title) > 24)
     printf("\n%24s", "");
   printf(" %10s %-17s %7s %-13s", "median", "95 % interval", "ratio",
@@ -204,14 +204,30 @@ static void print_notes(const struct rows *rows) {
   terminal_wrap(stdout, 0, 2, text);
 }
 
+/* The rows of a place: the times first, then what else there is to say. */
+static void print_place(const struct rows *rows, const struct row *row,
+                        size_t n, bool first) {
+  print_heading(row, first);
+  for (int timed = 1; timed >= 0; timed--)
+    for (size_t k = 0; k < n; k++)
+      if (row[k].timed == timed && !is_counted_only(&row[k]))
+        print_row(rows, &row[k]);
+  print_counted(row, n);
+}
+
+/* Places with times come first. */
 void rows_print(const struct rows *rows) {
-  for (size_t k = 0, end; k < rows->n; k = end) {
-    const struct row *row = rows->row;
-    print_heading(rows, &row[k]);
-    for (end = k; end < rows->n && rows_same_place(&row[k], &row[end]); end++)
-      if (!is_counted_only(&row[end]))
-        print_row(rows, &row[end]);
-    print_counted(&row[k], end - k);
-  }
+  bool first = true;
+  for (int timed = 1; timed >= 0; timed--)
+    for (size_t k = 0, end; k < rows->n; k = end) {
+      const struct row *row = rows->row;
+      bool any = false;
+      for (end = k; end < rows->n && rows_same_place(&row[k], &row[end]); end++)
+        any |= row[end].timed;
+      if (any != timed)
+        continue;
+      print_place(rows, &row[k], end - k, first);
+      first = false;
+    }
   print_notes(rows);
 }
