@@ -184,6 +184,7 @@ static void try_walls(struct tap *tap) {
       {"splat:model=under:opacity=length", 65460, WHITE},
       {"splat-sheet:model=sheet:opacity=length", 65529, WHITE},
       {"splat-volume:model=volume:buckets=1:opacity=length", 65529, WHITE},
+      {"splat-volume:model=slab:buckets=1", 65529, WHITE},
       {"splat:model=over:kernel=gaussian:opacity=length", 65460, WHITE}};
   for (size_t k = 0; k < sizeof walls / sizeof *walls; k++)
     try_wall(tap, &walls[k]);
@@ -552,11 +553,10 @@ static double brightness(const struct hsr_view *v, const struct picture *p,
   return sum / 256 / WHITE;
 }
 
-/* Figure 1.16: the sides swap when the sheets' axis does. */
-static void try_flash(struct tap *tap, int opacity) {
+/* At 44 and at 46 degrees: the brightness of the sides across x and z. */
+static void see_sides(int opacity, const char *variant, double bright[2][2]) {
   struct stage s;
-  double bright[2][2]; /* of a view: of the sides across x and z */
-  struct hsr_variant made = splat_variant("splat-sheet:model=sheet");
+  struct hsr_variant made = splat_variant("%s", variant);
   open_shell(&s, opacity);
   for (int k = 0; k < 2; k++) {
     struct hsr_view v = turned_view(k ? 46 : 44);
@@ -565,6 +565,26 @@ static void try_flash(struct tap *tap, int opacity) {
     bright[k][1] = brightness(&v, &p, 2);
     drop(&p);
   }
+  close_stage(&s);
+}
+
+/* Slabs are parallel to the picture, so that nothing swaps. */
+static void try_no_flash(struct tap *tap, int opacity, const char *variant) {
+  double bright[2][2], most = 0;
+  see_sides(opacity, variant, bright);
+  for (int side = 0; side < 2; side++)
+    most = fmax(most, fabs(bright[0][side] - bright[1][side]));
+  ok(tap, most < 0.02,
+     "%s of a hollow cube of opacity %.3f: from 44 to 46 degrees a side "
+     "changes "
+     "by %.4f at most",
+     variant, (double)opacity / WHITE, most);
+}
+
+/* Figure 1.16: the sides swap when the sheets' axis does. */
+static void try_flash(struct tap *tap, int opacity) {
+  double bright[2][2];
+  see_sides(opacity, "splat-sheet:model=sheet", bright);
   ok(tap,
      bright[0][1] > bright[0][0] && bright[1][0] > bright[1][1] &&
          fabs(bright[0][1] - bright[1][0]) < 0.02 &&
@@ -575,7 +595,6 @@ static void try_flash(struct tap *tap, int opacity) {
      "%.4f",
      (double)opacity / WHITE, bright[0][1], bright[0][0], bright[1][1],
      bright[1][0]);
-  close_stage(&s);
 }
 
 /* A plane that is one sheet is a plain sum, as long as that is below 1. A
@@ -867,8 +886,8 @@ static void try_shutter(struct tap *tap) {
 int main(void) {
   static const struct board boards[] = {
       {30, 40, 30}, {45, 100, 60}, {60, 200, 100}};
-  struct tap tap =
-      plan(4 + 6 + 4 + 5 + 1 + 8 + 1 + 3 + 1 + 4 + 2 + 2 + 3 + 6 + 3 + 3 + 8);
+  struct tap tap = plan(4 + 7 + 4 + 5 + 1 + 8 + 1 + 3 + 1 + 4 + 2 + 2 + 3 + 3 +
+                        6 + 3 + 3 + 8);
   fill_footprint();
   for (int k = 0; k < 2; k++) {
     try_integral(&tap, &kernels[k]);
@@ -896,6 +915,9 @@ int main(void) {
   try_one_sheet(&tap, "splat-volume:model=volume:buckets=1");
   try_flash(&tap, WHITE);
   try_flash(&tap, WHITE / 4);
+  try_no_flash(&tap, WHITE, "splat-volume:model=slab:buckets=64");
+  try_no_flash(&tap, WHITE / 4, "splat-volume:model=slab:buckets=64");
+  try_no_flash(&tap, WHITE, "splat-sheet:model=sheet:opacity=length");
   try_terrain(&tap);
   try_work(&tap, 1);
   try_work(&tap, 2);
