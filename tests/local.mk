@@ -146,6 +146,7 @@ tap_scripts = \
   %D%/answers/layers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/command/cliffs.test \
   %D%/command/cluster.test \
   %D%/command/command.test \
   %D%/command/completion.test \

@@ -32,11 +32,25 @@ static void tile_face(struct hsr_tiler *t, uint32_t f) {
 static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
   struct hsr_batch batch;
   hsr_tiler_look(t, &batch, first, n);
+  if (t->list)
+    hsr_cube_join_looked_at(t, &batch);
   hsr_tiler_set_up(t, &batch);
+  if (t->list)
+    hsr_cube_join_set_up(&batch);
   hsr_tiler_tile_batch(t, &batch);
   for (int k = 0; k < n && batch.general; k++)
     if (batch.fate[k] == HSR_GENERALLY)
-      tile_face(t, first + (uint32_t)k);
+      tile_face(t, hsr_tiler_face(t, &batch, k));
+}
+
+/* Convex faces from f up to `end`. */
+static void tile_fans(struct hsr_cube_frame *frame, uint32_t f, uint32_t end) {
+  struct hsr_cube_fans fans;
+  for (int n; f < end;) {
+    f = hsr_cube_fans(frame, &fans, f, end, &n);
+    tile_batch(&frame->tiler, 0, n);
+  }
+  frame->tiler.list = NULL;
 }
 
 static void tile_cell(struct traversal *w, uint32_t place) {
@@ -45,13 +59,16 @@ static void tile_cell(struct traversal *w, uint32_t place) {
   const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
+  uint32_t fans = t->on_grid ? n + cell->n_convex : 0;
   struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
     HSR_STEP(w->tally, FACES, HSR_FACE(hsr_tiler_id(t, f)), cube, HSR_NOWHERE,
              0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH)
     tile_batch(t, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
-  for (uint32_t f = n; f < cell->n_faces; f++)
+  if (n < fans)
+    tile_fans(&w->frame, n, fans);
+  for (uint32_t f = fans; f < cell->n_faces; f++)
     tile_face(t, f);
 }
 

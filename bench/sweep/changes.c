@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What has changed since an earlier sweep. */
+/* What stands out: from an earlier sweep, or from a module's other cells. */
 #include "bench/sweep/sweep.h"
 #include "bench/results/times.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct changes {
@@ -104,4 +105,90 @@ enum hsr_status print_changes(const struct results *results,
   printf("%d ratios to %s: %d distinguishable from before\n", changes.ratios,
          reference, changes.distinguishable);
   return changes.slower || changes.worse ? HSR_E_DIFFERENCE : HSR_OK;
+}
+
+/* --- Cliffs --------------------------------------------------------------- */
+
+/* How long a cell took, as the logarithm of the ratio to the reference. */
+struct ratio {
+  const json_t *cell;
+  double log;
+};
+
+static enum hsr_status find_ratios(const struct results *results,
+                                   const char *reference, struct ratio *ratio,
+                                   size_t *n_ratios, struct hsr_error *err) {
+  size_t k;
+  const json_t *cell;
+  json_array_foreach(results->cells, k, cell) {
+    double logs[FIGURES_MOST_STARTS], sum = 0;
+    int n = 0;
+    enum hsr_status status =
+        times_ratios(results, cell, reference, logs, &n, err);
+    if (status)
+      return status;
+    for (int l = 0; l < n; l++)
+      sum += logs[l];
+    if (n)
+      ratio[(*n_ratios)++] = (struct ratio){cell, sum / n};
+  }
+  return HSR_OK;
+}
+
+static int by_size(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static bool same_module(const json_t *a, const json_t *b) {
+  return !strcmp(results_text(a, "algorithm"), results_text(b, "algorithm")) &&
+         results_number(a, "threads") == results_number(b, "threads");
+}
+
+/* The median of a module's ratios; `room` has a place for each. */
+static double usual(const struct ratio *ratio, size_t n, const json_t *cell,
+                    double *room) {
+  size_t kept = 0;
+  for (size_t k = 0; k < n; k++)
+    if (same_module(ratio[k].cell, cell))
+      room[kept++] = ratio[k].log;
+  qsort(room, kept, sizeof *room, by_size);
+  return 0.5 * (room[kept / 2] + room[(kept - 1) / 2]);
+}
+
+static int print_cliffs_of(const struct ratio *ratio, size_t n, double *room,
+                           long times) {
+  int found = 0;
+  for (size_t k = 0; k < n; k++) {
+    double over = exp(ratio[k].log - usual(ratio, n, ratio[k].cell, room));
+    char key[RESULTS_KEY];
+    if (!(over > (double)times))
+      continue;
+    results_key(ratio[k].cell, key);
+    printf(
+        "%s: %.3g times as long as the module's other cells lead to expect\n",
+        key, over);
+    found++;
+  }
+  return found;
+}
+
+enum hsr_status print_cliffs(const struct results *results,
+                             const char *reference, long times,
+                             struct hsr_error *err) {
+  size_t most = json_array_size(results->cells) + 1, n = 0;
+  struct ratio *ratio = calloc(most, sizeof *ratio);
+  double *room = calloc(most, sizeof *room);
+  enum hsr_status status = ratio && room
+                               ? find_ratios(results, reference, ratio, &n, err)
+                               : hsr_fail_nomem(err);
+  if (!status) {
+    puts("");
+    int found = print_cliffs_of(ratio, n, room, times);
+    printf("%d of %zu cells take over %ld times as long as expected\n", found,
+           n, times);
+  }
+  free(room);
+  free(ratio);
+  return status;
 }

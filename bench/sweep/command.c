@@ -30,6 +30,7 @@ enum {
   PEERS,
   REFERENCE,
   BASELINE,
+  CLIFFS,
   BUDGET
 };
 
@@ -174,6 +175,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case BASELINE:
     o->baseline = arg;
     return 0;
+  case CLIFFS:
+    o->cliffs = 40;
+    return arg ? set_count(o, "--cliffs", arg, 2, 1000000, &o->cliffs) : 0;
   case 'o':
     o->output = arg;
     return 0;
@@ -245,6 +249,11 @@ static const struct argp argp = {
          "print times as ratios to A's (standard: zbuffer-fast)", 3},
         {"baseline", BASELINE, "FILE", 0,
          "print what is slower or faster than in these earlier results", 3},
+        {"cliffs", CLIFFS, "N", OPTION_ARG_OPTIONAL,
+         "print each cell that takes over N times as long as the other cells "
+         "of its module lead to expect, by the reference's times (without N: "
+         "40)",
+         3},
         CAMERA_ARGP_OPTIONS,
         {0}},
     parse,
@@ -395,6 +404,8 @@ static enum hsr_status tell(const struct sweep_options *o,
   rows_free(&rows);
   if (!status && o->baseline)
     status = print_changes(results, baseline, o->reference, err);
+  if (!status && o->cliffs)
+    status = print_cliffs(results, o->reference, o->cliffs, err);
   if (!status && has_failures(results))
     return HSR_E_DIFFERENCE;
   return status;

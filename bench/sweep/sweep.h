@@ -2,7 +2,7 @@
 /* What the files of hsr bench share. plan.c lists the cells. machine.c
  * describes the machine that they run on. group.c takes all cells of one scene,
  * view and size: it judges them, has turns.c time them, and records them.
- * changes.c compares the results with earlier ones. merge.c puts shards
+ * changes.c compares the results with earlier ones, and finds cliffs. merge.c puts shards
  * together. */
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
@@ -45,6 +45,7 @@ struct sweep_options {
   const char *output;        /* file of results; NULL: they are not kept */
   const char *reference;     /* by whose time the others are divided */
   const char *baseline;      /* file of earlier results, or NULL */
+  long cliffs;               /* how far out of line a cliff is; 0: none told */
   bool resume, list, counts; /* counts: nothing is timed */
   bool starts_given, views_given;
 };
@@ -247,5 +248,13 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
 enum hsr_status print_changes(const struct results *results,
                               const struct results *old, const char *reference,
                               struct hsr_error *err);
+
+/* Prints each cell that is a cliff: it takes over `times` times as long as its
+ * module's other cells lead to expect. These are compared by their ratios to the
+ * reference, which grows with faces and samples alone; what is expected is the
+ * median. HSR_E_NOMEM. */
+enum hsr_status print_cliffs(const struct results *results,
+                             const char *reference, long times,
+                             struct hsr_error *err);
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/exact/pair.h"
 
+#include <string.h>
+
 uint32_t hsr_largest_face(const struct hsr_scene *scene) {
   uint32_t largest = 3;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
@@ -17,6 +19,7 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_view *view,
                               struct hsr_arena *arena) {
   uint32_t corners = 2 * hsr_largest_face(scene->roster.scene);
+  memset(pair->planes, 0, sizeof pair->planes);
   pair->world = (struct hsr_world){.roster.scene = scene->roster.scene,
                                    .mesh.n_vertices = corners,
                                    .n_faces = 2,
@@ -43,9 +46,21 @@ static void lay_out(struct hsr_pair *pair, uint32_t f, uint32_t g) {
     hsr_world_lay_out(&pair->world, k);
 }
 
+/* The place of what is known of the planes of f < g. */
+static struct hsr_pair_planes *planes_of(struct hsr_pair *pair, uint32_t f,
+                                         uint32_t g) {
+  uint32_t mixed = (f * UINT32_C(0x9e3779b1)) ^ (g * UINT32_C(0x85ebca77));
+  return &pair->planes[(mixed >> 16) % HSR_PAIRS_KEPT];
+}
+
 bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
                         double sx, double sy, struct hsr_tally *tally) {
   struct hsr_world *world = &pair->world;
+  const uint32_t low = f < g ? f : g, high = f < g ? g : f;
+  struct hsr_pair_planes *planes = planes_of(pair, low, high);
+  const bool known = planes->f == low && planes->g == high;
+  if (known && planes->same)
+    return f < g;
   lay_out(pair, f, g);
   for (uint32_t k = 0; k < 2; k++) {
     hsr_world_find_plane(world, k, &tally->out_of_memory);
@@ -53,7 +68,11 @@ bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
     hsr_screen_plane(&pair->screen, k);
   }
   /* If the planes are equal neither is nearer, and the lower id wins. */
+  const uint64_t before = tally->exact[HSR_ASK_DEPTH];
   bool higher = hsr_nearer_at(&pair->screen, 1, 0, sx, sy, tally);
+  if (!known && tally->exact[HSR_ASK_DEPTH] != before)
+    *planes = (struct hsr_pair_planes){low, high,
+                                       hsr_pair_same_plane(pair, f, g, tally)};
   return higher == (f > g);
 }
 

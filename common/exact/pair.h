@@ -10,10 +10,21 @@
 extern "C" {
 #endif
 
+/* What is known of the planes of two faces, f < g; f == g: of none. */
+struct hsr_pair_planes {
+  uint32_t f, g;
+  bool same;
+};
+enum { HSR_PAIRS_KEPT = 256 };
+
 struct hsr_pair {
   struct hsr_world world; /* of two faces, the lower id first */
   uint32_t id[2];
   struct hsr_screen screen;
+
+  /* Of pairs that only exact numbers could compare: in one plane every sample of
+   * both is a tie, and is settled without them from then on. */
+  struct hsr_pair_planes planes[HSR_PAIRS_KEPT];
 };
 
 /* Returns the greatest number of vertices of a face of the scene; 3 if there is

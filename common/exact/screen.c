@@ -369,12 +369,9 @@ static bool vertex_bounds(const struct hsr_screen *screen, uint32_t f,
 }
 
 /* Homogeneous screen coordinates of vertex v, and a bound of their errors. */
-static void homogeneous(const struct hsr_screen *screen, uint32_t v,
-                        double p[3], double error[3]) {
-  const struct hsr_world *world = screen->world;
-  const struct hsr_view *view = screen->view;
-  double d[3] = {world->mesh.x[v] - view->E[0], world->mesh.y[v] - view->E[1],
-                 world->mesh.z[v] - view->E[2]};
+static void homogeneous_of(const struct hsr_view *view, const double at[3],
+                           double p[3], double error[3]) {
+  double d[3] = {at[0] - view->E[0], at[1] - view->E[1], at[2] - view->E[2]};
   double r = hsr_max(fabs(d[0]), hsr_max(fabs(d[1]), fabs(d[2])));
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
@@ -383,6 +380,13 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
         hsr_max(error[k],
                 8 * U * (sum_of_sizes(row) * r + fabs(view->origin[k])) + TINY);
   }
+}
+
+static void homogeneous(const struct hsr_screen *screen, uint32_t v,
+                        double p[3], double error[3]) {
+  const struct hsr_mesh *mesh = &screen->world->mesh;
+  const double at[3] = {mesh->x[v], mesh->y[v], mesh->z[v]};
+  homogeneous_of(screen->view, at, p, error);
 }
 
 /* Whether no product of two coordinates of such errors overflows. */
@@ -653,10 +657,10 @@ static int certain_sign(double value, double error) {
   return (value > error) - (value < -error);
 }
 
-static int homogeneous_row(const struct hsr_screen *screen, uint32_t v,
+static int homogeneous_row(const struct hsr_view *view, const double p[3],
                            double sy) {
   double a[3], error[3] = {0, 0, 0};
-  homogeneous(screen, v, a, error);
+  homogeneous_of(view, p, a, error);
   return certain_sign(a[1] - sy * a[2], 3 * (error[1] + fabs(sy) * error[2]));
 }
 
@@ -666,11 +670,12 @@ struct row_edge {
   double across, rest, across_error, rest_error;
 };
 
-static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t va,
-                                uint32_t vb, double sy) {
+static struct row_edge row_edge_between(const struct hsr_view *view,
+                                        const double p[3], const double q[3],
+                                        double sy) {
   double a[3], b[3], e[3] = {0, 0, 0}, f[3] = {0, 0, 0};
-  homogeneous(screen, va, a, e);
-  homogeneous(screen, vb, b, f);
+  homogeneous_of(view, p, a, e);
+  homogeneous_of(view, q, b, f);
   if (!within_range(e) || !within_range(f))
     return (struct row_edge){0, 0, INFINITY, INFINITY};
   return (struct row_edge){
@@ -679,6 +684,14 @@ static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t va,
       (e[1] * f[2] + e[2] * f[1]) / U,
       (fabs(sy) * (e[2] * f[0] + e[0] * f[2]) + (e[0] * f[1] + e[1] * f[0])) /
           U};
+}
+
+static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t a,
+                                uint32_t b, double sy) {
+  double p[3], q[3];
+  vertex_point(screen->world, a, p);
+  vertex_point(screen->world, b, q);
+  return row_edge_between(screen->view, p, q, sy);
 }
 
 static inline int row_edge_side(const struct row_edge *edge, double sx) {
@@ -705,7 +718,7 @@ int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
   double p[3];
   vertex_point(screen->world, v, p);
   double sy = hsr_sample_y(screen->view, j);
-  int sign = homogeneous_row(screen, v, sy);
+  int sign = homogeneous_row(screen->view, p, sy);
   if (sign)
     return sign;
   tally->exact[HSR_ASK_ROW]++;
@@ -797,6 +810,10 @@ bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
 int hsr_loop_edge_side(const struct hsr_view *view, const double a[3],
                        const double b[3], double sx, double sy,
                        struct hsr_tally *tally) {
+  struct row_edge edge = row_edge_between(view, a, b, sy);
+  int sign = row_edge_side(&edge, sx);
+  if (sign)
+    return sign;
   tally->exact[HSR_ASK_EDGE]++;
   return hsr_exact_edge_side(view, a, b, sx, sy, &tally->out_of_memory);
 }
@@ -829,6 +846,9 @@ static void corner_of(struct hsr_loop polygon, uint32_t k, double p[3]) {
 
 static int row_side(const struct hsr_view *view, const double p[3], double sy,
                     struct hsr_tally *tally) {
+  int sign = homogeneous_row(view, p, sy);
+  if (sign)
+    return sign;
   tally->exact[HSR_ASK_ROW]++;
   return hsr_exact_row_side(view, p, sy, &tally->out_of_memory);
 }

@@ -16,6 +16,20 @@ static enum hsr_status load(const struct hsr_image_library **images,
   return status;
 }
 
+/* What writes a picture's colours: of .png files, the common ones, a small
+ * library does. */
+static enum hsr_status load_writer(const char *path,
+                                   const struct hsr_image_library **images,
+                                   struct hsr_error *err) {
+  const void *table;
+  if (!hsr_ends_in(path, ".png"))
+    return load(images, err);
+  enum hsr_status status =
+      hsr_library_table("hsr-png.so", "hsr_png", &table, err);
+  *images = table;
+  return status;
+}
+
 /* R G B, or R G B A, of each pixel. */
 static enum hsr_status write_colours(const char *path,
                                      const struct hsr_picture *picture,
@@ -47,7 +61,7 @@ enum hsr_status hsr_image_write(const char *path,
   if (hsr_is_array_file(path))
     return write_colours(path, picture, err);
   const struct hsr_image_library *images;
-  enum hsr_status status = load(&images, err);
+  enum hsr_status status = load_writer(path, &images, err);
   return status ? status : images->write(path, picture, text, err);
 }
 

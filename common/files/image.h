@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Image files, through OpenImageIO. */
+/* Image files, through OpenImageIO or, if a .png file is written, libpng. */
 #ifndef HSR_COMMON_IMAGE_H
 #define HSR_COMMON_IMAGE_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of hsr-images.so; only for image.c and image_oiio.cc. */
+/* The functions of hsr-images.so and, of them only `write`, of hsr-png.so. Only
+ * for image.c, image_oiio.cc and image_png.c. */
 #ifndef HSR_COMMON_IMAGE_LIBRARY_H
 #define HSR_COMMON_IMAGE_LIBRARY_H
 

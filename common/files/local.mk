@@ -17,7 +17,18 @@ libcore_a_SOURCES += \
   %D%/whole_file.c \
   %D%/whole_input.c
 
-# Loaded by hsr when a picture is written.
+# Loaded by hsr when a picture is written: as a .png file, and as any other.
+pkglibexec_PROGRAMS += hsr-png.so
+hsr_png_so_SOURCES = \
+  %D%/image_library.h \
+  %D%/image_png.c \
+  common/base/status.c \
+  common/files/whole_file.c
+hsr_png_so_CPPFLAGS = $(AM_CPPFLAGS) $(PNG_CFLAGS)
+hsr_png_so_CFLAGS = $(AM_CFLAGS) -fvisibility=default
+hsr_png_so_LDFLAGS = -shared
+hsr_png_so_LDADD = $(PNG_LIBS)
+
 pkglibexec_PROGRAMS += hsr-images.so
 hsr_images_so_SOURCES = \
   %D%/image_library.h \

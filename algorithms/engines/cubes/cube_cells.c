@@ -39,6 +39,15 @@ static void add_face(struct hsr_cell_maker *m, struct hsr_cell *cell,
   m->n_starts++;
 }
 
+/* The kinds of faces, in the order in which a cell has them. */
+enum kind { TRIANGLE, CONVEX, OTHER };
+
+static enum kind kind_of(const struct hsr_cell_maker *m, uint32_t f) {
+  if (m->object->start[f + 1] - m->object->start[f] == 3)
+    return TRIANGLE;
+  return m->c->is_fan[f] ? CONVEX : OTHER;
+}
+
 /* The n faces number[item[k]]. */
 static void make_cell(struct hsr_cell_maker *m, uint32_t place,
                       const uint32_t *number, const uint32_t *item,
@@ -53,14 +62,14 @@ static void make_cell(struct hsr_cell_maker *m, uint32_t place,
   if (m->writes)
     m->c->start[m->n_starts] = 0;
   m->n_starts++;
-  for (int triangles = 1; triangles >= 0; triangles--)
+  for (enum kind kind = TRIANGLE; kind <= OTHER; kind++)
     for (uint32_t k = 0; k < n; k++) {
       uint32_t f = number[item[k]];
-      uint32_t size = m->object->start[f + 1] - m->object->start[f];
-      if ((size == 3) != triangles)
+      if (kind_of(m, f) != kind)
         continue;
       add_face(m, cell, f);
-      cell->n_triangles += (uint32_t)triangles;
+      cell->n_triangles += kind == TRIANGLE;
+      cell->n_convex += kind == CONVEX;
     }
 }
 

@@ -395,6 +395,78 @@ const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
   return cell;
 }
 
+/* A fan of triangles is its polygon as the tiler needs it. The polygon is
+ * convex and flat, and its instance is exact (cube_objects.c), so its image is
+ * convex if it is before the eye; a triangle with a corner that is not takes the
+ * general way. A sample that a fast triangle covers for certain lies farther
+ * inside than its corners were moved by snapping; so it is on the triangle's
+ * side of the lines to both neighbours, and in no other triangle. A sample that
+ * none covers perhaps is outside of all. All others are put to the face
+ * itself. */
+uint32_t hsr_cube_fans(struct hsr_cube_frame *frame, struct hsr_cube_fans *fans,
+                       uint32_t f, uint32_t end, int *n) {
+  struct hsr_world *world = &frame->world;
+  const uint32_t *start = world->mesh.start;
+  uint32_t made = 0;
+  for (; f < end && made + start[f + 1] - start[f] - 2 <= HSR_BATCH; f++) {
+    const uint32_t *v = world->mesh.vertex + start[f];
+    for (uint32_t k = 1; k + 1 < start[f + 1] - start[f]; k++, made++) {
+      fans->vertex[3 * made] = v[0];
+      fans->vertex[3 * made + 1] = v[k];
+      fans->vertex[3 * made + 2] = v[k + 1];
+      fans->face[made] = f;
+    }
+  }
+  fans->list = (struct hsr_triangle_list){fans->vertex, fans->face,
+                                          world->mesh.one_sided};
+  frame->tiler.list = &fans->list;
+  *n = (int)made;
+  return f;
+}
+
+/* The end of the triangles of one face, from the k-th on. */
+static int face_end(const struct hsr_tiler *t, const struct hsr_batch *b,
+                    int k) {
+  uint32_t face = hsr_tiler_face(t, b, k++);
+  while (k < b->n && hsr_tiler_face(t, b, k) == face)
+    k++;
+  return k;
+}
+
+void hsr_cube_join_looked_at(const struct hsr_tiler *t, struct hsr_batch *b) {
+  int drop[HSR_BATCH], generally[HSR_BATCH], fast = 0;
+  if (!b->general)
+    return;
+  for (int k = 0, end; k < b->n; k = end) {
+    end = face_end(t, b, k);
+    generally[k] = 0;
+    for (int l = k; l < end; l++)
+      generally[k] |= b->fate[l] == HSR_GENERALLY;
+    for (int l = k; l < end; l++)
+      if (b->fate[l] == HSR_TILE)
+        drop[fast++] = generally[k];
+  }
+  hsr_tiler_drop(b, drop);
+  for (int k = 0, end; k < b->n; k = end) {
+    end = face_end(t, b, k);
+    for (int l = k; l < end && generally[k]; l++)
+      b->fate[l] = l == k ? HSR_GENERALLY : HSR_DROP;
+  }
+}
+
+void hsr_cube_join_set_up(struct hsr_batch *b) {
+  for (int k = 0, end; k < b->n_fast && b->general; k = end) {
+    end = hsr_cube_fan_end(b, k);
+    bool all = true;
+    for (int l = k; l < end; l++)
+      all &= b->good[l] != 0;
+    for (int l = k; l < end && !all; l++) {
+      b->good[l] = 0;
+      b->fate[b->place[l]] = l == k ? HSR_GENERALLY : HSR_DROP;
+    }
+  }
+}
+
 /* --- A frame -------------------------------------------------------------- */
 
 /* How far away, in units of |D| > F, the farthest point of a box is, and more.
@@ -430,6 +502,8 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
   struct hsr_tiler *tiler = &frame->tiler;
   struct hsr_world *world = &frame->world;
   const struct hsr_octree_node *root = &cubes->octree.node[0];
+  uint32_t most_sides =
+      cubes->most_faces > HSR_BATCH ? cubes->most_faces : HSR_BATCH;
   frame->job = job;
   frame->cubes = cubes;
   hsr_frustum_init(&frame->frustum, job->view, farthest(job->view, root));
@@ -451,8 +525,8 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
   tiler->corner = HSR_NEW(arena, struct hsr_corner, cubes->most_vertices);
   tiler->columns =
       HSR_NEW(arena, int, (size_t)hsr_largest_face(cubes->scene) + 4);
-  frame->two_sided = HSR_NEW_ZEROED(arena, bool, cubes->most_faces);
-  frame->one_sided = HSR_NEW(arena, bool, cubes->most_faces);
+  frame->two_sided = HSR_NEW_ZEROED(arena, bool, most_sides);
+  frame->one_sided = HSR_NEW(arena, bool, most_sides);
   frame->met = HSR_NEW_ZEROED(arena, uint32_t,
                               cubes->scene->n_instances / 32 + (size_t)1);
   if (!tiler->corner || !tiler->columns || !frame->two_sided ||
@@ -460,7 +534,7 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
       hsr_screen_init(&tiler->screen, world, job->view, arena) ||
       hsr_pair_init(&frame->pair, job->world, job->view, arena))
     return HSR_E_NOMEM;
-  memset(frame->one_sided, 1, cubes->most_faces * sizeof *frame->one_sided);
+  memset(frame->one_sided, 1, most_sides * sizeof *frame->one_sided);
   return HSR_OK;
 }
 

@@ -61,6 +61,13 @@ struct hsr_cube_image {
 };
 #define HSR_CUBE_MARGIN 0.125 /* pixels */
 
+/* Convex faces of a cell as triangles, all of a face one after another: the
+ * tiler's list for one batch. */
+struct hsr_cube_fans {
+  uint32_t vertex[3 * HSR_BATCH], face[HSR_BATCH];
+  struct hsr_triangle_list list;
+};
+
 struct hsr_cube_frame {
   const struct hsr_job *job;     /* borrowed */
   const struct hsr_cubes *cubes; /* borrowed */
@@ -156,6 +163,28 @@ int hsr_cube_nearest(const struct hsr_placing *placing,
  * is ready for them. */
 const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
                                      uint32_t place);
+
+/* Makes triangles of the convex faces of that cell from face f on, up to `end`
+ * or as many as a batch holds. They become the tiler's list, which the caller
+ * takes off again when they are tiled. Returns the first face left out; *n
+ * becomes how many triangles there are. */
+uint32_t hsr_cube_fans(struct hsr_cube_frame *frame, struct hsr_cube_fans *fans,
+                       uint32_t f, uint32_t end, int *n);
+
+/* If one triangle of a face takes the general way, the whole face does: no other
+ * triangle of it is tiled, and only one is HSR_GENERALLY. To be called after
+ * hsr_tiler_look, and again after hsr_tiler_set_up. */
+void hsr_cube_join_looked_at(const struct hsr_tiler *tiler,
+                             struct hsr_batch *batch);
+void hsr_cube_join_set_up(struct hsr_batch *batch);
+
+/* The end of the fast triangles of one face, from the k-th on. */
+static inline int hsr_cube_fan_end(const struct hsr_batch *b, int k) {
+  uint32_t id = b->corners.id[k++];
+  while (k < b->n_fast && b->corners.id[k] == id)
+    k++;
+  return k;
+}
 
 #ifdef __cplusplus
 }

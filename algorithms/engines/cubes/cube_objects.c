@@ -14,10 +14,66 @@
  * several (common/trees/octree_shared.c). */
 enum { SMALL = 2048 };
 
-/* --- Which faces are loose ------------------------------------------------ */
+/* --- Which faces are loose, and which are fans ------------------------------ */
+
+/* Twice the area is the length of Newell's normal. */
+static void face_normal(const struct hsr_loop *loop, double normal[3]) {
+  const double *o = loop->x + 3 * (size_t)loop->vertex[0];
+  memset(normal, 0, 3 * sizeof *normal);
+  for (uint32_t c = 1; c + 1 < loop->n; c++) {
+    const double *a = loop->x + 3 * (size_t)loop->vertex[c];
+    const double *b = loop->x + 3 * (size_t)loop->vertex[c + 1];
+    for (int k = 0, l = 1, m = 2; k < 3; k++, l = (l + 1) % 3, m = (m + 1) % 3)
+      normal[k] +=
+          (a[l] - o[l]) * (b[m] - o[m]) - (a[m] - o[m]) * (b[l] - o[l]);
+  }
+}
+
+/* The sign of the turn at b, on the way from a to c, in two coordinates of each.
+ * 0: doubles do not tell. The differences, products and sum are rounded five
+ * times, by 2^-53 of the larger term each time. */
+static int turn(const double *a, const double *b, const double *c, int x,
+                int y) {
+  double left = (b[x] - a[x]) * (c[y] - b[y]);
+  double right = (b[y] - a[y]) * (c[x] - b[x]);
+  double turn = left - right, least = 0x1p-50 * (fabs(left) + fabs(right));
+  return !(fabs(turn) > least + 0x1p-1000) ? 0 : turn > 0 ? 1 : -1;
+}
+
+/* Is a flat face convex for certain, with no corner on the line of its
+ * neighbours? All turns have one sign, and the way around changes twice between
+ * left and right: so it goes around once. */
+static bool is_convex(struct hsr_loop loop, const double n[3]) {
+  int axis = fabs(n[0]) >= fabs(n[1]) && fabs(n[0]) >= fabs(n[2]) ? 0
+             : fabs(n[1]) >= fabs(n[2])                           ? 1
+                                                                  : 2;
+  int x = (axis + 1) % 3, y = (axis + 2) % 3, sign = 0, way = 0, changes = 0;
+  /* The first edge is seen again at the end. */
+  for (uint32_t k = 0; k <= loop.n; k++) {
+    const double *a = loop.x + 3 * (size_t)loop.vertex[k % loop.n];
+    const double *b = loop.x + 3 * (size_t)loop.vertex[(k + 1) % loop.n];
+    const double *c = loop.x + 3 * (size_t)loop.vertex[(k + 2) % loop.n];
+    int here = turn(a, b, c, x, y);
+    if (!here || (sign && here != sign))
+      return false;
+    sign = here;
+    int along = (b[x] > a[x]) - (b[x] < a[x]);
+    changes += along && way && along != way;
+    way = along ? along : way;
+  }
+  return changes <= 2;
+}
+
+static bool is_fan(struct hsr_loop loop) {
+  double n[3];
+  if (loop.n < 4 || loop.n > HSR_FAN_CORNERS)
+    return false;
+  face_normal(&loop, n);
+  return is_convex(loop, n);
+}
 
 /* The faces of object o that go into cubes: how many, in into[]. The others are
- * marked. */
+ * marked as loose. */
 static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
                            uint32_t *into, bool *out_of_memory) {
   const struct hsr_scene *scene = cubes->scene;
@@ -33,10 +89,12 @@ static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
   }
   for (uint32_t f = 0; f < n; f++) {
     struct hsr_loop loop = hsr_object_loop(object, f);
-    if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory)))
+    if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory))) {
       into[kept++] = f;
-    else
+      cubes->object[o].is_fan[f] = is_fan(loop);
+    } else {
       cubes->object[o].is_loose[f] = true;
+    }
   }
   return kept;
 }
@@ -61,19 +119,6 @@ static struct hsr_box face_bounds(const void *context, uint32_t k) {
       box.hi[a] = x > box.hi[a] ? x : box.hi[a];
     }
   return box;
-}
-
-/* Twice the area is the length of Newell's normal. */
-static void face_normal(const struct hsr_loop *loop, double normal[3]) {
-  const double *o = loop->x + 3 * (size_t)loop->vertex[0];
-  memset(normal, 0, 3 * sizeof *normal);
-  for (uint32_t c = 1; c + 1 < loop->n; c++) {
-    const double *a = loop->x + 3 * (size_t)loop->vertex[c];
-    const double *b = loop->x + 3 * (size_t)loop->vertex[c + 1];
-    for (int k = 0, l = 1, m = 2; k < 3; k++, l = (l + 1) % 3, m = (m + 1) % 3)
-      normal[k] +=
-          (a[l] - o[l]) * (b[m] - o[m]) - (a[m] - o[m]) * (b[l] - o[l]);
-  }
 }
 
 static double face_area(const void *context, uint32_t k) {
@@ -203,7 +248,8 @@ static enum hsr_status look_at_object(struct hsr_cubes *cubes, uint32_t o,
   bool out_of_memory = false;
   uint32_t *number = HSR_NEW(arena, uint32_t, object->n_faces);
   c->is_loose = HSR_NEW_ZEROED(arena, bool, object->n_faces);
-  if (!number || !c->is_loose)
+  c->is_fan = HSR_NEW_ZEROED(arena, bool, object->n_faces);
+  if (!number || !c->is_loose || !c->is_fan)
     return HSR_E_NOMEM;
   c->number = number;
   find_bounds(object, c);

@@ -4,8 +4,8 @@
  * an object is kept once, however many instances it has.
  *
  * Notation    Cell: the faces that one cube itself holds, as a small mesh
- *             with vertices of its own in plain arrays, triangles first; all of
- *             it can be transformed at once. Still, mover: an instance that
+ *             with vertices of its own in plain arrays, triangles first, then
+ *             convex faces; all of it can be transformed at once. Still, mover: an instance that
  *             does not move from frame to frame, or does. Loose face: one whose
  *             vertices are not exactly on one plane, in the object or in some
  *             instance. It is seen on its plane, which may lie outside of the
@@ -29,11 +29,17 @@ extern "C" {
  * vertex[first_corner + start[first_start + k]]; they are numbers of the cell's
  * own vertices, of which number 0 is x[first_vertex]. */
 struct hsr_cell {
-  uint32_t first_face, n_faces, n_triangles; /* the triangles come first */
+  /* The triangles come first, then the convex faces of 4 to HSR_FAN_CORNERS
+   * corners. */
+  uint32_t first_face, n_faces, n_triangles, n_convex;
   uint32_t first_vertex, n_vertices;
   uint32_t first_corner; /* start[] counts from here in vertex[] */
   uint32_t first_start;  /* n_faces + 1 numbers */
 };
+
+/* A convex face of so many corners, at most, is a fan of triangles around its
+ * first corner to whoever tiles it (cube_frame.h). */
+enum { HSR_FAN_CORNERS = 34 };
 
 struct hsr_cell_maker;
 
@@ -44,6 +50,7 @@ struct hsr_cubes_object {
   const uint32_t *number;       /* by primitive of the octree: its face */
   struct hsr_cell *cell;        /* by node */
   bool *is_loose;               /* by face */
+  bool *is_fan; /* by face: convex, of 4 to HSR_FAN_CORNERS corners */
   uint32_t n_loose;
   uint32_t *face; /* faces of the object, cell by cell */
   uint32_t *start, *vertex;

@@ -508,6 +508,37 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
   tile_between(t, &span, &all, &lower, row[1], row[2]);
 }
 
+/* The samples from lo - 1 to hi + 1 grid units, of which the first is at
+ * `first`, within [*from, *to). */
+static void samples_within(int lo, int hi, int first, int *from, int *to) {
+  int from_lo = (lo - 1 - first + GRID - 1) >> GRID_BITS;
+  int to_hi = ((hi + 1 - first) >> GRID_BITS) + 1;
+  *from = from_lo > *from ? from_lo : *from;
+  *to = to_hi < *to ? to_hi : *to;
+}
+
+bool hsr_tiler_bound(const struct hsr_tiler *t, uint32_t f,
+                     struct hsr_bounds *box, float *nearest) {
+  const struct hsr_mesh *mesh = &t->screen.world->mesh;
+  int x0 = INT_MAX, y0 = INT_MAX, x1 = INT_MIN, y1 = INT_MIN;
+  *nearest = 0;
+  for (uint32_t c = mesh->start[f]; c < mesh->start[f + 1]; c++) {
+    const struct hsr_corner *v = &t->corner[mesh->vertex[c]];
+    if (v->x == UNSAFE || !t->on_grid)
+      return false;
+    x0 = v->x < x0 ? v->x : x0;
+    x1 = v->x > x1 ? v->x : x1;
+    y0 = v->y < y0 ? v->y : y0;
+    y1 = v->y > y1 ? v->y : y1;
+    *nearest = v->q > *nearest ? v->q : *nearest;
+  }
+  *box = (struct hsr_bounds){t->window.x0, t->window.y0, t->window.x1,
+                             t->window.y1};
+  samples_within(x0, x1, t->first_x, &box->x0, &box->x1);
+  samples_within(y0, y1, t->first_y, &box->y0, &box->y1);
+  return true;
+}
+
 bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
   need_corners(t, f);
   if (t->few)

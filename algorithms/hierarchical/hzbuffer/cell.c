@@ -1,11 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The polygons of a cube, by batches: tested, then tiled. See walk.h.
  *
- * Only triangles are tested by the pyramid. The tiler sorts those of a batch
- * into the fast ones, which it tiles together, and the others, which go the
- * general way, one by one and untested (tiler.h). So do faces of more
- * corners. */
+ * A batch is of triangles, or of convex faces as fans of them (cube_frame.h).
+ * The tiler sorts its triangles into the fast ones, which it tiles together, and
+ * the others, whose faces go the general way, one by one (tiler.h). So do faces
+ * that are not convex. Each face is tested by the pyramid once, by the box of
+ * its samples and its nearest corner, before its plane is asked for.
+ *
+ * Notation    Run: the fast triangles of one face, from the k-th of a batch up
+ *             to `end`. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
+
+static int lesser(int a, int b) {
+  return a < b ? a : b;
+}
+static int greater(int a, int b) {
+  return a > b ? a : b;
+}
 
 /* Is there a pyramid, and is it in use? It is not in the first pass of
  * coherence. */
@@ -41,52 +52,130 @@ static bool meet_again(struct hsr_hz_walk *w, uint32_t f) {
   return true;
 }
 
-/* Of a batch's triangles that go the general way, leaves out those met
- * before. */
-static void drop_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
-  for (int k = 0; k < b->n && b->general; k++)
-    if (b->fate[k] == HSR_GENERALLY && meet_again(w, b->first + (uint32_t)k))
-      b->fate[k] = HSR_DROP;
+/* A run as one corner set: its box, and its nearest depth. */
+static void put_run(const struct hsr_corners *r, int k, int end,
+                    struct hsr_corners *runs, int to) {
+  struct hsr_bounds box = box_of(r, k);
+  float nearest = hsr_nearest_corner(r, k);
+  runs->id[to] = r->id[k];
+  for (k++; k < end; k++) {
+    float q = hsr_nearest_corner(r, k);
+    nearest = q > nearest ? q : nearest;
+    box.x0 = lesser(box.x0, r->x0[k]);
+    box.y0 = lesser(box.y0, r->y0[k]);
+    box.x1 = greater(box.x1, r->x1[k]);
+    box.y1 = greater(box.y1, r->y1[k]);
+  }
+  runs->x0[to] = box.x0;
+  runs->y0[to] = box.y0;
+  runs->x1[to] = box.x1;
+  runs->y1[to] = box.y1;
+  runs->qa[to] = runs->qb[to] = runs->qc[to] = nearest;
 }
 
-/* Which of the fast triangles does the pyramid hide? Basic or fast test. */
-static void find_hidden(struct hsr_hz_walk *w, const struct hsr_batch *b,
-                        int *hidden) {
-  const struct hsr_corners *r = &b->corners;
-  if (w->choice.polygons != HSR_HZ_POLYGONS_BASIC) {
-    hsr_pyramid_hides_triangles(&w->pyramid, b->n_fast, r, hidden);
-    return;
-  }
-  for (int k = 0; k < b->n_fast; k++) {
+static void count_tested(const struct hsr_hz_walk *w, uint32_t id,
+                         struct hsr_bounds box, bool hidden) {
+  HSR_STEP(w->tally, HSR_HZ_FACES_TESTED, HSR_FACE(id), HSR_THE_WINDOW,
+           window_of(box), !hidden);
+  if (hidden)
+    HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, HSR_FACE(id), HSR_THE_WINDOW,
+             window_of(box), 0);
+}
+
+/* Which of n faces does the pyramid hide, by their boxes and nearest corners?
+ * Basic or fast test. */
+static void find_hidden(struct hsr_hz_walk *w, int n,
+                        const struct hsr_corners *r, int *hidden) {
+  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
+  if (w->choice.polygons != HSR_HZ_POLYGONS_BASIC)
+    hsr_pyramid_hides_triangles(&w->pyramid, n, r, hidden);
+  for (int k = 0; k < n && w->choice.polygons == HSR_HZ_POLYGONS_BASIC; k++) {
     hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(r->id[k]));
     hidden[k] =
         hsr_pyramid_basic(&w->pyramid, box_of(r, k), hsr_nearest_corner(r, k));
   }
+  for (int k = 0; HSR_COUNTING && k < n; k++)
+    count_tested(w, r->id[k], box_of(r, k), hidden[k]);
 }
 
-static void count_tested(const struct hsr_hz_walk *w,
-                         const struct hsr_corners *r, int k, bool hidden) {
-  HSR_STEP(w->tally, HSR_HZ_FACES_TESTED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
-           window_of(box_of(r, k)), !hidden);
-  if (hidden)
-    HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
-             window_of(box_of(r, k)), 0);
-}
-
-/* Of a batch's fast triangles, leaves out those met before and those that the
- * pyramid hides. */
-static void leave_out_hidden(struct hsr_hz_walk *w, struct hsr_batch *b) {
+/* Of a batch's triangles, which are faces, leaves out those that the pyramid
+ * hides. */
+static void leave_out_triangles(struct hsr_hz_walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
-  for (int k = 0; k < b->n_fast; k++)
-    drop[k] = meet_again(w, b->first + (uint32_t)b->place[k]);
+  find_hidden(w, b->n_fast, &b->corners, drop);
   hsr_tiler_drop(b, drop);
-  if (!uses_pyramid(w) || w->choice.polygons == HSR_HZ_POLYGONS_NONE)
+}
+
+/* The same of fans. */
+static void leave_out_fans(struct hsr_hz_walk *w, struct hsr_batch *b) {
+  struct hsr_corners runs;
+  int drop[HSR_BATCH], hidden[HSR_BATCH], n = 0;
+  for (int k = 0, end; k < b->n_fast; k = end) {
+    end = hsr_cube_fan_end(b, k);
+    put_run(&b->corners, k, end, &runs, n++);
+  }
+  find_hidden(w, n, &runs, hidden);
+  n = 0;
+  for (int k = 0, end; k < b->n_fast; k = end, n++) {
+    end = hsr_cube_fan_end(b, k);
+    for (int l = k; l < end; l++)
+      drop[l] = hidden[n];
+  }
+  hsr_tiler_drop(b, drop);
+}
+
+/* Of a batch, leaves out the faces that have been met before. */
+static void leave_out_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
+  const struct hsr_tiler *t = &w->frame.tiler;
+  int drop[HSR_BATCH];
+  for (int k = 0; k < b->n && b->general; k++)
+    if (b->fate[k] == HSR_GENERALLY && meet_again(w, hsr_tiler_face(t, b, k)))
+      b->fate[k] = HSR_DROP;
+  for (int k = 0, end; k < b->n_fast; k = end) {
+    end = hsr_cube_fan_end(b, k);
+    drop[k] = meet_again(w, hsr_tiler_face(t, b, b->place[k]));
+    for (int l = k + 1; l < end; l++)
+      drop[l] = drop[k];
+  }
+  hsr_tiler_drop(b, drop);
+}
+
+static bool tests_faces(const struct hsr_hz_walk *w) {
+  return uses_pyramid(w) && w->choice.polygons != HSR_HZ_POLYGONS_NONE;
+}
+
+/* Has face f of the current cell, which goes the general way, no sample, or does
+ * the pyramid hide it? */
+static bool is_out(struct hsr_hz_walk *w, uint32_t f) {
+  const struct hsr_tiler *t = &w->frame.tiler;
+  struct hsr_bounds box;
+  float q;
+  if (!hsr_tiler_bound(t, f, &box, &q))
+    return false;
+  if (box.x0 >= box.x1 || box.y0 >= box.y1)
+    return true;
+  if (!tests_faces(w))
+    return false;
+  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(id_of(t, f)));
+  bool hidden = w->choice.polygons == HSR_HZ_POLYGONS_BASIC
+                    ? hsr_pyramid_basic(&w->pyramid, box, q)
+                    : hsr_pyramid_hides(&w->pyramid, box, q);
+  count_tested(w, id_of(t, f), box, hidden);
+  return hidden;
+}
+
+/* Of a batch, leaves out the faces that the pyramid hides. */
+static void leave_out_hidden(struct hsr_hz_walk *w, struct hsr_batch *b) {
+  const struct hsr_tiler *t = &w->frame.tiler;
+  for (int k = 0; k < b->n && b->general; k++)
+    if (b->fate[k] == HSR_GENERALLY && is_out(w, hsr_tiler_face(t, b, k)))
+      b->fate[k] = HSR_DROP;
+  if (!tests_faces(w))
     return;
-  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
-  find_hidden(w, b, drop);
-  for (int k = 0; HSR_COUNTING && k < b->n_fast; k++)
-    count_tested(w, &b->corners, k, drop[k]);
-  hsr_tiler_drop(b, drop);
+  if (t->list)
+    leave_out_fans(w, b);
+  else
+    leave_out_triangles(w, b);
 }
 
 void hsr_hz_refresh(struct hsr_hz_walk *w) {
@@ -97,13 +186,6 @@ void hsr_hz_refresh(struct hsr_hz_walk *w) {
 
 static long area_of_box(const struct hsr_bounds *b) {
   return (long)(b->x1 - b->x0) * (b->y1 - b->y0);
-}
-
-static int lesser(int a, int b) {
-  return a < b ? a : b;
-}
-static int greater(int a, int b) {
-  return a > b ? a : b;
 }
 
 /* Something was tiled in a box, so the pyramid above it is not up to date. To
@@ -135,41 +217,61 @@ static void tile_generally(struct hsr_hz_walk *w, uint32_t f) {
     hsr_hz_tile_face(w, &w->frame.tiler, f);
 }
 
-/* polygons=definitive: tests the triangles that the fast test has left. */
+/* polygons=definitive: tests the faces that the fast test has left, by their
+ * triangles. */
 static void leave_out_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
-  for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
+  for (int k = 0, end; k < b->n_fast; k = end) {
+    end = hsr_cube_fan_end(b, k);
     struct hsr_subject face = HSR_FACE(b->corners.id[k]);
     hsr_hz_read_for(w, HSR_HZ_FACE_READS, face);
-    if (b->good[k] &&
-        hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle)) {
-      HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, face, HSR_THE_WINDOW,
-               window_of(box_of(&b->corners, k)), 0);
-      b->good[k] = 0;
+    bool hidden = b->good[k];
+    for (int l = k; l < end && hidden; l++) {
+      struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, l);
+      hidden =
+          hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle);
     }
+    if (!hidden)
+      continue;
+    HSR_STEP(w->tally, HSR_HZ_FACES_CULLED, face, HSR_THE_WINDOW,
+             window_of(box_of(&b->corners, k)), 0);
+    for (int l = k; l < end; l++)
+      b->good[l] = 0;
   }
 }
 
-/* pyramid=dual: tiles, without comparing depths, each triangle all of which is
- * nearer than the nearest depth of the entry around its box. */
-static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
-  const struct hsr_corners *r = &b->corners;
-  for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_bounds box = box_of(r, k);
-    struct hsr_subject face = HSR_FACE(r->id[k]);
-    hsr_hz_read_for(w, HSR_HZ_FACE_READS, face);
+/* Are all triangles of a run nearer than the nearest depth of the entry around
+ * their box? */
+static bool is_before(struct hsr_hz_walk *w, const struct hsr_corners *r, int k,
+                      int end) {
+  for (; k < end; k++) {
     float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] < q ? r->qc[k] : q;
-    if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
+    if (!hsr_pyramid_before(&w->pyramid, box_of(r, k), q))
+      return false;
+  }
+  return true;
+}
+
+/* pyramid=dual: tiles, without comparing depths, each face all of which is
+ * nearer than what is there. */
+static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
+  const struct hsr_corners *r = &b->corners;
+  for (int k = 0, end; k < b->n_fast; k = end) {
+    end = hsr_cube_fan_end(b, k);
+    struct hsr_subject face = HSR_FACE(r->id[k]);
+    hsr_hz_read_for(w, HSR_HZ_FACE_READS, face);
+    if (!b->good[k] || !is_before(w, r, k, end))
       continue;
-    struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
-    hsr_tiler_tile_before(&w->frame.tiler, &triangle);
-    hsr_pyramid_update(&w->pyramid, box);
-    HSR_STEP(w->tally, HSR_HZ_FACES_TILED, face, HSR_THE_WINDOW, window_of(box),
-             0);
-    HSR_STEP(w->tally, HSR_HZ_FACES_BEFORE, face, HSR_THE_WINDOW,
-             window_of(box), 0);
-    b->good[k] = 0;
+    for (int l = k; l < end; l++) {
+      struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, l);
+      hsr_tiler_tile_before(&w->frame.tiler, &triangle);
+      b->good[l] = 0;
+    }
+    for (int l = k; l < end; l++)
+      hsr_pyramid_update(&w->pyramid, box_of(r, l));
+    struct hsr_window window = window_of(box_of(r, k));
+    HSR_STEP(w->tally, HSR_HZ_FACES_TILED, face, HSR_THE_WINDOW, window, 0);
+    HSR_STEP(w->tally, HSR_HZ_FACES_BEFORE, face, HSR_THE_WINDOW, window, 0);
   }
 }
 
@@ -185,15 +287,41 @@ static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
     if (!b->good[k])
       continue;
-    HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
-             window_of(box_of(r, k)), 0);
+    if (!k || r->id[k] != r->id[k - 1])
+      HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+               window_of(box_of(r, k)), 0);
     if (tests)
       make_stale(w, box_of(r, k));
   }
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
-      tile_generally(w, b->first + (uint32_t)k);
+      tile_generally(w, hsr_tiler_face(&w->frame.tiler, b, k));
   hsr_hz_refresh(w);
+}
+
+/* The triangles or fans that the batch's tiler is to look at: tests and tiles
+ * them. */
+static void do_batch(struct hsr_hz_walk *w, uint32_t first, int n) {
+  struct hsr_tiler *t = &w->frame.tiler;
+  struct hsr_batch batch;
+  hsr_tiler_look(t, &batch, first, n);
+  if (t->list)
+    hsr_cube_join_looked_at(t, &batch);
+  leave_out_repeated(w, &batch);
+  leave_out_hidden(w, &batch);
+  hsr_tiler_set_up(t, &batch);
+  if (t->list)
+    hsr_cube_join_set_up(&batch);
+  tile_batch(w, &batch);
+}
+
+static void do_fans(struct hsr_hz_walk *w, uint32_t f, uint32_t end) {
+  struct hsr_cube_fans fans;
+  for (int n; f < end;) {
+    f = hsr_cube_fans(&w->frame, &fans, f, end, &n);
+    do_batch(w, 0, n);
+  }
+  w->frame.tiler.list = NULL;
 }
 
 void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t k) {
@@ -201,21 +329,21 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t k) {
     return;
   const struct hsr_cell *cell = hsr_cube_cell(&w->frame, k);
   struct hsr_tiler *t = &w->frame.tiler;
-  uint32_t n = t->on_grid ? cell->n_triangles : 0;
-  struct hsr_batch batch;
+  uint32_t triangles = t->on_grid ? cell->n_triangles : 0;
+  uint32_t fans = t->on_grid ? triangles + cell->n_convex : 0;
   struct hsr_subject cube = hsr_cube_subject(w->frame.instance, k);
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
     HSR_STEP(w->tally, HSR_HZ_FACES_MET, HSR_FACE(id_of(t, f)), cube,
              HSR_NOWHERE, 0);
-  for (uint32_t f = 0; f < n; f += HSR_BATCH) {
-    hsr_tiler_look(t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
-    drop_repeated(w, &batch);
-    leave_out_hidden(w, &batch);
-    hsr_tiler_set_up(t, &batch);
-    tile_batch(w, &batch);
-  }
-  for (uint32_t f = n; f < cell->n_faces; f++)
-    if (!meet_again(w, f))
-      tile_generally(w, f);
+  for (uint32_t f = 0; f < triangles; f += HSR_BATCH)
+    do_batch(w, f, lesser((int)(triangles - f), HSR_BATCH));
+  if (triangles < fans)
+    do_fans(w, triangles, fans);
+  for (uint32_t f = fans; f < cell->n_faces; f++)
+    if (!meet_again(w, f)) {
+      hsr_hz_refresh(w);
+      if (!is_out(w, f))
+        tile_generally(w, f);
+    }
   hsr_hz_refresh(w);
 }

@@ -21,9 +21,8 @@
  * Departures  - The faces of a cell go by batches: all faces of a batch are
  *             tested, then those left are tiled. The paper tests and tiles one
  *             face after the other.
- *             - Only triangles are tested by the pyramid. Faces of more corners
- *             are tiled untested, and so are triangles that the tiler sends the
- *             general way when it looks at them (tiler.h).
+ *             - A face is not tested if one of its corners is not safely before
+ *             the eye, or lies far outside of the picture (hsr_tiler_bound).
  *             - Loose faces are tiled before anything else.
  *             - The octree of instances has no cube around a single instance.
  *             The root of the instance's own octree is tested instead.

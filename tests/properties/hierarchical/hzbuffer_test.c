@@ -485,26 +485,38 @@ static void retest(const struct notes *ns, const double *depth,
 /* --- What is tiled -------------------------------------------------------- */
 
 /* Which faces were compared at a sample, and which were written. */
-struct watched {
-  uint64_t *compared;
+struct keys {
+  uint64_t *key; /* face << 32 | sample */
   size_t n, room;
+};
+
+struct watched {
+  const struct hsr_world *world;
+  struct keys compared;
+  struct keys unsure; /* samples near an edge, of faces of over three corners */
   bool *written;
 };
+
+static void add_key(struct keys *keys, const struct hsr_event *event) {
+  if (keys->n == keys->room) {
+    keys->room = 2 * keys->room + 1000;
+    keys->key = realloc(keys->key, keys->room * sizeof *keys->key);
+    if (!keys->key)
+      bail("events: out of memory");
+  }
+  keys->key[keys->n++] = (uint64_t)event->a.id[0] << 32 |
+                         (uint64_t)(event->window.y0 * M + event->window.x0);
+}
 
 static void watch(void *context, const struct hsr_event *event) {
   struct watched *w = context;
   if (event->counter == HSR_WRITES % HSR_PART_SIZE)
     w->written[event->a.id[0]] = true;
-  if (event->counter != HSR_DEPTH_TESTS % HSR_PART_SIZE)
-    return;
-  if (w->n == w->room) {
-    w->room = 2 * w->room + 1000;
-    w->compared = realloc(w->compared, w->room * sizeof *w->compared);
-    if (!w->compared)
-      bail("events: out of memory");
-  }
-  w->compared[w->n++] = (uint64_t)event->a.id[0] << 32 |
-                        (uint64_t)(event->window.y0 * M + event->window.x0);
+  if (event->counter == HSR_DEPTH_TESTS % HSR_PART_SIZE)
+    add_key(&w->compared, event);
+  if (event->counter == HSR_UNSURE_COVER % HSR_PART_SIZE &&
+      hsr_face_size(w->world, (uint32_t)event->a.id[0]) > 3)
+    add_key(&w->unsure, event);
 }
 
 static int compare_numbers(const void *a, const void *b) {
@@ -512,12 +524,22 @@ static int compare_numbers(const void *a, const void *b) {
   return (*m > *n) - (*m < *n);
 }
 
-/* How often a face was compared again at the same sample. */
+/* How often a face was compared again at the same sample, but where that is so
+ * near the diagonal of a fan that both triangles have to ask the face. */
 static long count_twice(struct watched *w) {
   long twice = 0;
-  qsort(w->compared, w->n, sizeof *w->compared, compare_numbers);
-  for (size_t k = 1; k < w->n; k++)
-    twice += w->compared[k] == w->compared[k - 1];
+  struct keys *c = &w->compared, *u = &w->unsure;
+  if (!c->n)
+    return 0;
+  qsort(c->key, c->n, sizeof *c->key, compare_numbers);
+  for (size_t k = 1; k < c->n; k++) {
+    bool asked = false;
+    if (c->key[k] != c->key[k - 1])
+      continue;
+    for (size_t l = 0; l < u->n && !asked; l++)
+      asked = u->key[l] == c->key[k];
+    twice += !asked || (k > 1 && c->key[k] == c->key[k - 2]);
+  }
   return twice;
 }
 
@@ -592,7 +614,8 @@ static void try_view(const struct both_worlds *s, struct run *r,
                      struct found *f) {
   static struct notes ns;
   static double depth[SAMPLES];
-  struct watched watched = {NULL, 0, 0, calloc(s->world.n_faces, sizeof(bool))};
+  struct watched watched = {.world = &s->world,
+                            .written = calloc(s->world.n_faces, sizeof(bool))};
   bool *in = calloc(s->world.n_faces, sizeof *in);
   if (!watched.written || !in)
     bail("%s: out of memory", s->scene->name);
@@ -628,7 +651,8 @@ static void try_view(const struct both_worlds *s, struct run *r,
   free(ns.note);
   free(in);
   free(watched.written);
-  free(watched.compared);
+  free(watched.compared.key);
+  free(watched.unsure.key);
 }
 
 static void try_claims(struct tap *tap, const struct both_worlds *s,

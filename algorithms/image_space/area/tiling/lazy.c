@@ -5,8 +5,8 @@
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.1.
  * Notation    approximate front-to-back order -> order=tree, the standard: the
- *             cubes of an octree from front to back, the faces of a cube in any
- *             order. znear, zfar, fragment, pixel -> lazy_pyramid.h
+ *             cubes of an octree from front to back, the faces that a cube
+ *             itself holds by their nearest corners. znear, zfar, fragment, pixel -> lazy_pyramid.h
  * Invariant   the picture is the same for any order (lazy_pyramid.h)
  * Ties        Of faces in one plane the lowest id is seen. A sample that is too
  *             close to an edge for the error bounds is decided exactly
@@ -33,12 +33,13 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { ORDER, LEAF, DISORDER, OCTREE };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
 enum { OCTREE_OFF, OCTREE_ON };
 
-enum { POLYGONS, POLYGONS_HIDDEN };
+enum { POLYGONS, POLYGONS_HIDDEN, NEAREST };
 
 /* --- Once for all frames -------------------------------------------------- */
 
@@ -145,10 +146,17 @@ struct turn {
   int facing;
 };
 
+/* A face of a cube, and how far away its nearest corner is. */
+struct near_face {
+  double t;
+  uint32_t face;
+};
+
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
   struct hsr_tiling tiling;
+  struct near_face *near; /* order=tree: those of a cube, from front to back */
   struct hsr_lazy_pyramid pyramid;
   struct hsr_growing turn; /* struct turn */
   bool *met; /* by face. order=tree: it has been tiled. order=front, back: it is
@@ -159,17 +167,27 @@ struct frame {
   bool *has_colour; /* where they have been found */
 };
 
+/* The most faces that one cube itself holds. */
+static uint32_t most_of_a_cube(const struct hsr_octree *octree) {
+  uint32_t most = 0;
+  for (uint32_t k = 0; k < octree->n_nodes; k++)
+    most = larger(most, octree->node[k].n);
+  return most;
+}
+
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
   struct hsr_arena *arena = job->scratch;
   size_t colours =
       hsr_answer_sums_of(job->answer) ? (size_t)job->world->n_faces + 1 : 0;
-  *f = (struct frame){.job = job,
-                      .prepared = p,
-                      .rgb = hsr_arena_array(arena, colours, sizeof *f->rgb),
-                      .has_colour = HSR_NEW_ZEROED(arena, bool, colours),
-                      .met = HSR_NEW_ZEROED(arena, bool, job->world->n_faces)};
-  if (!f->rgb || !f->has_colour || !f->met ||
+  *f = (struct frame){
+      .job = job,
+      .prepared = p,
+      .rgb = hsr_arena_array(arena, colours, sizeof *f->rgb),
+      .has_colour = HSR_NEW_ZEROED(arena, bool, colours),
+      .near = HSR_NEW(arena, struct near_face, most_of_a_cube(&p->octree)),
+      .met = HSR_NEW_ZEROED(arena, bool, job->world->n_faces)};
+  if (!f->rgb || !f->has_colour || !f->near || !f->met ||
       hsr_tiling_begin(&f->tiling, &p->sampling, job, p->room))
     return HSR_E_NOMEM;
   return hsr_lazy_begin(&f->pyramid, &f->tiling.masks, job->world,
@@ -264,6 +282,52 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   return visible;
 }
 
+/* How far along the view the nearest corner of a face is, but for rounding: only
+ * the order depends on it. */
+static double nearest_corner(const struct frame *f, uint32_t face) {
+  const struct hsr_mesh *mesh = &f->job->world->mesh;
+  const double *row = f->tiling.view.depth;
+  double least = INFINITY;
+  for (uint32_t c = mesh->start[face]; c < mesh->start[face + 1]; c++) {
+    uint32_t v = mesh->vertex[c];
+    least = fmin(least, row[0] * mesh->x[v] + row[1] * mesh->y[v] +
+                            row[2] * mesh->z[v]);
+  }
+  return least;
+}
+
+/* Puts a face into its place among the n of a cube that are there. */
+static void put_by_depth(struct frame *f, uint32_t n, uint32_t face) {
+  double t = nearest_corner(f, face);
+  uint32_t from = 0, to = n;
+  while (from < to) {
+    uint32_t middle = from + (to - from) / 2;
+    bool nearer = t < f->near[middle].t;
+    HSR_STEP(f->job->tally, NEAREST, HSR_FACE(face),
+             HSR_FACE(f->near[middle].face), HSR_NOWHERE, nearer);
+    if (nearer)
+      to = middle;
+    else
+      from = middle + 1;
+  }
+  memmove(f->near + from + 1, f->near + from, (n - from) * sizeof *f->near);
+  f->near[from] = (struct near_face){t, face};
+}
+
+/* Tiles the faces that a node itself holds. */
+static void tile_faces_of(struct frame *f, const struct hsr_octree_node *node) {
+  const uint32_t *item = f->prepared->octree.item;
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < node->n; k++) {
+    uint32_t face = item[node->first + k];
+    if (!f->met[face])
+      put_by_depth(f, n++, face);
+    f->met[face] = true;
+  }
+  for (uint32_t k = 0; k < n; k++)
+    tile_face(f, f->near[k].face);
+}
+
 /* ProcessOctreeNode of the thesis (chapter 3), with masks for a z-buffer. */
 static void tile_cube(struct frame *f, uint32_t number) {
   const struct hsr_octree *octree = &f->prepared->octree;
@@ -272,12 +336,7 @@ static void tile_cube(struct frame *f, uint32_t number) {
   hsr_tiling_whom(&f->tiling, HSR_CELL(number, HSR_NO_ID, 0));
   if (!is_visible(f, &node->tight))
     return;
-  for (uint32_t k = 0; k < node->n; k++) {
-    uint32_t face = octree->item[node->first + k];
-    if (!f->met[face])
-      tile_face(f, face);
-    f->met[face] = true;
-  }
+  tile_faces_of(f, node);
   for (int k = 0; k < 3; k++)
     nearest |= (unsigned)(f->tiling.view.eye[k] > node->centre[k]) << k;
   for (int k = 0; k < 8; k++) {
@@ -446,7 +505,7 @@ static const struct hsr_option options[] = {
                    (const struct hsr_word[]){
                        {"tree",
                         "cubes of an octree from front to back, faces of a "
-                        "cube as they are",
+                        "cube by their nearest corners",
                         0},
                        {"front", "pieces in BSP trees, from front to back", 0},
                        {"back", "the same from back to front", 0},
@@ -485,12 +544,17 @@ static const struct hsr_counter counters[] = {
     [POLYGONS_HIDDEN] = {"polygons hidden",
                          "of these, those whose box is hidden", HSR_REJECT,
                          HSR_OF_PIECE, HSR_OF_WINDOW},
+    [NEAREST] = {"nearest corners compared",
+                 "of two faces of a cube, to put them in order", HSR_COMPARE,
+                 HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
     {"for each octree cube, from front to back"},
     {"", .part = &hsr_tiling_part},
-    {"  for each polygon in it, in any order", HSR_RAISES(POLYGONS)},
+    {"  put the polygons in it in order, by their nearest corners",
+     HSR_RAISES(NEAREST)},
+    {"  for each polygon in it", HSR_RAISES(POLYGONS)},
     {"    if it is behind zfar of the cell that encloses its box: skip it",
      HSR_RAISES(POLYGONS_HIDDEN)},
     {"", .part = &hsr_tiling_part, .group = HSR_CELL_LINES},
@@ -502,6 +566,7 @@ static const struct hsr_line outline[] = {
 
 static const struct hsr_sort sorts[] = {
     {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "nearest corner", "binary insertion", "a cube"},
     {"faces", "X and Y", "mask pyramid", "a polygon"},
     {"faces", "Z", "exhaustive search", "a sample of a z-buffered pixel"},
     {NULL}};
