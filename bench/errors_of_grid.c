@@ -90,9 +90,10 @@ static enum hsr_status find_truth(struct measures *m, enum integral_field field,
 
 /* --- Measuring ------------------------------------------------------------ */
 
-/* How far a value is from an interval. No picture is brighter than 1. */
+/* How far a value is from an interval. What is brighter than 1 counts as 1. */
 static double distance(double value, const double bounds[2]) {
-  return fmax(0, fmax(fmin(bounds[0], 1) - value, value - fmin(bounds[1], 1)));
+  const double shown = fmin(value, 1);
+  return fmax(0, fmax(fmin(bounds[0], 1) - shown, shown - fmin(bounds[1], 1)));
 }
 
 static double error_of(const double *value, const double (*bounds)[2]) {
@@ -116,7 +117,7 @@ static void measure(struct measures *m, struct measured *told) {
     double error = error_of(m->value + CHANNELS * k, here);
     sum += error;
     over += error > errors_much;
-    too_opaque += m->value[CHANNELS * k + 3] -
+    too_opaque += fmin(m->value[CHANNELS * k + 3], 1) -
                   (fmin(here[3][0], 1) + fmin(here[3][1], 1)) / 2;
     m->shown[k] = errors_shown(error);
     m->error[k] = (float)error;

@@ -172,6 +172,7 @@ tap_scripts = \
   %D%/command/splat_tiles.test \
   %D%/command/streams.test \
   %D%/command/tiles.test \
+  %D%/command/volume_errors.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \
   %D%/conformance/large_faces.test \
