@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr errors: how far pictures are from the exact area integrals
- * (docs/area-picture.md), which are the limit of ever more samples.
+ * (docs/area-picture.md), which are the limit of ever more samples. For grids see
+ * errors_of_grid.c.
  *
  * The error of a pixel is the greatest difference of its three channels, which
  * are linear, from 0 to 1. A picture of one sample a place can be asked for
  * with N x N samples a pixel: it is then the mean of N x N pictures, whose
  * colours are rounded to the nearest 65535th as in the definition. */
-#include "bench/client/client.h"
+#include "bench/errors.h"
 #include "bench/modules/variant.h"
-#include "bench/options/command.h"
 #include "bench/options/picture.h"
-#include "bench/options/words.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
-#include "common/answers/kinds/area.h"
 #include "common/files/image.h"
 #include "common/files/json/json.h"
 
@@ -21,30 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ALGORITHMS = 32, MOST_SIDES = 64, MOST_SIDE = 256 };
-enum { WHERE = 0x200 };
+enum { MOST_SIDE = 256 };
+enum { WHERE = 0x200, FIELD, WIDTH, PICTURES };
 
-/* Errors of at least 2^-MOST_DARK are seen in a picture of them. */
-enum { MOST_DARK = 16 };
-
-/* That colours of 8 bits may show it. */
-static const double much = 1. / 256;
-
-struct options {
-  struct option_base base;
-  struct scene_options scene;
-  struct view_options view;
-  const char *algorithm[MOST_ALGORITHMS];
-  int n_algorithms;
-  long side[MOST_SIDES]; /* N of N x N samples */
-  int n_sides;
-  enum hsr_area_filter filter;
-  const char *where;
-  bool json;
-  long threads;
-};
-
-static error_t add_algorithms(struct options *o, char *arg) {
+static error_t add_algorithms(struct errors_options *o, char *arg) {
   for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
     if (o->n_algorithms == MOST_ALGORITHMS)
       return option_fail(&o->base, "errors: at most %d algorithms",
@@ -54,7 +32,7 @@ static error_t add_algorithms(struct options *o, char *arg) {
   return 0;
 }
 
-static error_t add_sides(struct options *o, char *arg) {
+static error_t add_sides(struct errors_options *o, char *arg) {
   for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
     if (o->n_sides == MOST_SIDES ||
         !parse_count(word, 1, MOST_SIDE, &o->side[o->n_sides]))
@@ -67,15 +45,50 @@ static error_t add_sides(struct options *o, char *arg) {
   return 0;
 }
 
+static error_t add_pictures(struct errors_options *o, char *arg) {
+  for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
+    if (o->n_pictures == MOST_PICTURES)
+      return option_fail(&o->base, "errors: at most %d pictures",
+                         (int)MOST_PICTURES);
+    o->picture[o->n_pictures++] = word;
+  }
+  return 0;
+}
+
+static error_t parse_field(struct errors_options *o, const char *arg) {
+  for (int k = 0; k < N_INTEGRAL_FIELDS; k++)
+    if (!strcmp(arg, integral_fields[k].name)) {
+      o->field = (enum integral_field)k;
+      o->has_field = true;
+      return 0;
+    }
+  return option_fail(&o->base, "--field %s: must be pre, post or sums", arg);
+}
+
+static error_t parse_width(struct errors_options *o, const char *arg) {
+  char *end;
+  o->width = strtod(arg, &end);
+  if (end == arg || *end || !(o->width >= 1e-12 && o->width <= 1))
+    return option_fail(&o->base, "--width %s: must be 1e-12 to 1", arg);
+  return 0;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
-  struct options *o = state->input;
+  struct errors_options *o = state->input;
   switch (key) {
   case 'a':
     return add_algorithms(o, arg);
   case 'S':
     return add_sides(o, arg);
   case 'f':
+    o->has_filter = true;
     return parse_area_filter(&o->filter, arg, &o->base);
+  case FIELD:
+    return parse_field(o, arg);
+  case WIDTH:
+    return parse_width(o, arg);
+  case PICTURES:
+    return add_pictures(o, arg);
   case 'j':
     o->json = true;
     return 0;
@@ -94,7 +107,7 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
          "of these pictures (standard: every filter of the z-buffer, the "
-         "A-buffer, and error-bounded)",
+         "A-buffer, and error-bounded; of a grid the models of splats)",
          0},
         {"supersample", 'S', "N,...", 0,
          "N x N samples a pixel, of algorithms that draw samples, for each of "
@@ -103,6 +116,22 @@ static const struct argp argp = {
         {"filter", 'f', "box|tent|quadratic|cubic", 0,
          "against the integral weighed by a B-spline: box, tent, quadratic, "
          "cubic (standard: box, the pixel itself)",
+         0},
+        {"field", FIELD, "F", 0,
+         "of a grid: the field whose integral the pictures are measured by: "
+         "pre, "
+         "classified and then interpolated; post, interpolated and then "
+         "classified; sums, as pre without absorption (standard: pre, and sums "
+         "for splat-xray)",
+         0},
+        {"width", WIDTH, "W", 0,
+         "of a grid: the width of the intervals that hold the integrals, 1e-12 "
+         "to 1 (standard: 0.001)",
+         0},
+        {"pictures", PICTURES, "FILE,...", 0,
+         "of a grid: measure these pictures of the same view too: .exr or .npy "
+         "of red, green, blue and opacity, premultiplied and linear; whole "
+         "numbers are parts of their greatest",
          0},
         {"where", WHERE, "FILE", 0,
          "write a picture of where the errors are; of several, FILE has %d in "
@@ -119,12 +148,20 @@ static const struct argp argp = {
     "Tells how far pictures are from the exact area integrals: the mean and "
     "the greatest error of a pixel, linear, from 0 to 1, in its worst channel; "
     "the pixel of the greatest; and the share of pixels that are wrong by more "
-    "than 1/256.\v"
+    "than 1/256. If SCENE is a grid it tells how far pictures of splats are "
+    "from "
+    "the integral of emission and absorption along the rays of the pixels, by "
+    "intervals that hold it; also what 99 % of the pixels do not exceed, and "
+    "the "
+    "mean of what the opacity is too great.\v"
     "  hsr errors house\n"
     "  hsr errors harbor -s 256x256 -a zbuffer-fast -S 1,2,4,8,16,32\n"
     "  hsr errors house -a zbuffer-fast:filter=cosine --filter quadratic \\\n"
     "    --where where.png\n"
     "  hsr errors house --where 'house-%d.png' --json >house.json\n"
+    "  hsr errors brain --palette tissue -s 256x256 -J 2 --where "
+    "'brain-%d.png'\n"
+    "  hsr errors colin27 -a splat --field post --pictures vtk.exr\n"
     "  hsr report results.ndjson --errors house.json -o report",
     NULL,
     NULL,
@@ -134,7 +171,7 @@ static const struct argp argp = {
 
 /* The scene, and the exact values of the pixels. */
 struct comparison {
-  const struct options *options;
+  const struct errors_options *options;
   struct lib_scene *scene;
   struct lib_answer *exact;
   const double (*bounds)[2]; /* of 3 m n channels */
@@ -240,8 +277,8 @@ static void measure(const struct comparison *c, struct made *made) {
   for (size_t k = 0; k < n; k++) {
     double error = error_of(made->rgb + 3 * k, c->bounds + 3 * k);
     sum += error;
-    over += error > much;
-    c->share[k] = (float)fmin(1, fmax(0, 1 + log2(error) / MOST_DARK));
+    over += error > errors_much;
+    c->share[k] = errors_shown(error);
     if (error > made->largest) {
       made->largest = error;
       made->x = (int)(k % m);
@@ -252,15 +289,18 @@ static void measure(const struct comparison *c, struct made *made) {
   made->over = (double)over / (double)n;
 }
 
-static enum hsr_status write_where(const struct comparison *c, long number,
-                                   struct made *made, struct hsr_error *err) {
-  const char *file = c->options->where;
-  if (!file)
+float errors_shown(double error) {
+  return (float)fmin(1, fmax(0, 1 + log2(error) / 16));
+}
+
+enum hsr_status errors_write_where(const struct errors_options *o, long number,
+                                   const float *shown, char to[MOST_FILE_NAME],
+                                   struct hsr_error *err) {
+  if (!o->where)
     return HSR_OK;
-  if (!series_name(file, number, made->where))
-    snprintf(made->where, sizeof made->where, "%s", file);
-  return hsr_image_write_ramp(made->where, c->options->view.m,
-                              c->options->view.n, c->share, err);
+  if (!series_name(o->where, number, to))
+    snprintf(to, MOST_FILE_NAME, "%s", o->where);
+  return hsr_image_write_ramp(to, o->view.m, o->view.n, shown, err);
 }
 
 /* --- Output --------------------------------------------------------------- */
@@ -314,7 +354,8 @@ static enum hsr_status tell(struct comparison *c, const char *algorithm,
   enum hsr_status status = make(c, &made, err);
   if (!status) {
     measure(c, &made);
-    status = write_where(c, ++told->number, &made, err);
+    status = errors_write_where(c->options, ++told->number, c->share,
+                                made.where, err);
     if (told->pictures)
       hsr_json_append(&told->pictures, made_json(&made));
     else
@@ -329,7 +370,7 @@ static enum hsr_status tell(struct comparison *c, const char *algorithm,
 static enum hsr_status tell_all(struct comparison *c, const char *algorithm,
                                 struct told *told, struct hsr_error *err) {
   static const long one = 1;
-  const struct options *o = c->options;
+  const struct errors_options *o = c->options;
   struct hsr_variant variant;
   enum hsr_status status = hsr_variant_parse(algorithm, &variant, err);
   if (status)
@@ -369,7 +410,7 @@ static enum hsr_status find(struct comparison *c, struct hsr_error *err) {
                                       "zbuffer-fast:filter=field",
                                       "a-buffer",
                                       "error-bounded"};
-  const struct options *o = c->options;
+  const struct errors_options *o = c->options;
   const char *const *algorithm = o->n_algorithms ? o->algorithm : usual;
   int n =
       o->n_algorithms ? o->n_algorithms : (int)(sizeof usual / sizeof *usual);
@@ -390,10 +431,11 @@ static enum hsr_status find(struct comparison *c, struct hsr_error *err) {
 }
 
 /* Several pictures need several names. */
-static enum hsr_status check_where(const struct options *o,
+static enum hsr_status check_where(const struct errors_options *o,
                                    struct hsr_error *err) {
   char name[MOST_FILE_NAME];
-  if (!o->where || (o->n_algorithms == 1 && o->n_sides <= 1) ||
+  if (!o->where ||
+      (o->n_algorithms == 1 && o->n_sides <= 1 && !o->n_pictures) ||
       series_name(o->where, 1, name))
     return HSR_OK;
   return hsr_fail(err, HSR_E_USAGE,
@@ -402,19 +444,37 @@ static enum hsr_status check_where(const struct options *o,
                   o->where);
 }
 
+static enum hsr_status check_subject(const struct errors_options *o,
+                                     bool is_grid, struct hsr_error *err) {
+  if (is_grid && (o->n_sides || o->has_filter))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "errors: of a grid the integral along a pixel's ray is "
+                    "taken: no --supersample, no --filter");
+  if (!is_grid && (o->n_pictures || o->has_field || o->width > 0))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "errors: --field, --width and --pictures are for grids");
+  return HSR_OK;
+}
+
 enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err) {
-  struct options options = {.view = VIEW_OPTIONS_STANDARD, .threads = 1};
+  struct errors_options options = {.view = VIEW_OPTIONS_STANDARD, .threads = 1};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
     status = check_where(&options, err);
   if (status)
     return status;
   struct comparison c = {.options = &options};
+  struct hsr_scene_info info = {.size = sizeof info};
   status = aim_scene(&options.scene, &options.view, err);
   if (!status)
     status = client_open(&options.scene, &options.view, &c.scene, err);
   if (!status)
-    status = find(&c, err);
+    status = hsr_get_scene(c.scene, &info, err);
+  if (!status)
+    status = check_subject(&options, info.is_grid, err);
+  if (!status)
+    status =
+        info.is_grid ? errors_of_grid(&options, c.scene, err) : find(&c, err);
   hsr_free(c.exact);
   free(c.share);
   free(c.rgb);

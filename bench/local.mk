@@ -31,6 +31,8 @@ BENCH_LIBS = libbench.a libpublic.a libbench.a $(HSR_LIBS) $(GSL_LIBS) \
 libbench_a_SOURCES = \
   %D%/areas.c \
   %D%/errors.c \
+  %D%/errors.h \
+  %D%/errors_of_grid.c \
   %D%/list.c \
   %D%/list.h \
   %D%/list_one.c \

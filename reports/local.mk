@@ -177,7 +177,8 @@ EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/1974/prices/prices.txt %D%/1974/prices/summary \
   %D%/1974/prices/verdicts %D%/1974/prices/verdicts.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
-  %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
+  %D%/greene/tables.txt %D%/integral/README.md %D%/integral/make \
+  %D%/swan/README.md %D%/swan/make \
   %D%/swan/splats \
   $(report_sources) $(lesson_sources) $(lesson_page) \
   $(lab_sources) $(lab_page) \

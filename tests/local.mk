@@ -93,6 +93,7 @@ tap_programs = \
   %D%/unit/algorithms/variant_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
+  %D%/unit/bench/integral_test \
   %D%/unit/bench/judge_schema_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/bench/oracle_test \
@@ -176,6 +177,7 @@ tap_scripts = \
   %D%/command/streams.test \
   %D%/command/terminal.test \
   %D%/command/tiles.test \
+  %D%/command/volume_errors.test \
   %D%/command/volumes.test \
   %D%/command/walk.test \
   %D%/conformance/large_faces.test \
@@ -382,6 +384,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_trace_hsr_fixtures_SOURCES = bench/hsr.c %D%/trace/fixtures.c
 %C%_unit_bench_crew_test_LDADD = libtests.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
+%C%_unit_bench_integral_test_SOURCES = %D%/unit/bench/integral_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
 %C%_unit_bench_sorts_test_LDADD = $(BENCH_LIBS)

@@ -16,8 +16,8 @@ liboracles_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
 libcore_a_LIBADD += $(liboracles_a_OBJECTS)
 libcore_a_SOURCES += bench/modules/modules.h bench/modules/variant.h
 libcore_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
-  bench/modules/oracles.def bench/modules/variant.c %D%/rounding.h %D%/surface.h \
-  %D%/vectors.h \
+  bench/modules/oracles.def bench/modules/variant.c %D%/rounding.h \
+  %D%/samples.h %D%/surface.h %D%/vectors.h \
   %D%/areas/areas.cc \
   %D%/areas/areas.h \
   %D%/areas/cells.cc \
@@ -31,7 +31,17 @@ libcore_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
   %D%/areas/shaded.h \
   %D%/areas/shading.h \
   %D%/areas/shapes.cc \
-  %D%/areas/shapes.h
+  %D%/areas/shapes.h \
+  %D%/integral/field.cc \
+  %D%/integral/field.h \
+  %D%/integral/integral.cc \
+  %D%/integral/integral.h \
+  %D%/integral/numbers.h \
+  %D%/integral/path.cc \
+  %D%/integral/path.h \
+  %D%/integral/pieces.h \
+  %D%/integral/post_piece.cc \
+  %D%/integral/pre_piece.cc
 
 # No two algorithms have one name: the library is not built.
 libcore_a_DEPENDENCIES += %D%/names-once

@@ -26,6 +26,7 @@
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
 #include "bench/judge/rounding.h"
+#include "bench/judge/samples.h"
 #include "common/answers/kinds/composited.h"
 
 #include <CGAL/Gmpq.h>
@@ -47,6 +48,8 @@
 namespace {
 
 using judge::Interval, judge::Nearest, judge::Upward;
+using judge::light, judge::looks, judge::looks_of, judge::root,
+    judge::whole_vec;
 using Exact = CGAL::Gmpq;
 using Real = long double;
 
@@ -118,16 +121,6 @@ int whole(const Interval &x, int most) {
   return whole(x.sup(), most) == floor ? floor : UNDECIDED;
 }
 
-/* The greatest integer whose square is at most x. */
-int64_t root(int64_t x) {
-  int64_t r = int64_t(std::sqrt(double(x)));
-  while (r * r > x)
-    r--;
-  while ((r + 1) * (r + 1) <= x)
-    r++;
-  return r;
-}
-
 Interval greater(const Interval &a, const Interval &b) {
   return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
@@ -141,59 +134,10 @@ template <class T> T part_of_one(const T &x) {
   return T(1) - greater(T(0), T(1) - greater(T(0), x));
 }
 
-/* --- The colour of a sample ----------------------------------------------- */
+/* --- Channels -------------------------------------------------------------  */
 
 enum { OPACITY = 3, WEIGHT = 4, CHANNELS = 5 };
 using channels = std::array<uint64_t, CHANNELS>;
-using whole_vec = std::array<int64_t, 3>;
-
-int64_t dot(const whole_vec &a, const whole_vec &b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* The vector N of a code below 4096. */
-whole_vec normal(int code) {
-  const int64_t x = 2 * (code % 64) - 63, y = 2 * (code / 64) - 63;
-  const int64_t across = std::abs(x), up = std::abs(y), z = 63 - across - up;
-  if (z >= 0)
-    return {x, y, z};
-  return {x < 0 ? up - 63 : 63 - up, y < 0 ? across - 63 : 63 - across, z};
-}
-
-/* The part floor(8192 a / b), at least 0, at most 8192; 0 if b is 0. */
-int64_t light_part(int64_t a, int64_t b) {
-  return b == 0 || a <= 0 ? 0 : std::min<int64_t>(8192 * a / b, 8192);
-}
-
-/* What of the light a sample sends to the eye: c and s_n. |F| is about 1, so
- * that all stays below 2^63. */
-struct light {
-  int64_t diffuse = 8192, specular = 0;
-
-  light(const hsr_palette &p, int code, const whole_vec &V) {
-    if (code >= 4096)
-      return;
-    const whole_vec N = normal(code),
-                    L = p.eye_light
-                            ? V
-                            : whole_vec{p.light[0], p.light[1], p.light[2]};
-    const int64_t NN = dot(N, N), LL = dot(L, L);
-    diffuse = light_part(dot(N, L), root(NN * LL));
-    const int64_t x = 2 * dot(N, L) * dot(N, V) - dot(L, V) * NN;
-    const int64_t s = diffuse ? light_part(x, NN * root(LL * dot(V, V))) : 0;
-    specular = s;
-    for (int k = 1; k < p.exponent; k++)
-      specular = specular * s / 8192;
-  }
-};
-
-/* A kept sample: its lit colour, its opacity, and its premultiplied colour with the
- * opacity. */
-struct looks {
-  std::array<uint64_t, 3> lit;
-  uint64_t A;
-  std::array<uint64_t, 4> C;
-};
 
 /* What the model slab sums of a sample: weight, levels of density and gradient,
  * light, its own colour. */
@@ -218,30 +162,6 @@ uint64_t entry_at(const uint16_t *table, size_t stride, uint64_t level) {
   const uint64_t i = level / 257, f = level % 257,
                  next = std::min<uint64_t>(i + 1, 255);
   return ((257 - f) * table[i * stride] + f * table[next * stride]) / 257;
-}
-
-looks looks_of(const hsr_grid &grid, uint32_t cell, const whole_vec &V,
-               uint64_t attenuate) {
-  const hsr_palette &p = grid.palette;
-  const uint64_t O = p.opacity[grid.level[cell]],
-                 G = p.gradient[grid.steep[cell]];
-  const uint64_t A = O * G / 65535 * attenuate / 65536;
-  const light l(p, grid.normal[cell], V);
-  const uint64_t bright = p.ambient + p.diffuse * uint64_t(l.diffuse) / 8192;
-  const uint64_t shine = p.specular * uint64_t(l.specular) / 8192;
-  looks found = {{}, A, {}};
-  for (size_t c = 0; c < 3; c++) {
-    uint64_t B = p.rgb[grid.level[cell]][c];
-    if (grid.rgb && p.own_colours) {
-      const uint64_t byte = grid.rgb[cell][c];
-      B = 65535 * byte * byte / 65025;
-    }
-    const uint64_t lit = std::min<uint64_t>(65535, B * bright / 65535 + shine);
-    found.lit[c] = lit;
-    found.C[c] = lit * A / 65535;
-  }
-  found.C[OPACITY] = A;
-  return found;
 }
 
 /* --- Opacity per length --------------------------------------------------- */

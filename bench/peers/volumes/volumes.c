@@ -346,6 +346,23 @@ static enum hsr_status write_pictures(struct run *run, struct hsr_error *err) {
   return status ? status : write_one(run, "difference", run->theirs, err);
 }
 
+/* Their picture as numbers, as hsr errors reads it: red, green, blue and opacity.
+ * A sum of opacity stands in all four. */
+static enum hsr_status write_numbers(struct run *run, struct hsr_error *err) {
+  char path[1024];
+  for (size_t k = 0; run->request.peer->sums && k < 4 * pixels(run); k++)
+    run->theirs[k] = run->theirs[k | 3];
+  const struct hsr_npy array = {
+      .kind = 'f',
+      .bytes = 4,
+      .n_dimensions = 3,
+      .size = {(uint64_t)run->request.n, (uint64_t)run->request.m, 4},
+      .data = run->theirs};
+  snprintf(path, sizeof path, "%.900s-%.60s.npy", run->request.prefix,
+           run->request.peer->name);
+  return hsr_npy_write(path, &array, err);
+}
+
 /* --- The program ---------------------------------------------------------- */
 
 static enum hsr_status compare(struct run *run, struct hsr_error *err) {
@@ -355,6 +372,10 @@ static enum hsr_status compare(struct run *run, struct hsr_error *err) {
   if (status)
     return status;
   take_pictures(run);
+  if (run->request.prefix)
+    status = write_numbers(run, err);
+  if (status)
+    return status;
   double factor = fit(run);
   status = report(run, factor, err);
   if (!status && run->request.prefix)

@@ -12,7 +12,8 @@
  *   correlation, and the shift of the other picture, in pixels, at which the
  *   correlation is greatest. Sums are first multiplied by the factor that makes
  *   them fit best. Writes PREFIX-ours.png, PREFIX-NAME.png
- *   and PREFIX-difference.png, which is eight times as bright.
+ *   and PREFIX-difference.png, which is eight times as bright; and PREFIX-NAME.npy,
+ *   red, green, blue and opacity in floats, for hsr errors.
  *
  * It is a program of its own because hsr-peers serves pictures that have a
  * right answer, of which bench counts what is wrong. What these renderers draw
