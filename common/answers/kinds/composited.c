@@ -22,11 +22,11 @@ enum {
   ANTIALIAS,
   ATTENUATE,
   NORMALISE,
-  OPACITY,
   EXPOSURE,
   BUCKETS,
   BLUR,
-  THRESHOLD
+  THRESHOLD,
+  OPACITY
 };
 
 static const struct hsr_word models[] = {
@@ -74,8 +74,6 @@ static const struct hsr_option options[] = {
                    .real_least = 0, .real_most = 1, .real_standard = 1},
     [NORMALISE] = {"normalise", "colours are divided by the splats' weights",
                    off_on, 0, 1, 0},
-    [OPACITY] = {"opacity", "what the opacity of a sample means", opacities, 0,
-                 1, 0},
     [EXPOSURE] = {"exposure", "a factor of the sums of xray", .real = true,
                   .real_least = 0, .real_most = 1000, .real_standard = 1},
     [BUCKETS] = {"buckets", "ranges of depth, of volume and slab", NULL, 1,
@@ -84,6 +82,8 @@ static const struct hsr_option options[] = {
     [THRESHOLD] = {"threshold", "cells that a splat moves without blur",
                    .real = true, .real_least = 0, .real_most = 1000,
                    .real_standard = 0},
+    [OPACITY] = {"opacity", "what the opacity of a sample means", opacities, 0,
+                 1, 0},
     {NULL}};
 
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
