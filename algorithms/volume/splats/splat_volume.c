@@ -38,6 +38,7 @@ struct depths {
   int n;               /* buckets */
   int kept;            /* of them at a time */
   double from, each;   /* the first begins there, and they are so deep */
+  double per_each;     /* 1 / each; 0 if there is one */
   double off;          /* how far an end may be off */
   double lo[3], hi[3]; /* of all samples */
   double F[3];         /* the change of depth along each axis */
@@ -67,6 +68,7 @@ static void find_depths(struct hsr_splats *s, struct depths *m) {
       !hsr_exact_is_deep(v, m->lo, m->hi, &s->tally->out_of_memory))
     m->n = 1;
   m->each = (to - m->from) / m->n;
+  m->per_each = m->n > 1 ? 1 / m->each : 0;
 }
 
 /* --- Slices --------------------------------------------------------------- */
@@ -148,6 +150,7 @@ struct passage {
   double nearest; /* t*, the depth nearest to the middle of the kernel */
   double parts;   /* 32 / (g r) |D'|: lambda grows so by depth */
   double off;     /* how far t* may be off */
+  double rough;   /* the relative error of lambda */
 };
 
 static struct passage passage_of(const struct hsr_splats *s,
@@ -161,9 +164,13 @@ static struct passage passage_of(const struct hsr_splats *s,
     vd += r.v[a] * r.d[a];
     dd += r.d[a] * r.d[a];
   }
-  return (struct passage){VD / DD, sqrt(p->scale * DD),
-                          0x1p-46 * (vd / DD + fabs(VD) / DD * (dd / DD)) +
-                              1.1 * moved / sqrt(DD)};
+  /* the rounding of 1 / DD is within the margins of both numbers */
+  double per = 1 / DD;
+  double off = 0x1p-46 * (vd + fabs(VD) * (dd * per)) * per;
+  if (moved > 0)
+    off += 1.1 * moved / sqrt(DD);
+  return (struct passage){VD * per, sqrt(p->scale * DD), off,
+                          8 * p->rough + 0x1p-40};
 }
 
 /* lambda at the end of bucket b. */
@@ -172,14 +179,15 @@ static int part_before(struct hsr_splats *s, const struct hsr_placed *p, int i,
   const struct depths *m = s->common;
   double past = m->from + (b + 1) * m->each - ray->nearest;
   double parts = fabs(past) * ray->parts;
-  double error =
-      (m->off + ray->off) * ray->parts + parts * (8 * p->rough + 0x1p-40);
+  double error = (m->off + ray->off) * ray->parts + parts * ray->rough;
   int sign = past < 0 ? -1 : 1;
   if (parts - error >= PARTS)
     return sign * PARTS;
-  double lo = floor(fmax(0, parts - error)), hi = floor(parts + error);
+  /* both are below PARTS + 1, or the exact path is taken */
+  int lo = parts > error ? (int)(parts - error) : 0,
+      hi = (int)hsr_min(parts + error, 2 * PARTS);
   if (lo == hi)
-    return sign * (int)lo;
+    return sign * lo;
   s->tally->exact[HSR_ASK_FOOTPRINT]++;
   struct hsr_splat splat = hsr_splats_exact(s, p->at);
   return hsr_exact_footprint_part(&splat, i, j, m->lo, m->hi, b, m->n,
@@ -188,7 +196,7 @@ static int part_before(struct hsr_splats *s, const struct hsr_placed *p, int i,
 
 /* The first bucket that the kernel may reach along this ray, or the last. */
 static int bucket_at(const struct depths *m, double depth) {
-  double b = floor((depth - m->from) / m->each);
+  double b = (depth - m->from) * m->per_each;
   return b > 0 ? b < m->n - 1 ? (int)b : m->n - 1 : 0;
 }
 
