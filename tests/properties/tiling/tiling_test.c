@@ -141,10 +141,10 @@ static const struct {
 } choices[] = {
     {"tiling", 1},
     {"tiling:leaf=0:intervals=4:start=root:octree=off", 1},
-    {"tiling:leaf=30:start=root:window=7", 4},
+    {"tiling:leaf=30:start=root:window=7:volumes=cubes", 4},
     {"tiling:leaf=10:intervals=4:window=32", 4},
     {"tiling:leaf=10:octree=off:start=root", 1},
-    {"tiling:leaf=80:intervals=4:start=root", 1},
+    {"tiling:leaf=80:intervals=4:volumes=cubes", 1},
     {"tiling:leaf=80:octree=off:window=7", 1},
     {"tiling:leaf=0:window=32:start=root", 4},
     {"tiling:leaf=30:intervals=4:octree=off:window=32", 1},

@@ -20,8 +20,9 @@
  *             be chosen (masks=table).
  *             - Nothing is clipped to the near plane (polygon.h).
  *             - What is tested for an octree cube is the silhouette of the box
- *             of its contents (`tight`), not of the cube. It is smaller, so
- *             more cubes are culled and fewer cells are visited.
+ *             of its contents. It is smaller than the cube, so more cubes are
+ *             culled and fewer cells are visited. volumes=cubes tests the
+ *             cube, as the paper has it (5.2).
  *             - Instances are ordered by a tree of planes that separate them,
  *             not by an octree above the octrees. Its nodes are tested as cubes
  *             are.
@@ -35,14 +36,16 @@
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "common/answers/kinds/filtered.h"
 #include "common/base/bits.h"
+#include "common/base/numbers.h"
 
 #include <stdlib.h>
 
-enum { LEAF, INTERVALS, MASKS, START, OCTREE, COUNTS };
+enum { LEAF, INTERVALS, MASKS, START, OCTREE, COUNTS, VOLUMES };
 enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { OCTREE_OFF, OCTREE_ON };
 enum { COUNTS_OFF, COUNTS_ON };
+enum { VOLUMES_TIGHT, VOLUMES_CUBES };
 enum { CORNERS = 4 };
 
 enum { PIECES, PIECES_HIDDEN, PIECES_LEFT_OUT, CELLS_EXHAUSTED };
@@ -242,6 +245,20 @@ static void prefetch_pieces(const struct hsr_bsp *bsp,
 
 /* --- Cubes and pieces ----------------------------------------------------- */
 
+/* The box whose silhouette is tiled for a cube: the cube, but not less than what
+ * holds its pieces, as the cube's sides are rounded; or what holds its pieces. */
+static struct hsr_box volume_of(const struct frame *f,
+                                const struct hsr_bsp_cube *cube) {
+  struct hsr_box box = cube->tight;
+  if (f->job->option[VOLUMES] == VOLUMES_TIGHT)
+    return box;
+  for (int k = 0; k < 3; k++) {
+    box.lo[k] = hsr_min(box.lo[k], cube->centre[k] - cube->half);
+    box.hi[k] = hsr_max(box.hi[k], cube->centre[k] + cube->half);
+  }
+  return box;
+}
+
 /* The traversal asks whether to enter a cube: if it may be visible. The points
  * of a leaf are taken to the screen. */
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
@@ -251,8 +268,9 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
   bool counts = f->tiling.masks.counts && cube->root != HSR_NO_BSP &&
                 f->job->option[OCTREE] == OCTREE_ON;
+  const struct hsr_box volume = volume_of(f, cube);
   if (!(counts ? is_visible_by_count : is_visible)(
-          f, &cube->tight, pieces->shift, HSR_CELL(number, f->instance, 0)))
+          f, &volume, pieces->shift, HSR_CELL(number, f->instance, 0)))
     return false;
   if (cube->root != HSR_NO_BSP) {
     prefetch_pieces(pieces->bsp, cube);
@@ -412,6 +430,14 @@ static const struct hsr_option options[] = {
                          "are passed over",
                          0},
                         {NULL, NULL, 0}}},
+    [VOLUMES] = {.name = "volumes",
+                 .meaning = "whose silhouettes are tiled to cull",
+                 .words =
+                     (const struct hsr_word[]){
+                         {"tight",
+                          "the boxes, within the cubes, of what they hold", 0},
+                         {"cubes", "the octree's, as in the paper", 0},
+                         {NULL, NULL, 0}}},
     {.name = NULL}};
 
 /* --- What it is and counts ------------------------------------------------ */
