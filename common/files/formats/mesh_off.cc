@@ -151,6 +151,7 @@ public:
   void refuse_end(size_t line) const;
 
 private:
+  void reserve();
   void vertex(size_t v);
   void face(size_t f);
   uint32_t corner(size_t f);
@@ -248,9 +249,20 @@ void Block_reader::colour(size_t f) {
   block_.looks.push_back(face_colour(value.data(), n, integers));
 }
 
+/* Room for triangles, in the first block. It may be the whole text. A face takes
+ * at least six bytes, so that a wrong header takes no more than a long text. */
+void Block_reader::reserve() {
+  const auto bytes = static_cast<size_t>(block_.end - block_.begin);
+  const size_t n_faces = std::min(header_.n_faces, bytes / 6);
+  block_.sizes.reserve(n_faces);
+  block_.corners.reserve(3 * n_faces);
+}
+
 size_t Block_reader::read() {
   const size_t n_vertices = header_.n_vertices, n_faces = header_.n_faces;
   size_t line = block_.first_line;
+  if (line == 0)
+    reserve();
   for (; text_.next_line(); line++) {
     if (line < n_vertices)
       vertex(line);
