@@ -159,9 +159,20 @@ static int count(const char *text, char letter) {
   return n;
 }
 
+/* Whether a list, as `progress_add` writes it, has a name. */
+static bool names(const char *open, const char *name) {
+  size_t length = strlen(name);
+  for (const char *at = open; at; at = strstr(at + 1, ", "))
+    if (!strncmp(at + 2, name, length) && strchr(", ", at[2 + length]))
+      return true;
+  return false;
+}
+
 void progress_add(char text[PROGRESS_TEXT], const char *name) {
   const char *open = strstr(text, " (");
   size_t used = strlen(text);
+  if (names(open, name))
+    return;
   int n = open ? 1 + count(open, ',') : 0;
   if (n <= MOST_WAITED)
     snprintf(text + used, PROGRESS_TEXT - used, "%s%.60s", open ? ", " : " (",

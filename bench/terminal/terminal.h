@@ -59,7 +59,7 @@ struct progress progress_begin(FILE *out);
 void progress_tell(struct progress *progress, size_t done, size_t all,
                    const char *things, const char *now);
 
-/* Appends a name to "house (a, b": one that is waited for. Of many, the first few
+/* Appends a name to "house (a, b", once: one that is waited for. Of many, the first few
  * are named. The text begins without a bracket, and progress_close ends it. */
 enum { PROGRESS_TEXT = 300 };
 void progress_add(char text[PROGRESS_TEXT], const char *name);
