@@ -40,12 +40,10 @@ static bool once_in(int n) {
 struct player {
   const char *name, *model;
 };
-static const struct player players[] = {{"splat", "over"},
-                                        {"splat", "under"},
-                                        {"splat-sheet", "sheet"},
-                                        {"splat-volume", "volume"},
-                                        {"splat-volume", "slab"},
-                                        {"splat-xray", "xray"}};
+static const struct player players[] = {
+    {"splat", "over"},        {"splat", "under"},
+    {"splat-sheet", "sheet"}, {"splat-volume", "volume"},
+    {"splat-volume", "slab"}, {"splat-xray", "xray"}};
 enum { PLAYERS = sizeof players / sizeof *players };
 static const char *const kernels[] = {"crawfis-max", "gaussian"};
 
