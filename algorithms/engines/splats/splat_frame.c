@@ -217,9 +217,10 @@ static struct hsr_window may_touch(const struct hsr_splats *s, uint32_t j,
 }
 
 /* The kept samples from c = begin up to end of a row, up or down. */
+enum { OUT, FULL, IN };
+
 static void visit_piece(struct hsr_splats *s, uint32_t j, uint32_t k,
                         uint32_t begin, uint32_t end, int step) {
-  enum { OUT, FULL, IN };
   const struct hsr_grid *g = s->grid;
   struct hsr_window box = may_touch(s, j, k, g->x[begin], g->x[end - 1]);
   int where = box.x0 >= box.x1 || box.y0 >= box.y1                    ? OUT
@@ -305,15 +306,32 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
 
 /* --- Slices --------------------------------------------------------------- */
 
-/* The slice of each kept sample. */
-static void number_samples(const struct hsr_splats *s,
-                           hsr_splats_slice_of *slice_of, uint32_t *slice) {
+enum { IN_NO_SLICE = -1 };
+
+/* Whether a row of kept samples, which is not empty, is out of the window. */
+static bool is_row_out(struct hsr_splats *s, uint32_t row) {
   const struct hsr_grid *g = s->grid;
-  for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++)
-    for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++) {
+  const uint32_t first = g->x[g->row[row]], last = g->x[g->row[row + 1] - 1];
+  struct hsr_window box =
+      may_touch(s, row % g->n[1], row / g->n[1], first, last);
+  bool is_out = box.x0 >= box.x1 || box.y0 >= box.y1;
+  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE,
+           is_out ? OUT : IN);
+  return is_out;
+}
+
+/* The slice of each kept sample; none in a row that is out of the window. */
+static void number_samples(struct hsr_splats *s, hsr_splats_slice_of *slice_of,
+                           int32_t *slice) {
+  const struct hsr_grid *g = s->grid;
+  for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++) {
+    const uint32_t begin = g->row[row], end = g->row[row + 1];
+    bool is_out = begin < end && is_row_out(s, row);
+    for (uint32_t c = begin; c < end; c++) {
       const uint32_t at[3] = {g->x[c], row % g->n[1], row / g->n[1]};
-      slice[c] = slice_of(s, at);
+      slice[c] = is_out ? IN_NO_SLICE : (int32_t)slice_of(s, at);
     }
+  }
 }
 
 /* Sorts all kept samples by their slices, by counting. */
@@ -321,19 +339,21 @@ enum hsr_status hsr_splats_open_lists(struct hsr_splats *s, uint32_t n,
                                       hsr_splats_slice_of *slice_of) {
   const struct hsr_grid *g = s->grid;
   struct hsr_arena *arena = s->job->scratch;
-  uint32_t *slice = HSR_NEW(arena, uint32_t, g->n_cells);
+  int32_t *slice = HSR_NEW(arena, int32_t, g->n_cells);
   s->start = HSR_NEW_ZEROED(arena, uint32_t, (size_t)n + 2);
   s->sample = HSR_NEW(arena, struct hsr_splat_sample, g->n_cells);
   if (!slice || !s->start || !s->sample)
     return HSR_E_NOMEM;
   number_samples(s, slice_of, slice);
   for (uint32_t c = 0; c < g->n_cells; c++)
-    s->start[slice[c] + 2]++;
+    if (slice[c] != IN_NO_SLICE)
+      s->start[slice[c] + 2]++;
   for (uint32_t k = 0; k < n; k++)
     s->start[k + 2] += s->start[k + 1];
   for (uint32_t row = 0; row < g->n[1] * g->n[2]; row++)
     for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++)
-      s->sample[s->start[slice[c] + 1]++] = (struct hsr_splat_sample){c, row};
+      if (slice[c] != IN_NO_SLICE)
+        s->sample[s->start[slice[c] + 1]++] = (struct hsr_splat_sample){c, row};
   return HSR_OK;
 }
 

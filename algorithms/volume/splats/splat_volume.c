@@ -377,7 +377,9 @@ static const struct hsr_use uses[] = {
     {&hsr_splats_part}, {&hsr_folds_part}, {NULL}};
 
 static const struct hsr_line outline[] = {
-    {"sort the samples by the last bucket that they can reach"},
+    {"for each row of samples; is its box out of the window? leave it",
+     HSR_RAISES(HSR_SPLAT_ROWS)},
+    {"  sort its samples by the last bucket that they can reach"},
     {"for each bucket, from the last to the first"},
     {"  for each of its samples", HSR_RAISES(HSR_SPLAT_CELLS)},
     {"      find its footprint; is it out of sight? leave it",
