@@ -120,8 +120,8 @@ static inline double by_one(double x) {
 }
 
 /* As hsr_splats_colour does it, but in doubles, which hold all products; and times
- * the energy. Where a splat is composited as opaque as its length makes it, the
- * colour that is composited is the lit one. */
+ * the energy. `veils`: the lit colour itself, since opacity and energy are in V
+ * already. */
 HSR_VECTOR
 static void
 shade(const struct lanes *restrict l, int n, bool veils,

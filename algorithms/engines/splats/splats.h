@@ -29,7 +29,7 @@
  *
  * Files: splat_frame.c visits the samples of the grid in order; splat_tiles.c
  * hands splats out to the tiles; splat_light.c gives them colours;
- * splat_kernel.c makes the kernels' tables; splat_length.c those of opacity per
+ * splat_kernel.c makes the kernels' tables; splat_length.c makes those of opacity per
  * length; splat_place.c finds where splats
  * are; splat_weigh.c finds the weights in their pixels, splat_blur.c those of
  * blurred splats; splat_put.c composites them into pixels; splat_picture.c keeps
@@ -479,8 +479,9 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
  * the last one there are HSR_SPLAT_SPARE rows to spare.
  *
  * In E opacities stay below 65536. So do colours, which are not more than the
- * opacity. Of sums 65535 is the most that counts, but with opacity=length all of
- * them does. Weights may be larger. */
+ * opacity. Of sums 65535 is the most that counts. With opacity=length sums have no
+ * such limit. They have 32 bits then, which hold what 65,536 cells give, one behind
+ * another in one sheet or bucket. Weights may be larger. */
 struct hsr_splat_picture {
   const struct hsr_window *window; /* of the tile; borrowed */
   uint16_t (*rgba)[4];             /* NULL if there is `sum` */
