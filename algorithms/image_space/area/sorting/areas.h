@@ -190,6 +190,12 @@ void hsr_area_free(struct hsr_clipper *c, struct hsr_area *area);
 /* Do the boxes of two areas have no point in common? */
 bool hsr_areas_apart(const struct hsr_area *a, const struct hsr_area *b);
 
+/* Does a line along an edge of an area of few edges certainly have the two
+ * areas on different sides? Then clipping would find nothing in common. It is
+ * asked in doubles with a bound of their errors, so that two areas that touch
+ * may be found beside each other or not. */
+bool hsr_areas_beside(const struct hsr_area *a, const struct hsr_area *b);
+
 /* Clips area a to the clip polygon `by`. If they have no area in common,
  * returns false, and a stays. Otherwise a is given back to the clipper, and its
  * parts inside and outside of `by` are appended to the two lists. */

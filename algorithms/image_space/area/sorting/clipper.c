@@ -17,11 +17,53 @@
  *                      round, and those of a that run against one of b */
 #include "algorithms/image_space/area/sorting/areas.h"
 
+#include <float.h>
+#include <math.h>
+
 bool hsr_areas_apart(const struct hsr_area *a, const struct hsr_area *b) {
   for (int k = 0; k < 2; k++)
     if (a->hi[k] < b->lo[k] || b->hi[k] < a->lo[k])
       return true;
   return false;
+}
+
+/* What an area covers of a direction n: the least and the greatest n . p of its
+ * corners p, computed, and a bound of 2^48 times their errors. A coordinate has
+ * a relative error of at most 2^-50. */
+struct extent {
+  double lo, hi, error;
+};
+
+static struct extent extent_along(const struct hsr_area *a, const double n[2]) {
+  struct extent found = {DBL_MAX, -DBL_MAX, 0};
+  for (uint32_t k = 0; k < a->n_edges; k++) {
+    double x = n[0] * a->edge[k].at[0][0], y = n[1] * a->edge[k].at[0][1];
+    found.lo = fmin(found.lo, x + y);
+    found.hi = fmax(found.hi, x + y);
+    found.error += fabs(x) + fabs(y);
+  }
+  return found;
+}
+
+/* Whether a line along one of the edges of `of` has the two areas on different
+ * sides. What is not finite makes the error so, and the answer false. */
+static bool edge_separates(const struct hsr_area *of, const struct hsr_area *a,
+                           const struct hsr_area *b) {
+  for (uint32_t k = 0; k < of->n_edges; k++) {
+    const struct hsr_border_edge *e = &of->edge[k];
+    double n[2] = {e->at[1][1] - e->at[0][1], e->at[0][0] - e->at[1][0]};
+    struct extent p = extent_along(a, n), q = extent_along(b, n);
+    if (fmax(p.lo - q.hi, q.lo - p.hi) > 0x1p-48 * (p.error + q.error))
+      return true;
+  }
+  return false;
+}
+
+enum { FEW_EDGES = 8 };
+
+bool hsr_areas_beside(const struct hsr_area *a, const struct hsr_area *b) {
+  return (b->n_edges <= FEW_EDGES && edge_separates(b, a, b)) ||
+         (a->n_edges <= FEW_EDGES && edge_separates(a, a, b));
 }
 
 /* --- Where strands lie ---------------------------------------------------- */

@@ -249,10 +249,11 @@ static void examine(struct state *s, struct hsr_area *polygon,
   uint32_t face = polygon->face;
   struct hsr_area_list in = {NULL, NULL}, out = {NULL, NULL};
   bool apart = face == clip->face || hsr_areas_apart(polygon, clip);
-  if (!apart && !s->left--)
+  bool outside_it = apart || hsr_areas_beside(polygon, clip);
+  if (!outside_it && !s->left--)
     s->refused = s->c.failed = true;
-  bool divided =
-      !apart && !s->c.failed && hsr_areas_clip(&s->c, polygon, clip, &in, &out);
+  bool divided = !outside_it && !s->c.failed &&
+                 hsr_areas_clip(&s->c, polygon, clip, &in, &out);
   HSR_STEP(s->tally, EXAMINED, HSR_FACE(face), HSR_FACE(clip->face),
            HSR_NOWHERE,
            apart     ? 0
