@@ -120,6 +120,24 @@ static error_t parse_hidden(struct line_options *o, const char *arg,
       arg);
 }
 
+error_t parse_hatch_option(struct line_options *o, const char *arg,
+                           struct option_base *base) {
+  char text[MOST_PEN], *rest = text;
+  bool good = strlen(arg) < sizeof text;
+  o->hatch.pen.draws = true;
+  if (good)
+    strcpy(text, arg);
+  for (char *word; good && (word = strsep(&rest, ","));)
+    good = parse_pen_word(word, &o->hatch) &&
+           (o->hatch.sets_width || o->hatch.sets_rgb) && !o->hatch.sets_dash &&
+           o->hatch.pen.draws;
+  return good ? 0
+              : option_fail(base,
+                            "--hatch=%.40s: must be a width, as .3mm, or "
+                            "#rrggbb, or both with a comma between",
+                            arg);
+}
+
 /* In the order of their keys. */
 static const struct {
   const char *name;
@@ -198,6 +216,10 @@ enum hsr_status line_options_style(const struct line_options *o,
   }
   if (status)
     return status;
+  if (o->hatch.sets_width)
+    style->hatch.width = o->hatch.pen.width;
+  if (o->hatch.sets_rgb)
+    memcpy(style->hatch.rgb, o->hatch.pen.rgb, sizeof style->hatch.rgb);
   if (o->has_layers)
     style->layers = o->layers;
   style->by_pen_travel |= o->by_pen_travel;

@@ -20,6 +20,7 @@ struct line_options {
     struct hsr_line_rule rule;
   } pen[MOST_LINE_OPTIONS]; /* a later one overrules an earlier one */
   size_t n_pens;
+  struct hsr_line_rule hatch; /* what is said of the pen of hatches */
 };
 
 /* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
@@ -112,6 +113,9 @@ const char *line_option_name(int key);
 int line_option_of(enum hsr_line_class line_class);
 error_t parse_line_option(struct line_options *options, int key,
                           const char *arg, struct option_base *base);
+/* Parses a pen of hatches: a width, a colour, or both. */
+error_t parse_hatch_option(struct line_options *options, const char *arg,
+                           struct option_base *base);
 
 /* Makes the style. HSR_E_USAGE, HSR_E_INPUT, HSR_E_NOMEM: the file cannot be
  * read. */

@@ -203,7 +203,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case HATCH:
     o->hatch = true;
     o->given[HSR_HATCH] = "--hatch";
-    return 0;
+    return arg ? parse_hatch_option(&o->lines, arg, &o->base) : 0;
   default:
     break;
   }
@@ -298,8 +298,10 @@ static const struct argp_option entries[] = {
      "faces under the lines, as that algorithm draws visible polygons "
      "(standard: weiler-atherton)",
      5},
-    {"hatch", HATCH, NULL, 0,
-     "hatch faces by their light instead of filling them", 5},
+    {"hatch", HATCH, "PEN", OPTION_ARG_OPTIONAL,
+     "hatch faces by their light instead of filling them, with a pen as "
+     ".3mm,#808080 (standard: that of the style)",
+     5},
     PAGE_ARGP_OPTIONS(5),
     {0}};
 

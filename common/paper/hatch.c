@@ -5,9 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of the pen, millimetres. */
-static const double WIDTH = .25;
-
 /* The lines of one direction: those with a . p = k * apart, for whole k. */
 struct grid {
   double across[2], along[2]; /* of length 1, at right angles */
@@ -15,6 +12,7 @@ struct grid {
 };
 
 struct hatcher {
+  const struct hsr_line_pen *pen;
   struct hsr_strokes strokes; /* of the hatches */
   size_t room;
   double *crossing; /* of the line at hand, by place along it */
@@ -134,11 +132,11 @@ static bool hatch_region(struct hatcher *h, const struct hsr_plot *plot,
 
 /* --- Directions ----------------------------------------------------------- */
 
-static struct grid grid_of(double degrees, double share) {
+static struct grid grid_of(double degrees, double width, double share) {
   const double turn = degrees * (3.14159265358979323846 / 180);
   return (struct grid){{-sin(turn), cos(turn)},
                        {cos(turn), sin(turn)},
-                       WIDTH * HSR_PIXELS_PER_MM / share};
+                       width * HSR_PIXELS_PER_MM / share};
 }
 
 /* Black is a share of the paper; in eight steps, so that faces of nearly one
@@ -150,8 +148,9 @@ static bool hatch_face(struct hatcher *h, const struct hsr_plot *plot,
   if (black <= 0)
     return true;
   const bool both = black > 3. / 8;
-  const struct grid first = grid_of(-45, both ? black / 2 : black),
-                    second = grid_of(45, black / 2);
+  const double width = h->pen->width;
+  const struct grid first = grid_of(-45, width, both ? black / 2 : black),
+                    second = grid_of(45, width, black / 2);
   return hatch_region(h, plot, s->polygons, region, &first) &&
          (!both || hatch_region(h, plot, s->polygons, region, &second));
 }
@@ -171,18 +170,17 @@ static size_t count_sides(const struct hsr_polygons *p) {
 /* --- The plot ------------------------------------------------------------- */
 
 /* Puts the hatches below all other strokes, as a layer of one pen. */
-static enum hsr_status put_below(struct hsr_plot *plot,
-                                 const struct hsr_strokes *hatches,
+static enum hsr_status put_below(struct hsr_plot *plot, const struct hatcher *h,
                                  struct hsr_error *err) {
-  struct hsr_line_pen pen = {.draws = true, .width = WIDTH};
-  struct hsr_plot_group group = {.pen = 0, .n = hatches->n};
+  struct hsr_line_pen pen = *h->pen;
+  struct hsr_plot_group group = {.pen = 0, .n = h->strokes.n};
   struct hsr_plot_layer layer = {.id = "hatch", .n = 1};
   const struct hsr_plot part[2] = {{.pens = {.pen = &pen, .n = 1},
                                     .layer = &layer,
                                     .n_layers = 1,
                                     .group = &group,
                                     .n_groups = 1,
-                                    .strokes = *hatches},
+                                    .strokes = h->strokes},
                                    *plot};
   static const double offset[2][2] = {{0, 0}, {0, 0}};
   struct hsr_plot both;
@@ -205,15 +203,17 @@ static enum hsr_status put_below(struct hsr_plot *plot,
 
 enum hsr_status hsr_plot_hatch(struct hsr_plot *plot,
                                const struct hsr_plot_subject *subject,
+                               const struct hsr_line_pen *pen,
                                struct hsr_error *err) {
   const struct hsr_polygons *p = subject->polygons;
-  struct hatcher h = {.crossing =
+  struct hatcher h = {.pen = pen,
+                      .crossing =
                           malloc((count_sides(p) + 1) * sizeof *h.crossing)};
   bool good = h.crossing;
   for (size_t r = 0; r < p->n_regions && good; r++)
     good = hatch_face(&h, plot, subject, &p->region[r]);
   enum hsr_status status =
-      good ? put_below(plot, &h.strokes, err) : hsr_fail_nomem(err);
+      good ? put_below(plot, &h, err) : hsr_fail_nomem(err);
   hsr_strokes_free(&h.strokes);
   free(h.crossing);
   return status;

@@ -17,9 +17,11 @@ extern "C" {
 #endif
 
 /* Appends the hatches of the subject's polygons to a plot that is laid out, as
- * strokes of a layer "hatch", below all others. HSR_E_NOMEM. */
+ * strokes of a layer "hatch", below all others. Of the pen, the width and the
+ * colour count. HSR_E_NOMEM. */
 enum hsr_status hsr_plot_hatch(struct hsr_plot *plot,
                                const struct hsr_plot_subject *subject,
+                               const struct hsr_line_pen *pen,
                                struct hsr_error *err);
 
 #ifdef __cplusplus

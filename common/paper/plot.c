@@ -238,7 +238,7 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
   if (!status)
     find_groups(plot);
   if (!status && subject->polygons && look->hatch)
-    status = hsr_plot_hatch(plot, subject, err);
+    status = hsr_plot_hatch(plot, subject, &look->style->hatch, err);
   if (!status && look->style->by_pen_travel)
     status = hsr_strokes_order(&plot->strokes, err);
   return status;

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The pen of hatches, of all standard styles. */
+static const struct hsr_line_pen hatch = {.draws = true, .width = .25};
+
 /* --- Standard styles ------------------------------------------------------ */
 
 #define DRAWN .sets_draws = true
@@ -63,6 +66,7 @@ bool hsr_line_style_named(const char *name, struct hsr_line_style *style) {
     style->layers = HSR_LAYERS_VISIBILITY;
     style->by_pen_travel = standard[k].by_pen_travel;
     style->cuts_dashes = standard[k].cuts_dashes;
+    style->hatch = hatch;
     style->n_rules = standard[k].n;
     memcpy(style->rule, standard[k].rule, standard[k].n * sizeof *style->rule);
     return true;

@@ -54,8 +54,9 @@ struct hsr_line_style {
   double crease; /* degrees, 0 to 180: two planes make a crease if they differ
                     by more. Negative: they do if they differ at all */
   enum hsr_layers layers;
-  bool by_pen_travel; /* strokes are in an order of little pen travel */
-  bool cuts_dashes;   /* each dash is a line of its own */
+  bool by_pen_travel;        /* strokes are in an order of little pen travel */
+  bool cuts_dashes;          /* each dash is a line of its own */
+  struct hsr_line_pen hatch; /* of hatched faces: its width and colour */
   size_t n_rules;
   struct hsr_line_rule rule[HSR_MOST_LINE_RULES];
 };

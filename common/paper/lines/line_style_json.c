@@ -151,6 +151,17 @@ static enum hsr_status take_rule(const struct hsr_json_node *at, void *to) {
                 : hsr_line_style_add(reading->style, rule, at->input->err);
 }
 
+static enum hsr_status take_hatch(const struct hsr_json_node *at, void *to) {
+  struct hsr_line_rule set = {.pen = *(struct hsr_line_pen *)to};
+  const struct hsr_json_rule members[] = {
+      {.key = "width", .take = take_width, .to = &set},
+      {.key = "colour", .take = take_colour, .to = &set},
+      {.key = NULL}};
+  enum hsr_status status = hsr_json_object(at, members);
+  *(struct hsr_line_pen *)to = set.pen;
+  return status;
+}
+
 /* --- The file ------------------------------------------------------------- */
 
 static enum hsr_status take_base(const struct hsr_json_node *at, void *to) {
@@ -196,6 +207,7 @@ static enum hsr_status read_style(const struct hsr_json_node *root,
        .take = hsr_json_bool,
        .to = &style->by_pen_travel},
       {.key = "cut-dashes", .take = hsr_json_bool, .to = &style->cuts_dashes},
+      {.key = "hatch", .take = take_hatch, .to = &style->hatch},
       {.key = "rules", .take = take_rules, .to = style},
       {.key = NULL}};
   hsr_line_style_named("screen", style);
