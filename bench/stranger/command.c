@@ -188,7 +188,8 @@ static const struct argp argp = {
 
 /* --- Judging -------------------------------------------------------------- */
 
-/* The oracle's work, for who waits at a terminal. */
+/* The work of the oracle and of the search for reasons, for who waits at a
+ * terminal. */
 struct waiting {
   struct progress progress;
   int n; /* rows */
@@ -199,6 +200,12 @@ static int tell_rows(void *whom, double share) {
   progress_tell(&w->progress, (size_t)(share * w->n), (size_t)w->n,
                 "rows of the right picture", "judge");
   return 1;
+}
+
+static void tell_kinds(void *whom, int done, int all) {
+  struct waiting *w = whom;
+  progress_tell(&w->progress, (size_t)done, (size_t)all,
+                "kinds of reasons tried", "judge");
 }
 
 /* A picture whose sides are exchanged is one with rows and columns exchanged, or
@@ -229,8 +236,11 @@ static enum hsr_status judge(const struct options *o, struct lib_scene *scene,
   request.n = picture->n;
   request.progress = tell_rows;
   request.context = &waiting;
-  const struct stranger_question question = {
-      .scene = scene, .request = &request, .ids = picture->ids, .own = own};
+  const struct stranger_question question = {.scene = scene,
+                                             .request = &request,
+                                             .ids = picture->ids,
+                                             .own = own,
+                                             .tell = tell_kinds};
   const struct judged judged = {.scene = o->scene.name,
                                 .picture = o->picture.path,
                                 .view = o->view.view,

@@ -7,6 +7,7 @@
 
 /* The scene, ready to be drawn as anybody may have seen it. */
 struct studio {
+  const struct stranger_question *question;
   struct lib_scene *scene;
   const struct lib_scene *own;       /* the same with its own views; or NULL */
   const struct hsr_world *world;     /* laid out */

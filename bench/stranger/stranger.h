@@ -68,6 +68,9 @@ struct stranger_question {
   const struct lib_scene
       *own; /* the same scene with its own views, where `scene`
                                   has others instead; NULL: it has not */
+  /* Told before suppositions of a kind are tried, the done-th kind of all; with
+   * `context` of the request. NULL: nobody is told. */
+  void (*tell)(void *context, int done, int all);
 };
 
 /* An id that is one less than that of face 0. */

@@ -19,7 +19,8 @@ enum hsr_status studio_open(struct studio *studio,
   struct lib_scene *scene = question->scene;
   struct hsr_variant quick;
   const struct hsr_algorithm *oracle = oracle_of(&hsr_answer_ids);
-  *studio = (struct studio){.scene = scene, .own = question->own};
+  *studio = (struct studio){
+      .question = question, .scene = scene, .own = question->own};
   enum hsr_status status = hsr_variant_parse(QUICK, &quick, err);
   if (!status)
     status = lib_scene_world(scene, oracle, NULL, &studio->of_oracle, err);

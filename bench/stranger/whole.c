@@ -98,9 +98,14 @@ static enum hsr_status try_all(struct trial *t) {
   static enum hsr_status (*const tries[])(struct trial * t) = {
       try_turns,   try_numbers, try_views,  try_places,
       try_borders, try_shifts,  try_fields, try_depths};
+  enum { N_TRIES = sizeof tries / sizeof *tries };
+  const struct stranger_question *question = t->studio->question;
   enum hsr_status status = HSR_OK;
-  for (size_t k = 0; k < sizeof tries / sizeof *tries && !status; k++)
+  for (int k = 0; k < N_TRIES && !status; k++) {
+    if (question->tell)
+      question->tell(question->request->context, k, N_TRIES);
     status = tries[k](t);
+  }
   return status || 2 * t->left < t->now->left ? status : try_pairs(t);
 }
 
