@@ -541,7 +541,7 @@ HSR_API enum hsr_status hsr_get_colours(const struct hsr_answer *answer,
  * named by its vertices a < b. An implied edge, where two faces penetrate, is
  * named by these faces, and is number `part` of theirs. */
 struct hsr_segment {
-  unsigned char is_implied, reserved[3];
+  unsigned char is_implied, reserved[3]; /* reserved: of no meaning */
   uint32_t a, b, part;
   uint32_t invisibility; /* how many faces hide it; 0: it is visible */
   double t0, t1;         /* in [0, 1], along the edge */

@@ -14,13 +14,26 @@ static bool same_ids(const struct hsr_answer *a, const struct hsr_answer *b) {
          !memcmp(f, g, N_PLACES * sizeof *f);
 }
 
+static bool is_same_segment(const struct hsr_segment *f,
+                            const struct hsr_segment *g) {
+  return f->is_implied == g->is_implied && f->a == g->a && f->b == g->b &&
+         f->part == g->part && f->invisibility == g->invisibility &&
+         f->t0 == g->t0 && f->t1 == g->t1 &&
+         !memcmp(f->from, g->from, sizeof f->from) &&
+         !memcmp(f->to, g->to, sizeof f->to);
+}
+
 static bool same_segments(const struct hsr_answer *a,
                           const struct hsr_answer *b) {
   const struct hsr_segment *f = NULL, *g = NULL;
   size_t n = 0, k = 0;
-  return !hsr_get_segments(a, &f, &n, NULL) &&
-         !hsr_get_segments(b, &g, &k, NULL) && n && n == k &&
-         !memcmp(f, g, n * sizeof *f);
+  if (hsr_get_segments(a, &f, &n, NULL) || hsr_get_segments(b, &g, &k, NULL) ||
+      !n || n != k)
+    return false;
+  for (size_t i = 0; i < n; i++)
+    if (!is_same_segment(&f[i], &g[i]))
+      return false;
+  return true;
 }
 
 static bool same_polygons(const struct hsr_answer *a,
