@@ -379,6 +379,7 @@ static enum hsr_status write_all(struct export *e,
 /* What a scene may have that not every format holds. */
 enum part {
   OBJECTS,
+  NAMES,
   INSTANCES,
   SIDES,
   SHARED,
@@ -387,11 +388,15 @@ enum part {
   POLYGONS,
   VIEWS
 };
-static const char *const part_name[] = {
-    [OBJECTS] = "objects",   [INSTANCES] = "instances",
-    [SIDES] = "sides",       [SHARED] = "shared vertices",
-    [COLOURS] = "colours",   [OPACITIES] = "opacities",
-    [POLYGONS] = "polygons", [VIEWS] = "views"};
+static const char *const part_name[] = {[OBJECTS] = "objects",
+                                        [NAMES] = "names",
+                                        [INSTANCES] = "instances",
+                                        [SIDES] = "sides",
+                                        [SHARED] = "shared vertices",
+                                        [COLOURS] = "colours",
+                                        [OPACITIES] = "opacities",
+                                        [POLYGONS] = "polygons",
+                                        [VIEWS] = "views"};
 enum { N_PARTS = VIEWS + 1 };
 
 /* The parts that each format holds. Views are asked for by no other option. */
@@ -401,7 +406,7 @@ static unsigned parts_of(const char *path) {
   if (hsr_ends_in(path, ".glb"))
     return ~(1u << SHARED);
   if (hsr_ends_in(path, ".obj"))
-    return looks | 1u << OBJECTS;
+    return looks | 1u << OBJECTS | 1u << NAMES;
   if (hsr_ends_in(path, ".stl"))
     return 0;
   return hsr_ends_in(path, ".ply") ? looks | 1u << SIDES
@@ -413,6 +418,9 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   unsigned parts = 1u << VIEWS;
   parts |= scene->n_instances > 1 ? 1u << OBJECTS : 0;
   parts |= scene->n_instances > scene->n_objects ? 1u << INSTANCES : 0;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    if (parts & 1u << OBJECTS && scene->objects[o].name[0])
+      parts |= 1u << NAMES;
   parts |= hsr_scene_has_colours(scene) ? 1u << COLOURS : 0;
   parts |= hsr_scene_is_transparent(scene) ? 1u << OPACITIES : 0;
   for (uint32_t o = 0; o < scene->n_objects; o++) {

@@ -11,8 +11,9 @@
 //             refused; point and cell data, fields and time steps are not read,
 //             but for those that hsr export writes of polygons: "colour", three
 //             bytes; beside it "rgb", the same as three linear floats, and
-//             "opacity". All pieces have each of them or none. All pieces have
-//             points of one type.
+//             "opacity"; and "instance", by which faces are of several objects.
+//             All pieces have each of them or none. All pieces have points of
+//             one type.
 #include "common/files/srgb.h"
 #include "common/files/vtk/xml_scan.h"
 
@@ -39,7 +40,7 @@ private:
   };
   struct Piece {
     size_t points = NONE;
-    size_t looks[3] = {NONE, NONE, NONE}; /* as LOOKS */
+    size_t looks[4] = {NONE, NONE, NONE, NONE}; /* as LOOKS */
     Cells polys, strips;
   };
 
@@ -53,11 +54,15 @@ private:
   void check_looks() const;
   void give(const Piece &piece);
   const std::vector<double> *look(const Piece &piece, size_t which) const;
+  bool has_instances() const;
+  void begin_instance(double number);
   void give_polygon(size_t cell, const Piece &piece);
   void give_strip();
 
   Mesh_builder &builder_;
   size_t n_faces_ = 0, n_vertices_ = 0; /* n_vertices_: given so far */
+  bool has_instances_ = false;
+  double instance_ = -1; /* of the face that was given last */
   const Array_type *type_of_points_ = nullptr;
   std::vector<Piece> pieces_;
   std::vector<uint32_t> corners_; /* of the current cell */
@@ -180,11 +185,11 @@ struct Look {
   const char *name, *n_numbers, *type;
   double least, most;
 };
-enum { COLOUR, RGB, OPACITY, N_LOOKS };
-constexpr Look LOOKS[N_LOOKS] = {
-    {"colour", "3", "UInt8", 0, UINT8_MAX},
-    {"rgb", "3", "Float32", -DBL_MAX, DBL_MAX},
-    {"opacity", "1", "Float64", -DBL_MAX, DBL_MAX}};
+enum { COLOUR, RGB, OPACITY, INSTANCE, N_LOOKS };
+constexpr Look LOOKS[N_LOOKS] = {{"colour", "3", "UInt8", 0, UINT8_MAX},
+                                 {"rgb", "3", "Float32", -DBL_MAX, DBL_MAX},
+                                 {"opacity", "1", "Float64", -DBL_MAX, DBL_MAX},
+                                 {"instance", "1", "UInt32", 0, UINT32_MAX}};
 
 void Vtp_reader::looks(const Tag &tag, size_t n) {
   for (Tag child; markup_.child(tag, child);) {
@@ -203,7 +208,7 @@ void Vtp_reader::looks(const Tag &tag, size_t n) {
       continue;
     }
     pieces_.back().looks[k] = arrays_.size();
-    keep(child, {LOOKS[k].name, child.text.data(), k == OPACITY ? n : 3 * n,
+    keep(child, {LOOKS[k].name, child.text.data(), k < OPACITY ? 3 * n : n,
                  LOOKS[k].least, LOOKS[k].most, Array::ANY_ORDER});
   }
 }
@@ -246,6 +251,30 @@ const std::vector<double> *Vtp_reader::look(const Piece &piece,
              : &arrays_[piece.looks[which]].values;
 }
 
+/* Whether the faces are of several instances, in their order. */
+bool Vtp_reader::has_instances() const {
+  double first = -1, last = -1;
+  for (const Piece &piece : pieces_) {
+    if (piece.looks[INSTANCE] == NONE)
+      return false;
+    for (const double number : arrays_[piece.looks[INSTANCE]].values) {
+      if (number < last)
+        return false;
+      first = first < 0 ? number : first;
+      last = number;
+    }
+  }
+  return last > first;
+}
+
+/* Objects have no names in the file. */
+void Vtp_reader::begin_instance(double number) {
+  if (number == instance_)
+    return;
+  instance_ = number;
+  builder_.group("object " + std::to_string(static_cast<long>(number)));
+}
+
 static float share(double x) {
   return static_cast<float>(x > 0 ? x < 1 ? x : 1 : 0);
 }
@@ -259,6 +288,8 @@ void Vtp_reader::give_polygon(size_t cell, const Piece &piece) {
     rgb[k] = exact ? share((*exact)[3 * cell + k])
                    : hsr_srgb_decode(
                          static_cast<float>((*colour)[3 * cell + k]) / 255.0f);
+  if (has_instances_)
+    begin_instance(arrays_[piece.looks[INSTANCE]].values[cell]);
   builder_.face(corners_.data(), corners_.size(), colour ? rgb : nullptr);
   if (opacity)
     builder_.opacity(share((*opacity)[cell]));
@@ -306,6 +337,7 @@ void Vtp_reader::read() {
     check_offsets(piece.polys);
     check_offsets(piece.strips);
   }
+  has_instances_ = has_instances();
   for (const Piece &piece : pieces_)
     give(piece);
 }
