@@ -30,6 +30,6 @@ EXTRA_DIST += %D%/names-again
 	  cp %D%/counting-names.new %D%/counting-names.h
 	@: >$@
 %D%/counting-names.h: %D%/counting-names.stamp
-	@test -f $@ || { rm -f %D%/counting-names.stamp; $(MAKE) $(AM_MAKEFLAGS) $@; }
+	@test -f $@ || { rm -f %D%/counting-names.stamp; $(MAKE) $(AM_MAKEFLAGS) %D%/counting-names.stamp; }
 $(libcounting_a_OBJECTS): %D%/counting-names.h
 CLEANFILES += %D%/counting-names.new %D%/counting-names.h %D%/counting-names.stamp

@@ -41,6 +41,12 @@ find_numpy() {
   return 1
 }
 
+# running PATTERN: whether a process has it among its words. A bare machine has no
+# pgrep. A bracket in the pattern keeps it from matching itself.
+running() {
+  grep -qsa -e "$1" /proc/[0-9]*/cmdline
+}
+
 # none NUMBER DESCRIPTION: holds if there is no input, each line of which is a fault
 none() {
   wrong=$(cat)
