@@ -2,8 +2,11 @@
 #include "bench/options/scene.h"
 #include "bench/options/words.h"
 #include "bench/options/streams.h"
+#include "common/files/suffix.h"
+#include "scenes/cameras.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -137,4 +140,25 @@ enum hsr_status open_scene(const char *name, struct hsr_import import,
   if (!status)
     say_opened(name, import.notes, import.n_dropped, (*scene)->enlarged);
   return status;
+}
+
+/* Whether a place is far from x = 0 and y = 0, and no higher than mountains. */
+static bool is_on_map(const double at[3]) {
+  enum { FAR = 10000 }; /* metres */
+  return fabs(at[0]) > FAR && fabs(at[1]) > FAR && fabs(at[2]) < FAR &&
+         fmin(fabs(at[0]), fabs(at[1])) > 10 * fabs(at[2]);
+}
+
+void say_map(const char *name, const struct hsr_scene *scene) {
+  bool is_map = scene->n_objects && hsr_is_mesh_name(name) &&
+                !hsr_ends_in(name, ".gltf") && !hsr_ends_in(name, ".glb") &&
+                !name[hsr_name_before_cameras(name)];
+  for (uint32_t o = 0; o < scene->n_objects && is_map; o++)
+    is_map = scene->objects[o].n_vertices && is_on_map(scene->objects[o].xyz);
+  if (is_map)
+    fprintf(
+        stderr,
+        "hsr: %s: x and y are like those of a map, where z is up; here y is "
+        "up, and --up-axis=z turns that\n",
+        name);
 }

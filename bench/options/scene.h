@@ -79,6 +79,10 @@ error_t parse_threads(struct scene_options *options, long *threads,
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 
+/* Says on stderr that z seems to be up, if a mesh file has coordinates like those
+ * of a map, and the name asks for no views of its own. */
+void say_map(const char *name, const struct hsr_scene *scene);
+
 /* Whether the name alone makes the scene, anywhere: hsr_is_made_by_name, and no
  * option changes it. */
 bool scene_is_made_by_name(const struct scene_options *options);

@@ -26,6 +26,8 @@ static enum hsr_status open_named(struct render *r, struct hsr_scene **scene,
   if (o->last_frame >= 0 && series_name(name, r->frame, frame))
     name = frame;
   enum hsr_status status = open_scene(name, o->scene.import, scene, err);
+  if (!status && r->frame == o->first_frame)
+    say_map(name, *scene);
   r->import += hsr_seconds_now() - begin;
   return status;
 }

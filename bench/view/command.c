@@ -354,6 +354,8 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
   struct hsr_view view;
   enum hsr_status status = open_scene(v->scene_name, v->import, &v->scene, err);
   if (!status)
+    say_map(v->scene_name, v->scene);
+  if (!status)
     status = choose_view(&o->view, v->scene, 1, &view, err);
   if (status)
     return status;
