@@ -25,8 +25,11 @@ bool hsr_cube_list_add(struct hsr_cube_list *list, uint32_t instance,
 }
 
 static size_t words_of(const struct hsr_cubes *cubes, uint32_t instance) {
-  uint32_t object = cubes->scene->instances[instance].object;
-  return cubes->object[object].octree.n_nodes / 32 + 1;
+  const struct hsr_octree *octree =
+      instance == HSR_NO_ID
+          ? &cubes->octree
+          : &cubes->object[cubes->scene->instances[instance].object].octree;
+  return octree->n_nodes / 32 + 1;
 }
 
 enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
@@ -35,13 +38,16 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
                                     struct hsr_arena *arena) {
   size_t n = list->group.n, words = 0;
   marks->list = list;
-  marks->group = HSR_NEW_ZEROED(arena, uint32_t, cubes->scene->n_instances);
+  marks->n_instances = cubes->scene->n_instances;
+  marks->group =
+      HSR_NEW_ZEROED(arena, uint32_t, (size_t)marks->n_instances + 1);
   marks->start = HSR_NEW(arena, uint32_t, n + 1);
   if (!marks->group || !marks->start)
     return HSR_E_NOMEM;
   for (size_t g = 0; g < n; g++) {
     uint32_t instance = hsr_cube_list_group(list, g)->instance;
-    marks->group[instance] = (uint32_t)g + 1;
+    marks->group[instance == HSR_NO_ID ? marks->n_instances : instance] =
+        (uint32_t)g + 1;
     marks->start[g] = (uint32_t)words;
     words += words_of(cubes, instance);
   }

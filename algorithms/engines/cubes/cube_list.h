@@ -15,7 +15,8 @@
 extern "C" {
 #endif
 
-/* The listed cubes of one instance: cube[first] to cube[first + n - 1]. */
+/* The listed cubes of one instance: cube[first] to cube[first + n - 1]. Those of
+ * the octree of instances have HSR_NO_ID in place of an instance. */
 struct hsr_listed_instance {
   uint32_t instance, first, n;
 };
@@ -48,7 +49,9 @@ hsr_cube_list_cubes(const struct hsr_cube_list *list,
 /* Marks for the cubes of a list, to tell quickly whether it holds a cube. */
 struct hsr_cube_marks {
   const struct hsr_cube_list *list; /* borrowed */
-  uint32_t *group; /* by instance: 1 + its group; 0: it has none */
+  uint32_t n_instances;
+  /* By instance, and n_instances for HSR_NO_ID: 1 + its group; 0: it has none. */
+  uint32_t *group;
   /* By group: bits[start[g]] to bits[start[g + 1] - 1] are its. */
   uint32_t *start;
   uint32_t *bits; /* of a group: a bit for each of the object's cubes */
@@ -61,17 +64,22 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
                                     const struct hsr_cubes *cubes,
                                     struct hsr_arena *arena);
 
+static inline uint32_t hsr_cube_marks_slot(const struct hsr_cube_marks *marks,
+                                           uint32_t instance) {
+  return marks->group[instance == HSR_NO_ID ? marks->n_instances : instance];
+}
+
 /* The group of an instance, or NULL. */
 static inline const struct hsr_listed_instance *
 hsr_cube_marks_group(const struct hsr_cube_marks *marks, uint32_t instance) {
-  uint32_t g = marks->group[instance];
+  uint32_t g = hsr_cube_marks_slot(marks, instance);
   return g ? hsr_cube_list_group(marks->list, g - 1) : NULL;
 }
 
 /* Does the list hold a cube of an instance? */
 static inline bool hsr_cube_is_marked(const struct hsr_cube_marks *marks,
                                       uint32_t instance, uint32_t cube) {
-  uint32_t g = marks->group[instance];
+  uint32_t g = hsr_cube_marks_slot(marks, instance);
   if (!g || cube / 32 >= marks->start[g] - marks->start[g - 1])
     return false; /* a cube that was made since */
   return marks->bits[marks->start[g - 1] + cube / 32] >> cube % 32 & 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temporal coherence: the cubes that were visible in the last frame are
- * rendered first. See walk.h. There are two forms:
+/* Temporal coherence: what was visible in the last frame. See walk.h. There are
+ * three forms; two of them render the cubes that were visible first:
  *
  *   list     1993: these cubes are not tested in the frame. At its end all
  *            cubes found visible are tested by the finished pyramid, and those
@@ -8,7 +8,17 @@
  *   passes   the thesis, 3.3.3: the first pass renders these cubes; the second
  *            is the usual traversal, which tests all cubes and renders those
  *            that the first has not. The thesis marks a visible cube with the
- *            number of the frame; here a list takes the place of the marks */
+ *            number of the frame; here a list takes the place of the marks
+ *   chc      J. Bittner, M. Wimmer, H. Piringer and W. Purgathofer, "Coherent
+ *            Hierarchical Culling: Hardware Occlusion Queries Made Useful",
+ *            Computer Graphics Forum 23(3), 2004, 615-624. An inner cube in
+ *            which something was visible is not tested, but traversed. A leaf
+ *            that was visible is tested, and rendered whatever the test finds:
+ *            that is for the next frame. All other cubes are tested as usual.
+ *            A cube counts as visible if a leaf in it does, or if it was tested
+ *            and is. Departures: a test has its answer at once, so no queue is
+ *            needed; inner cubes may have faces of their own, which are
+ *            rendered when the cube is traversed */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
@@ -57,8 +67,40 @@ static void prune(struct hsr_hz_walk *w) {
   }
 }
 
+/* --- coherence=chc -------------------------------------------------------- */
+
+enum hsr_status hsr_hz_begin_chc(struct hsr_hz_walk *w) {
+  return hsr_cube_marks_init(&w->before, w->last, w->frame.cubes,
+                             w->frame.job->scratch);
+}
+
+/* The octree of instances is traversed between those of the instances, and the
+ * cubes of one octree are to be listed together. So its cubes wait. */
+void hsr_hz_note_visible(struct hsr_hz_walk *w, uint32_t instance, uint32_t k) {
+  if (instance != HSR_NO_ID) {
+    if (!hsr_cube_list_add(w->next, instance, k))
+      w->out_of_memory = true;
+    return;
+  }
+  if (!hsr_arena_grow(w->frame.job->scratch, &w->instance_cubes, sizeof k)) {
+    w->out_of_memory = true;
+    return;
+  }
+  ((uint32_t *)w->instance_cubes.items)[w->instance_cubes.n - 1] = k;
+}
+
+static void list_instance_cubes(struct hsr_hz_walk *w) {
+  const uint32_t *cube = w->instance_cubes.items;
+  for (size_t k = 0; k < w->instance_cubes.n; k++)
+    if (!hsr_cube_list_add(w->next, HSR_NO_ID, cube[k]))
+      w->out_of_memory = true;
+}
+
+/* --- The end of a frame --------------------------------------------------- */
+
 void hsr_hz_end_coherence(struct hsr_hz_walk *w) {
   struct hsr_hz_prepared *p = w->prepared;
+  list_instance_cubes(w);
   if (w->choice.coherence == HSR_HZ_COHERENCE_LIST)
     prune(w);
   else

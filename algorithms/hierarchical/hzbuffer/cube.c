@@ -131,10 +131,8 @@ static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
          !is_rectangle_hidden(w, box, c->image.nearest);
 }
 
-/* False if the cube is outside of the frustum. *inside: on entry, whether it is
- * known to lie wholly in the frustum; set if it is found to. What holds of a
- * cube then holds of all cubes in it. */
-static bool is_in_frustum(struct hsr_hz_walk *w,
+/* What holds of a cube that lies in the frustum holds of all cubes in it. */
+bool hsr_hz_is_in_frustum(struct hsr_hz_walk *w,
                           const struct hsr_placing *placing,
                           const struct hsr_octree_box *cube,
                           struct hsr_subject subject, bool *inside) {
@@ -150,12 +148,10 @@ static bool is_in_frustum(struct hsr_hz_walk *w,
   return verdict != HSR_BOX_OUT;
 }
 
-bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
-                            const struct hsr_placing *placing,
-                            struct hsr_octree_box cube,
-                            struct hsr_subject subject, bool *inside) {
-  if (!is_in_frustum(w, placing, &cube, subject, inside))
-    return false;
+bool hsr_hz_passes_pyramid(struct hsr_hz_walk *w,
+                           const struct hsr_placing *placing,
+                           struct hsr_octree_box cube,
+                           struct hsr_subject subject) {
   struct tested c = {.placing = placing, .box = cube, .subject = subject};
   if (!hsr_cube_project(&w->frame, placing, &cube, &c.image))
     return true; /* the eye may be inside, or the near plane meet it */
@@ -171,6 +167,14 @@ bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
   return visible;
 }
 
+bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
+                            const struct hsr_placing *placing,
+                            struct hsr_octree_box cube,
+                            struct hsr_subject subject, bool *inside) {
+  return hsr_hz_is_in_frustum(w, placing, &cube, subject, inside) &&
+         hsr_hz_passes_pyramid(w, placing, cube, subject);
+}
+
 /* --- Octants that are projected together ---------------------------------- */
 
 bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
@@ -180,13 +184,8 @@ bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
 
 /* The rectangle of the whole cube is tested before those of its sides: what
  * hides it hides each of them. */
-bool hsr_hz_is_octant_visible(struct hsr_hz_walk *w,
-                              const struct hsr_octants *octants, int o,
-                              const struct hsr_octree_node *node,
-                              struct hsr_subject subject, bool *inside) {
-  struct hsr_octree_box cube = hsr_hz_volume(w, node);
-  if (!is_in_frustum(w, &w->frame.placing, &cube, subject, inside))
-    return false;
+bool hsr_hz_octant_passes_pyramid(struct hsr_hz_walk *w,
+                                  const struct hsr_octants *octants, int o) {
   if (!octants->has_image[o])
     return true;
   struct hsr_bounds box;

@@ -4,7 +4,8 @@
  * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
  *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
  *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
- *             Santa Cruz, 1995, chapter 3 ("the thesis").
+ *             Santa Cruz, 1995, chapter 3 ("the thesis"). Of coherence=chc:
+ *             coherence.c
  * Notation    octree cube -> node. Primitive, polygon -> face. z -> q = 1/t:
  *             greater is nearer. z-pyramid -> pyramid.far[]; znear pyramid ->
  *             pyramid.near[]. ProcessOctreeNode -> process_node (octrees.c);
@@ -98,7 +99,7 @@ static const struct hsr_option options[] = {
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   HSR_HZ_POLYGONS_FAST},
     [COHERENCE] = {"coherence", "what is kept from frame to frame",
-                   hsr_hz_coherences, 0, 2, HSR_HZ_COHERENCE_OFF},
+                   hsr_hz_coherences, 0, 3, HSR_HZ_COHERENCE_OFF},
     {NULL}};
 
 static struct hsr_hz_choice choice_of(const long *option) {

@@ -67,7 +67,7 @@ static const struct hsr_option options[] = {
                   NULL, 1, 1024, 16},
     [OCTREE] = {"octree", "of what does not move", octrees, 0, 1, OCTREE_ON},
     [COHERENCE] = {"coherence", "what is kept from frame to frame",
-                   hsr_hz_coherences, 0, 2, HSR_HZ_COHERENCE_OFF},
+                   hsr_hz_coherences, 0, 3, HSR_HZ_COHERENCE_OFF},
     {NULL}};
 
 static struct hsr_hz_choice choice_of(const long *option) {

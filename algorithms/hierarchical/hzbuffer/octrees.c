@@ -69,41 +69,59 @@ void hsr_hz_divide_instances(struct hsr_hz_walk *w, uint32_t k) {
 
 /* --- The octree of an instance -------------------------------------------- */
 
-static void process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside);
+static bool process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside);
+
+/* With coherence=chc: an inner cube in which something was visible is not
+ * tested. */
+static bool is_trusted(const struct hsr_hz_walk *w, uint32_t instance,
+                       const struct hsr_octree_node *node, uint32_t k) {
+  return !hsr_octree_is_leaf(node) && hsr_hz_was_visible(w, instance, k);
+}
 
 /* ProcessOctreeNode for node k. If `octants` is not NULL, the node is octant o
  * of those that were projected together. With coherence=list, a cube of the
  * last frame's list has been rendered and counts as visible: it is not tested
- * until the list is pruned, at the end of the frame. */
-static void process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
+ * until the list is pruned, at the end of the frame. With coherence=chc, whether
+ * something in the node is visible. */
+static bool process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
                          const struct hsr_octants *octants, int o) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   struct hsr_subject subject = hsr_cube_subject(w->frame.instance, k);
-  bool rendered =
-      w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
+  bool rendered = w->rendered.list &&
+                  hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
   bool is_listed = rendered && w->choice.coherence == HSR_HZ_COHERENCE_LIST;
+  const struct hsr_octree_box volume = hsr_hz_volume(w, node);
+  bool visible = false;
   if (!is_listed &&
-      !(octants
-            ? hsr_hz_is_octant_visible(w, octants, o, node, subject, &inside)
-            : hsr_hz_is_cube_visible(w, &w->frame.placing,
-                                     hsr_hz_volume(w, node), subject, &inside)))
-    return;
+      !hsr_hz_is_in_frustum(w, &w->frame.placing, &volume, subject, &inside))
+    return false;
+  if (!is_listed && !is_trusted(w, w->frame.instance, node, k)) {
+    visible =
+        octants ? hsr_hz_octant_passes_pyramid(w, octants, o)
+                : hsr_hz_passes_pyramid(w, &w->frame.placing, volume, subject);
+    if (!visible && !hsr_hz_was_visible(w, w->frame.instance, k))
+      return false;
+  }
   HSR_STEP(w->tally, HSR_HZ_CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE,
            0);
-  if (w->next && !hsr_cube_list_add(w->next, w->frame.instance, k))
+  const bool by_chc = w->choice.coherence == HSR_HZ_COHERENCE_CHC;
+  if (w->next && !by_chc && !hsr_cube_list_add(w->next, w->frame.instance, k))
     w->out_of_memory = true;
   divide_cube(w, k);
   if (w->out_of_memory)
-    return;
+    return false;
   if (!rendered)
     hsr_hz_tile_cell(w, k);
   if (!hsr_octree_is_leaf(&octree->node[k]))
-    process_octants(w, k, inside);
+    visible |= process_octants(w, k, inside);
+  if (by_chc && visible)
+    hsr_hz_note_visible(w, w->frame.instance, k);
+  return visible;
 }
 
 /* The octants of node k, from front to back. */
-static void process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside) {
+static bool process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   struct hsr_octants octants;
@@ -112,13 +130,16 @@ static void process_octants(struct hsr_hz_walk *w, uint32_t k, bool inside) {
     hsr_octants_project(&w->frame, &w->frame.placing, octree, node,
                         w->choice.volumes == HSR_HZ_VOLUMES_TIGHT, &octants);
   int nearest = hsr_cube_nearest(&w->frame.placing, node);
+  bool visible = false;
   uint32_t child[8];
   memcpy(child, node->child, sizeof child); /* dividing may move the node */
   for (int n = 0; n < 8; n++) {
     int o = nearest ^ hsr_octant_order[n];
     if (child[o] != HSR_NO_NODE)
-      process_node(w, child[o], inside, together ? &octants : NULL, o);
+      visible |=
+          process_node(w, child[o], inside, together ? &octants : NULL, o);
   }
+  return visible;
 }
 
 void hsr_hz_set_instance(struct hsr_hz_walk *w, uint32_t instance) {
@@ -137,47 +158,57 @@ void hsr_hz_set_instance(struct hsr_hz_walk *w, uint32_t instance) {
 
 /* The root is tested against the frustum anew, since the instance may reach out
  * of the cube in which it is met. */
-void hsr_hz_process_instance(struct hsr_hz_walk *w, uint32_t i) {
+bool hsr_hz_process_instance(struct hsr_hz_walk *w, uint32_t i) {
   if (!hsr_cube_is_new(&w->frame, i))
-    return;
+    return false;
   hsr_hz_set_instance(w, i);
-  process_node(w, 0, false, NULL, 0);
+  return process_node(w, 0, false, NULL, 0);
 }
 
 /* --- The octree of instances ---------------------------------------------- */
 
-void hsr_hz_process_instances_of(struct hsr_hz_walk *w, uint32_t k) {
+bool hsr_hz_process_instances_of(struct hsr_hz_walk *w, uint32_t k) {
   const struct hsr_cubes *cubes = w->frame.cubes;
   const struct hsr_octree_node *node = &cubes->octree.node[k];
+  bool visible = false;
   for (uint32_t n = 0; n < node->n; n++) {
     uint32_t item = cubes->octree.item[node->first + n];
-    hsr_hz_process_instance(w, cubes->still ? cubes->still[item] : item);
+    visible |=
+        hsr_hz_process_instance(w, cubes->still ? cubes->still[item] : item);
   }
+  return visible;
 }
 
 /* A leaf with a single instance is not tested. The root of the instance's own
  * octree is tested instead. */
-void hsr_hz_process_instances(struct hsr_hz_walk *w, uint32_t k, bool inside) {
+bool hsr_hz_process_instances(struct hsr_hz_walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
   struct hsr_subject subject = hsr_cube_subject(HSR_NO_ID, k);
-  if (node->n == 1 && hsr_octree_is_leaf(node)) {
-    hsr_hz_process_instances_of(w, k);
-    return;
+  if (node->n == 1 && hsr_octree_is_leaf(node))
+    return hsr_hz_process_instances_of(w, k);
+  const struct hsr_octree_box volume = hsr_hz_volume(w, node);
+  bool visible = false;
+  if (!hsr_hz_is_in_frustum(w, &w->frame.as_it_is, &volume, subject, &inside))
+    return false;
+  if (!is_trusted(w, HSR_NO_ID, node, k)) {
+    visible = hsr_hz_passes_pyramid(w, &w->frame.as_it_is, volume, subject);
+    if (!visible && !hsr_hz_was_visible(w, HSR_NO_ID, k))
+      return false;
   }
-  if (!hsr_hz_is_cube_visible(w, &w->frame.as_it_is, hsr_hz_volume(w, node),
-                              subject, &inside))
-    return;
   HSR_STEP(w->tally, HSR_HZ_CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE,
            0);
   hsr_hz_divide_instances(w, k);
   if (w->out_of_memory)
-    return;
-  hsr_hz_process_instances_of(w, k);
+    return false;
+  visible |= hsr_hz_process_instances_of(w, k);
   int nearest = hsr_cube_nearest(&w->frame.as_it_is, &octree->node[k]);
   for (int n = 0; n < 8; n++) {
     uint32_t child = octree->node[k].child[nearest ^ hsr_octant_order[n]];
     if (child != HSR_NO_NODE)
-      hsr_hz_process_instances(w, child, inside);
+      visible |= hsr_hz_process_instances(w, child, inside);
   }
+  if (w->choice.coherence == HSR_HZ_COHERENCE_CHC && visible)
+    hsr_hz_note_visible(w, HSR_NO_ID, k);
+  return visible;
 }

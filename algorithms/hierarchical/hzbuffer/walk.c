@@ -8,6 +8,11 @@ const struct hsr_word hsr_hz_coherences[] = {
     {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
      HSR_FRAME_STATE},
     {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
+    {"chc",
+     "coherent hierarchical culling: inner cubes in which something was "
+     "visible "
+     "are not tested, as Bittner and others have it (2004)",
+     HSR_FRAME_STATE},
     {NULL}};
 
 /* --- Once for all frames -------------------------------------------------- */
@@ -84,6 +89,8 @@ enum hsr_status hsr_hz_begin(struct hsr_hz_walk *w, const struct hsr_job *job,
   if (hsr_cube_frame_begin(&w->frame, job, &prepared->cubes) ||
       begin_depths(w, job) || tile_loose(w))
     return HSR_E_NOMEM;
+  if (w->choice.coherence == HSR_HZ_COHERENCE_CHC)
+    return hsr_hz_begin_chc(w);
   return w->last ? hsr_hz_render_last(w) : HSR_OK;
 }
 

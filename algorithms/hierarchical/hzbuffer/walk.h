@@ -71,7 +71,12 @@ enum {
   HSR_HZ_POLYGONS_DEFINITIVE,
   HSR_HZ_POLYGONS_NONE
 };
-enum { HSR_HZ_COHERENCE_OFF, HSR_HZ_COHERENCE_LIST, HSR_HZ_COHERENCE_PASSES };
+enum {
+  HSR_HZ_COHERENCE_OFF,
+  HSR_HZ_COHERENCE_LIST,
+  HSR_HZ_COHERENCE_PASSES,
+  HSR_HZ_COHERENCE_CHC
+};
 struct hsr_hz_choice {
   long octree, pyramid, volumes, cubes, polygons, coherence;
 };
@@ -130,6 +135,11 @@ struct hsr_hz_walk {
   struct hsr_cube_list *last, *next;
   struct hsr_cube_marks rendered; /* the cubes of *last, to look them up, once
                                      they have been rendered */
+
+  /* coherence=chc: the cubes of *last, in which something was visible; and the
+   * cubes of the octree of instances that are so in this frame, uint32_t. */
+  struct hsr_cube_marks before;
+  struct hsr_growing instance_cubes;
 };
 
 /* Begins a frame of `job`: clears the depths and the pyramid, tiles the loose
@@ -157,8 +167,9 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
 /* --- The octrees, from front to back -------------------------------------- */
 
 /* ProcessOctreeNode for node k of the octree of instances. `inside`: its cube
- * is known to lie wholly in the frustum. */
-void hsr_hz_process_instances(struct hsr_hz_walk *walk, uint32_t k,
+ * is known to lie wholly in the frustum. With coherence=chc, here and below:
+ * whether something in the cube was found visible; else of no meaning. */
+bool hsr_hz_process_instances(struct hsr_hz_walk *walk, uint32_t k,
                               bool inside);
 
 /* octree=lazy: divides node k of the octree of instances, if it is not divided
@@ -167,12 +178,12 @@ void hsr_hz_divide_instances(struct hsr_hz_walk *walk, uint32_t k);
 
 /* Processes the instances that node k of that octree itself holds, not those of
  * its octants. */
-void hsr_hz_process_instances_of(struct hsr_hz_walk *walk, uint32_t k);
+bool hsr_hz_process_instances_of(struct hsr_hz_walk *walk, uint32_t k);
 
 /* ProcessOctreeNode from the root of an instance's own octree. An instance that
  * has been processed in this frame already is left out: it may be in several
  * cubes. */
-void hsr_hz_process_instance(struct hsr_hz_walk *walk, uint32_t instance);
+bool hsr_hz_process_instance(struct hsr_hz_walk *walk, uint32_t instance);
 
 /* Makes an instance the current one, to which all cells and faces below belong.
  * None of its faces has been met, but those of the last frame's cubes that have
@@ -198,18 +209,27 @@ bool hsr_hz_is_cube_visible(struct hsr_hz_walk *walk,
                             struct hsr_octree_box cube,
                             struct hsr_subject subject, bool *inside);
 
+/* The two parts of IsCubeVisible: false if the box is outside of the frustum; and
+ * false if it is found to be hidden. */
+bool hsr_hz_is_in_frustum(struct hsr_hz_walk *walk,
+                          const struct hsr_placing *placing,
+                          const struct hsr_octree_box *cube,
+                          struct hsr_subject subject, bool *inside);
+bool hsr_hz_passes_pyramid(struct hsr_hz_walk *walk,
+                           const struct hsr_placing *placing,
+                           struct hsr_octree_box cube,
+                           struct hsr_subject subject);
+
 /* Are the eight octants of a cube projected together? Not in the counting
  * build, which counts what the paper's own steps read; and not where a test
  * needs more of an octant than its rectangles: with pyramid=off or dual,
  * cubes=sides, or in parallel projection. */
 bool hsr_hz_tests_together(const struct hsr_hz_walk *walk);
 
-/* hsr_hz_is_cube_visible for octant o of those projected together, which is
- * `node`; with the same answer. */
-bool hsr_hz_is_octant_visible(struct hsr_hz_walk *walk,
-                              const struct hsr_octants *octants, int o,
-                              const struct hsr_octree_node *node,
-                              struct hsr_subject subject, bool *inside);
+/* hsr_hz_passes_pyramid for octant o of those projected together, with the same
+ * answer. */
+bool hsr_hz_octant_passes_pyramid(struct hsr_hz_walk *walk,
+                                  const struct hsr_octants *octants, int o);
 
 /* --- The polygons of a cube ----------------------------------------------- */
 
@@ -231,6 +251,20 @@ void hsr_hz_refresh(struct hsr_hz_walk *walk);
 /* The first pass: renders the cubes of walk->last into the z-buffer alone; then
  * builds the pyramid of it. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *walk);
+
+/* coherence=chc: was something in node k visible in the last frame? Of an
+ * instance's octree, or of that of instances: HSR_NO_ID. */
+static inline bool hsr_hz_was_visible(const struct hsr_hz_walk *w,
+                                      uint32_t instance, uint32_t k) {
+  return w->before.list && hsr_cube_is_marked(&w->before, instance, k);
+}
+
+/* coherence=chc: notes that something in node k is visible. */
+void hsr_hz_note_visible(struct hsr_hz_walk *walk, uint32_t instance,
+                         uint32_t k);
+
+/* coherence=chc: looks up what was visible in the last frame. HSR_E_NOMEM. */
+enum hsr_status hsr_hz_begin_chc(struct hsr_hz_walk *walk);
 
 /* Makes the list for the next frame, prepared->list[prepared->last]; an empty
  * one if memory ran out. */

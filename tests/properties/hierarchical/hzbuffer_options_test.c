@@ -215,6 +215,7 @@ static const char *const choices[] = {
     "hzbuffer:least=1:cubes=sides:pyramid=dual:polygons=definitive",
     "hzbuffer:least=2:cubes=sides:coherence=passes",
     "hzbuffer:least=2:cubes=sides:coherence=list",
+    "hzbuffer:least=2:cubes=sides:coherence=chc",
     "hzbuffer:least=1:pyramid=dual",
     "clark"};
 

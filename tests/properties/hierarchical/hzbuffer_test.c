@@ -823,6 +823,61 @@ static void try_walks(struct tap *tap) {
   close_worlds(&s);
 }
 
+/* Counts of frames of one view each, drawn twice: the second time by what was seen
+ * in the first. */
+struct twice {
+  uint64_t tested[2], culled[2], tiled[2];
+  long differ;
+};
+
+static void draw_twice(const struct both_worlds *s, struct run *r,
+                       uint32_t view, struct twice *t) {
+  static uint32_t right[SAMPLES];
+  for (int k = 0; k < 2; k++) {
+    set_view(r, s, view);
+    draw_run(r);
+    draw_right(s, &r->view, right);
+    for (int i = 0; i < SAMPLES; i++)
+      t->differ += r->ids[i] != right[i];
+    t->tested[k] += hsr_tally_count(&r->tally, HSR_HZ_CUBES_TESTED);
+    t->culled[k] += hsr_tally_count(&r->tally, HSR_HZ_CUBES_CULLED);
+    t->tiled[k] += hsr_tally_count(&r->tally, HSR_HZ_FACES_TILED);
+  }
+}
+
+/* coherence=chc: the first frame of a run is as without coherence; the second of
+ * the same view tests fewer cubes, and finds none hidden that was visible. */
+static void try_chc(struct tap *tap, const char *scene) {
+  struct both_worlds s;
+  struct twice with, without;
+  memset(&with, 0, sizeof with);
+  memset(&without, 0, sizeof without);
+  open_worlds(&s, scene);
+  for (uint32_t v = 0; v < s.scene->n_views; v += s.scene->n_views / 8 + 1) {
+    static struct run chc, plain;
+    begin_run(&chc, &s, "hzbuffer:coherence=chc");
+    begin_run(&plain, &s, "hzbuffer");
+    draw_twice(&s, &chc, v, &with);
+    draw_twice(&s, &plain, v, &without);
+    end_run(&chc);
+    end_run(&plain);
+  }
+  ok(tap,
+     !with.differ && with.tested[0] == without.tested[0] &&
+         with.culled[0] == without.culled[0] &&
+         with.tiled[0] == without.tiled[0],
+     "%s, coherence=chc: %ld samples differ; a first frame tests %llu cubes, "
+     "as without",
+     scene, with.differ, (unsigned long long)with.tested[0]);
+  ok(tap,
+     with.tested[1] < with.tested[0] && with.tiled[1] >= with.tiled[0] &&
+         20 * (with.tiled[1] - with.tiled[0]) <= with.tiled[0],
+     "the same view once more tests %llu; tiles %llu faces, first %llu",
+     (unsigned long long)with.tested[1], (unsigned long long)with.tiled[1],
+     (unsigned long long)with.tiled[0]);
+  close_worlds(&s);
+}
+
 int main(void) {
   static const struct {
     const char *scene;
@@ -831,7 +886,7 @@ int main(void) {
                 {"terrain:16:12", 3}, {"house", 9},       {"soup:500:3", 4},
                 {"twist:5", 3},       {"color-cube:4", 3}};
   enum { STAGES = sizeof stages / sizeof *stages };
-  struct tap tap = plan(4 * 2 * STAGES + 6);
+  struct tap tap = plan(4 * 2 * STAGES + 10);
   for (int k = 0; k < STAGES; k++) {
     struct both_worlds s;
     open_worlds(&s, stages[k].scene);
@@ -840,5 +895,7 @@ int main(void) {
     close_worlds(&s);
   }
   try_walks(&tap);
+  try_chc(&tap, "office:3");
+  try_chc(&tap, "harbor");
   return finish(&tap);
 }

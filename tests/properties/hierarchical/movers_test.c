@@ -32,6 +32,7 @@ static const char *const variants[] = {
     "hzbuffer:volumes=tight:cubes=whole",
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
+    "hzbuffer:coherence=chc",
     "hzbuffer-moving:coherence=list",
     "hzbuffer-moving:coherence=passes:movers=lazy",
     "hzbuffer-moving:octree=lazy:movers=lazy",

@@ -673,6 +673,7 @@ static const char *const variants[] = {
     "hzbuffer:octree=lazy:least=4",
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
+    "hzbuffer:coherence=chc",
     "hzbuffer-moving",
     "hzbuffer-moving:movers=lazy",
     "hzbuffer-moving:movers=update",

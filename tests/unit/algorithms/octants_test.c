@@ -138,11 +138,13 @@ static void ask_node(struct hsr_hz_walk *w, const struct hsr_octree *octree,
     if (node->child[o] == HSR_NO_NODE)
       continue;
     const struct hsr_octree_node *child = &octree->node[node->child[o]];
+    const struct hsr_octree_box cube = hsr_hz_volume(w, child);
     bool in = false, inside = false;
     bool together =
-        hsr_hz_is_octant_visible(w, &octants, o, child, HSR_NOTHING, &in);
-    bool alone = hsr_hz_is_cube_visible(
-        w, &w->frame.placing, hsr_hz_volume(w, child), HSR_NOTHING, &inside);
+        hsr_hz_is_in_frustum(w, &w->frame.placing, &cube, HSR_NOTHING, &in) &&
+        hsr_hz_octant_passes_pyramid(w, &octants, o);
+    bool alone = hsr_hz_is_cube_visible(w, &w->frame.placing, cube, HSR_NOTHING,
+                                        &inside);
     asked->visible += alone;
     asked->hidden += !alone;
     asked->wrong += together != alone || in != inside;
