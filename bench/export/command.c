@@ -418,13 +418,11 @@ static unsigned parts_in(const struct hsr_scene *scene) {
   unsigned parts = 1u << VIEWS;
   parts |= scene->n_instances > 1 ? 1u << OBJECTS : 0;
   parts |= scene->n_instances > scene->n_objects ? 1u << INSTANCES : 0;
-  for (uint32_t o = 0; o < scene->n_objects; o++)
-    if (parts & 1u << OBJECTS && scene->objects[o].name[0])
-      parts |= 1u << NAMES;
   parts |= hsr_scene_has_colours(scene) ? 1u << COLOURS : 0;
   parts |= hsr_scene_is_transparent(scene) ? 1u << OPACITIES : 0;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
+    parts |= parts & 1u << OBJECTS && object->name[0] ? 1u << NAMES : 0;
     parts |= object->one_sided ? 1u << SIDES : 0;
     parts |= object->group.vertex && object->group.n_own < object->n_vertices
                  ? 1u << SHARED

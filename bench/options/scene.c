@@ -159,6 +159,6 @@ void say_map(const char *name, const struct hsr_scene *scene) {
     fprintf(
         stderr,
         "hsr: %s: x and y are like those of a map, where z is up; here y is "
-        "up, and --up-axis=z turns that\n",
+        "up, and --up-axis=z turns the views\n",
         name);
 }

@@ -68,8 +68,8 @@ struct stranger_question {
   const struct lib_scene
       *own; /* the same scene with its own views, where `scene`
                                   has others instead; NULL: it has not */
-  /* Told before suppositions of a kind are tried, the done-th kind of all; with
-   * `context` of the request. NULL: nobody is told. */
+  /* Called before each kind of reason is tried, when `done` of `all` kinds have
+   * been; with `context` of the request. NULL: nobody is told. */
   void (*tell)(void *context, int done, int all);
 };
 

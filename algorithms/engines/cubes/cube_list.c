@@ -46,8 +46,7 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
     return HSR_E_NOMEM;
   for (size_t g = 0; g < n; g++) {
     uint32_t instance = hsr_cube_list_group(list, g)->instance;
-    marks->group[instance == HSR_NO_ID ? marks->n_instances : instance] =
-        (uint32_t)g + 1;
+    *hsr_cube_marks_place(marks, instance) = (uint32_t)g + 1;
     marks->start[g] = (uint32_t)words;
     words += words_of(cubes, instance);
   }

@@ -64,22 +64,23 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
                                     const struct hsr_cubes *cubes,
                                     struct hsr_arena *arena);
 
-static inline uint32_t hsr_cube_marks_slot(const struct hsr_cube_marks *marks,
-                                           uint32_t instance) {
-  return marks->group[instance == HSR_NO_ID ? marks->n_instances : instance];
+/* The place of an instance, or of HSR_NO_ID, in group[]. */
+static inline uint32_t *hsr_cube_marks_place(const struct hsr_cube_marks *marks,
+                                             uint32_t instance) {
+  return &marks->group[instance == HSR_NO_ID ? marks->n_instances : instance];
 }
 
 /* The group of an instance, or NULL. */
 static inline const struct hsr_listed_instance *
 hsr_cube_marks_group(const struct hsr_cube_marks *marks, uint32_t instance) {
-  uint32_t g = hsr_cube_marks_slot(marks, instance);
+  uint32_t g = *hsr_cube_marks_place(marks, instance);
   return g ? hsr_cube_list_group(marks->list, g - 1) : NULL;
 }
 
 /* Does the list hold a cube of an instance? */
 static inline bool hsr_cube_is_marked(const struct hsr_cube_marks *marks,
                                       uint32_t instance, uint32_t cube) {
-  uint32_t g = hsr_cube_marks_slot(marks, instance);
+  uint32_t g = *hsr_cube_marks_place(marks, instance);
   if (!g || cube / 32 >= marks->start[g] - marks->start[g - 1])
     return false; /* a cube that was made since */
   return marks->bits[marks->start[g - 1] + cube / 32] >> cube % 32 & 1;

@@ -13,12 +13,13 @@
  *            Hierarchical Culling: Hardware Occlusion Queries Made Useful",
  *            Computer Graphics Forum 23(3), 2004, 615-624. An inner cube in
  *            which something was visible is not tested, but traversed. A leaf
- *            that was visible is tested, and rendered whatever the test finds:
- *            that is for the next frame. All other cubes are tested as usual.
+ *            that was visible is rendered. It is tested too, but for the next
+ *            frame only. All other cubes are tested as usual.
  *            A cube counts as visible if a leaf in it does, or if it was tested
  *            and is. Departures: a test has its answer at once, so no queue is
  *            needed; inner cubes may have faces of their own, which are
- *            rendered when the cube is traversed */
+ *            rendered when the cube is traversed; the cubes that
+ *            hzbuffer_moving.c traverses itself are always tested */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {

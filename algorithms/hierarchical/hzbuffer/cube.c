@@ -131,7 +131,7 @@ static bool is_whole_visible(struct hsr_hz_walk *w, const struct tested *c) {
          !is_rectangle_hidden(w, box, c->image.nearest);
 }
 
-/* What holds of a cube that lies in the frustum holds of all cubes in it. */
+/* If a cube lies wholly in the frustum, so do all cubes in it. */
 bool hsr_hz_is_in_frustum(struct hsr_hz_walk *w,
                           const struct hsr_placing *placing,
                           const struct hsr_octree_box *cube,

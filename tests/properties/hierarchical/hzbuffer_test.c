@@ -846,7 +846,7 @@ static void draw_twice(const struct both_worlds *s, struct run *r,
 }
 
 /* coherence=chc: the first frame of a run is as without coherence; the second of
- * the same view tests fewer cubes, and finds none hidden that was visible. */
+ * the same view tests fewer cubes, and tiles hardly more faces. */
 static void try_chc(struct tap *tap, const char *scene) {
   struct both_worlds s;
   struct twice with, without;

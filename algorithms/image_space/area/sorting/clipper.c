@@ -27,6 +27,9 @@ bool hsr_areas_apart(const struct hsr_area *a, const struct hsr_area *b) {
   return false;
 }
 
+/* More than what is lost below the least double. */
+static const double LOST = 0x1p-900;
+
 /* What an area covers of a direction n: the least and the greatest n . p of its
  * corners p, computed, and a bound of 2^48 times their errors. A coordinate has
  * a relative error of at most 2^-50. */
@@ -53,7 +56,7 @@ static bool edge_separates(const struct hsr_area *of, const struct hsr_area *a,
     const struct hsr_border_edge *e = &of->edge[k];
     double n[2] = {e->at[1][1] - e->at[0][1], e->at[0][0] - e->at[1][0]};
     struct extent p = extent_along(a, n), q = extent_along(b, n);
-    if (fmax(p.lo - q.hi, q.lo - p.hi) > 0x1p-48 * (p.error + q.error))
+    if (fmax(p.lo - q.hi, q.lo - p.hi) > 0x1p-48 * (p.error + q.error) + LOST)
       return true;
   }
   return false;

@@ -24,7 +24,8 @@
  * Departures  a polygon is clipped to the picture first, and to what lies
  *             beyond near. The clip polygons of the recursion are the parts
  *             inside the outer clip polygon, not the whole polygons that they
- *             are parts of.
+ *             are parts of. A polygon is found outside without clipping if a
+ *             line along an edge separates it from the clip polygon.
  * Options     sort=none leaves the first step out, which is not essential. Thin
  *             faces about one vertex may then be divided without end: clips=N
  *             refuses a picture that divides too much.
