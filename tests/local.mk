@@ -109,6 +109,7 @@ tap_programs = \
   %D%/unit/core/gouraud_test \
   %D%/unit/core/grid_test \
   %D%/unit/core/motion_test \
+  %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/outline_test \
   %D%/unit/core/plane_classes_test \
@@ -233,6 +234,7 @@ quick_units = \
   %D%/unit/core/filter_test \
   %D%/unit/core/grid_test \
   %D%/unit/core/motion_test \
+  %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/plane_classes_test \
   %D%/unit/core/scenes_test \
@@ -394,6 +396,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_drawings_read_dxf_LDADD = $(DXFLIB_LIBS)
 %C%_drawings_read_dxf_SOURCES = %D%/drawings/read_dxf.cc
+%C%_unit_core_named_lines_test_SOURCES = %D%/unit/core/named_lines_test.cc
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_files_binary_mesh_test_SOURCES = %D%/unit/files/binary_mesh_test.cc

@@ -9,10 +9,11 @@
  *             everywhere.
  * Points      a point where many lines cross has one number. So two points, or
  *             two lines, are equal if and only if their numbers are.
- * Method      the coefficients of a line are integers without a common divisor,
- *             and so are the homogeneous coordinates of a point. Each is also
- *             kept in doubles, with a proved relative error. A sign is found in
- *             doubles if the error bound allows it, else in integers.
+ * Method      the coefficients of a line are integers without a common divisor.
+ *             They are kept in doubles, too, with a proved relative error; the
+ *             coordinates of a point are the nearest doubles, and integers only
+ *             if they are needed. A sign is found in doubles if the error bound
+ *             allows it, else in integers.
  * Memory      lines and points are kept until the table is freed. If memory runs
  *             out, hsr_named_lines_failed returns true, and results are
  *             meaningless from then on. */
@@ -105,6 +106,12 @@ bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
 int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
                       uint32_t line);
 
+/* Compares the depths of the planes of two faces at a point: +1 if that of f is
+ * certainly nearer to the eye, -1 if that of g is, 0 if doubles cannot tell.
+ * Then the side of the line HSR_LINE_MEETING decides. */
+int hsr_nearer_at(struct hsr_named_lines *lines, uint32_t f, uint32_t g,
+                  uint32_t point);
+
 /* Compares the coordinates of two points along an axis, 0 for sx or 1 for sy.
  * Returns -1, 0 or +1 if that of p is less than that of q, equal, or
  * greater. */
@@ -115,8 +122,8 @@ int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
 int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
                             double at);
 
-/* Writes sx, sy of a point, in pixels, each with a relative error of at most
- * 2^-50. A coordinate above all doubles becomes infinite. */
+/* Writes sx, sy of a point, in pixels: the nearest doubles. A coordinate above
+ * all doubles becomes infinite. */
 void hsr_crossing_at(const struct hsr_named_lines *lines, uint32_t point,
                      double at[2]);
 

@@ -9,14 +9,25 @@
 // Doubles     an integer becomes a double by mpz_get_d_2exp, which truncates:
 //             relative error 2^-52. The coefficients of a line are scaled by
 //             one power of two, so that the largest is between 1/2 and 1; one
-//             that is 2^-1022 or less loses 2^-1074. A coordinate is a quotient
-//             of two such doubles: its relative error is at most 2^-52 + 2^-52
-//             + 2^-53 and terms of second order, less than 2^-50.
-// Side        the terms a x, b y have a relative error of at most 2^-52 + 2^-50
+//             that is 2^-1022 or less loses 2^-1074.
+// Places      a coordinate of a point is the double nearest to it, a relative
+//             error of 2^-53. So points with different places are different.
+//             Points of one place are compared in integers.
+// Crossings   are computed in sums of two doubles, u = 2^-53. A coefficient has
+//             a relative error of 4 u^2 then. A product of two adds 5 u^2, a
+//             difference 3 u^2, a quotient 15 u^2, and terms of third order
+//             (Joldes, Muller, Popescu, "Tight and rigorous error bounds for
+//             basic building blocks of double-word arithmetic", ACM TOMS 44,
+//             2, 2017, algorithms 6, 12, 17). So p - q is off by at most
+//             20 u^2 (|p| + |q|). If the nearest double is in doubt, integers
+//             decide.
+// Side        the terms a x, b y have a relative error of at most 2^-52 + 2^-53
 //             + 2^-53, and each of the two additions adds 2^-53. So the error
 //             of a x + b y + c is below 2^-48 (|a x| + |b y| + |c|), and 2^-900
 //             for what is lost below the least double. If a coordinate is not
 //             finite, no comparison holds, and integers decide.
+// Depth       a coefficient of q has a relative error of at most 2^-50, so that
+//             the same bound holds for the difference of two depths.
 // Parity      row(v) of a point is det(F, R, U) times the difference of the two
 //             images' y, if v is before the eye. An edge between two rows, with
 //             both ends before the eye, crosses to the right of the point if
@@ -31,6 +42,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -136,17 +148,140 @@ long exponent_of(const Gmpz &x) {
 
 // --- What is kept ------------------------------------------------------------
 
+// hi + lo, where hi is the double nearest to the sum.
+struct Sum {
+  double hi, lo;
+};
+
 struct Line {
   hsr_line_name name;
   Triple exact; // the function of its name
   double d[3], direction[2];
+  Sum sum[3]; // the same as d[], but finer
+  bool fine;  // sum[] holds no number too small for products
 };
 
 struct Point {
-  Triple exact; // W > 0
   double at[2];
   uint32_t line[2]; // two that cross in it
+  uint32_t exact;   // its integers, if they are known
+  uint32_t next;    // another point with the same coordinates in doubles
 };
+
+constexpr uint32_t NOTHING = UINT32_MAX;
+
+// --- Sums of two doubles -----------------------------------------------------
+
+constexpr double U2 = 0x1p-106, LEAST_OF_SUM = 0x1p-300;
+
+// If |hi| >= |lo|.
+Sum sum_of(double hi, double lo) {
+  const double both = hi + lo;
+  return {both, lo - (both - hi)};
+}
+
+Sum exact_sum(double a, double b) {
+  const double both = a + b, of_b = both - a, of_a = both - of_b;
+  return {both, (a - of_a) + (b - of_b)};
+}
+
+Sum operator*(Sum a, Sum b) {
+  const double product = a.hi * b.hi, rest = std::fma(a.hi, b.hi, -product),
+               crosswise =
+                   std::fma(a.lo, b.hi, std::fma(a.hi, b.lo, a.lo * b.lo));
+  return sum_of(product, rest + crosswise);
+}
+
+Sum operator-(Sum a, Sum b) {
+  const Sum high = exact_sum(a.hi, -b.hi), low = exact_sum(a.lo, -b.lo);
+  const Sum first = sum_of(high.hi, high.lo + low.hi);
+  return sum_of(first.hi, low.lo + first.lo);
+}
+
+Sum operator/(Sum a, Sum b) {
+  const double guess = a.hi / b.hi, product = b.hi * guess,
+               rest = std::fma(b.lo, guess, std::fma(b.hi, guess, -product));
+  const Sum back = sum_of(product, rest);
+  return sum_of(guess, ((a.hi - back.hi) + (a.lo - back.lo)) / b.hi);
+}
+
+// An integer times 2^-exponent.
+Sum rounded_to_sum(const Gmpz &x, long exponent) {
+  if (CGAL::is_zero(x))
+    return {0, 0};
+  long own;
+  const double digits = mpz_get_d_2exp(&own, x.mpz());
+  Gmpz high, rest;
+  mpz_set_d(high.mpz(), std::ldexp(digits, 53));
+  if (own > 53)
+    mpz_mul_2exp(high.mpz(), high.mpz(), mp_bitcnt_t(own - 53));
+  else
+    mpz_tdiv_q_2exp(high.mpz(), high.mpz(), mp_bitcnt_t(53 - own));
+  mpz_sub(rest.mpz(), x.mpz(), high.mpz());
+  return sum_of(rounded(x, exponent), rounded(rest, exponent));
+}
+
+// a d - b c, and a bound of its error.
+struct Minor {
+  Sum value;
+  double error;
+};
+
+Minor minor(Sum a, Sum b, Sum c, Sum d) {
+  const Sum p = a * d, q = b * c;
+  return {p - q, 20 * U2 * (std::fabs(p.hi) + std::fabs(q.hi))};
+}
+
+bool is_certain(const Minor &m) {
+  return std::fabs(m.value.hi) >= 4 * m.error;
+}
+
+// The double nearest to x / w. False: it is in doubt.
+bool nearest_quotient(const Minor &x, const Minor &w, double *quotient) {
+  *quotient = 0;
+  if (x.value.hi == 0 && x.error == 0)
+    return true;
+  if (!is_certain(x))
+    return false;
+  const Sum q = x.value / w.value;
+  const double error = 2 * std::fabs(q.hi) *
+                       (x.error / std::fabs(x.value.hi) +
+                        w.error / std::fabs(w.value.hi) + 16 * U2);
+  *quotient = q.hi;
+  return q.hi + (q.lo + error) == q.hi && q.hi + (q.lo - error) == q.hi;
+}
+
+// Where two lines cross. False: integers are needed.
+bool nearest_crossing(const Line &k, const Line &l, double at[2]) {
+  if (!k.fine || !l.fine)
+    return false;
+  const Sum *a = k.sum, *b = l.sum;
+  const Minor w = minor(a[0], a[1], b[0], b[1]);
+  return w.value.hi != 0 && is_certain(w) &&
+         nearest_quotient(minor(a[1], a[2], b[1], b[2]), w, &at[0]) &&
+         nearest_quotient(minor(a[2], a[0], b[2], b[0]), w, &at[1]);
+}
+
+// The double nearest to x / w, w > 0: 62 binary digits of the quotient, the last
+// of which is 1 if there are more.
+double nearest_quotient(const Gmpz &x, const Gmpz &w) {
+  if (CGAL::is_zero(x))
+    return 0;
+  const long shift = 62 - (exponent_of(x) - exponent_of(w));
+  Gmpz numerator, denominator(w), quotient, rest;
+  mpz_abs(numerator.mpz(), x.mpz());
+  if (shift > 0)
+    mpz_mul_2exp(numerator.mpz(), numerator.mpz(), mp_bitcnt_t(shift));
+  else
+    mpz_mul_2exp(denominator.mpz(), w.mpz(), mp_bitcnt_t(-shift));
+  mpz_tdiv_qr(quotient.mpz(), rest.mpz(), numerator.mpz(), denominator.mpz());
+  uint64_t digits = 0;
+  mpz_export(&digits, nullptr, -1, sizeof digits, 0, 0, quotient.mpz());
+  digits |= !CGAL::is_zero(rest);
+  const double size = std::ldexp(
+      double(digits), int(std::max(-4000L, std::min(4000L, -shift))));
+  return CGAL::sign(x) < 0 ? -size : size;
+}
 
 // With an exponent of its own: beside d[2] both components may be lost.
 void find_direction(Line *line) {
@@ -162,6 +297,7 @@ struct Depth {
   int sign = 0; // of c; 0: the plane holds the eye
   std::array<Exact, 3> numerator;
   Exact denominator;
+  double rough[3]; // the quotients
 };
 
 // The image of a vertex.
@@ -181,6 +317,22 @@ uint64_t key_of(hsr_line_name name) {
          uint64_t(name.b) * 0x9e3779b97f4a7c15u;
 }
 
+struct Place {
+  double at[2];
+  bool operator==(const Place &other) const {
+    return at[0] == other.at[0] && at[1] == other.at[1];
+  }
+};
+struct Hash_place {
+  size_t operator()(const Place &place) const {
+    uint64_t bits[2];
+    memcpy(bits, place.at, sizeof bits);
+    const uint64_t hash =
+        (bits[0] ^ bits[0] >> 32) * 0x9e3779b97f4a7c15u + bits[1];
+    return size_t((hash ^ hash >> 29) * 0xbf58476d1ce4e5b9u);
+  }
+};
+
 struct Same_name {
   bool operator()(const hsr_line_name &p, const hsr_line_name &q) const {
     return p.kind == q.kind && p.a == q.a && p.b == q.b;
@@ -192,12 +344,19 @@ struct Hash_name {
 
 } // namespace
 
-// The coordinates of a point, in doubles.
+// The coordinates of a point, W > 0, in doubles.
 static void find_place(const Triple &exact, double at[2]) {
-  const long exponent = exponent_of(exact[2]);
-  const double w = rounded(exact[2], exponent);
   for (size_t c = 0; c < 2; c++)
-    at[c] = rounded(exact[c], exponent) / w;
+    at[c] = nearest_quotient(exact[c], exact[2]);
+}
+
+static double rough_quotient(const Exact &x, const Exact &y) {
+  long of_x, of_y;
+  const double p = mpz_get_d_2exp(&of_x, x.man()),
+               q = mpz_get_d_2exp(&of_y, y.man());
+  const long by = of_x + x.exp() - of_y - y.exp();
+  return by < -900 && p != 0 ? std::nan("")
+                             : std::ldexp(p / q, int(std::min(4000L, by)));
 }
 
 struct hsr_named_lines {
@@ -213,10 +372,13 @@ struct hsr_named_lines {
   std::vector<Point> point;
   Line no_line{};
   Point no_point{};
+  Triple no_integers{};
   std::vector<Depth> depth;  // a face
   std::vector<Image> images; // a vertex
   std::unordered_map<hsr_line_name, Named, Hash_name, Same_name> by_name;
-  std::unordered_map<Triple, uint32_t, Hash> line_by_value, point_by_value;
+  std::unordered_map<Triple, uint32_t, Hash> line_by_value;
+  std::unordered_map<Place, uint32_t, Hash_place> point_by_place;
+  std::vector<Triple> integers; // of points, W > 0
   std::unordered_map<uint64_t, uint32_t> by_lines;
 
   hsr_named_lines(const hsr_world *w, const hsr_view *v)
@@ -269,6 +431,8 @@ struct hsr_named_lines {
       for (Exact &x : d.numerator)
         x = -x;
     }
+    for (size_t k = 0; k < 3 && d.sign; k++)
+      d.rough[k] = rough_quotient(d.numerator[k], d.denominator);
     d.known = true;
   }
 
@@ -463,12 +627,16 @@ struct hsr_named_lines {
       const int first = leading_sign(line[found->second].exact);
       return {found->second, first * sign};
     }
-    Line made = {name, value, {0, 0, 0}, {0, 0}};
+    Line made = {name, value, {0, 0, 0}, {0, 0}, {{0, 0}}, true};
     const long exponent =
         std::max(exponent_of(value[0]),
                  std::max(exponent_of(value[1]), exponent_of(value[2])));
-    for (size_t k = 0; k < 3; k++)
+    for (size_t k = 0; k < 3; k++) {
       made.d[k] = rounded(value[k], exponent);
+      made.sum[k] = rounded_to_sum(value[k], exponent);
+      made.fine &=
+          CGAL::is_zero(value[k]) || std::fabs(made.sum[k].hi) >= LEAST_OF_SUM;
+    }
     find_direction(&made);
     const uint32_t number = uint32_t(line.size());
     line.push_back(made);
@@ -503,30 +671,100 @@ struct hsr_named_lines {
     made.w = CGAL::sign(value[2]);
     made.toward[0] = CGAL::sign(value[0]);
     made.toward[1] = CGAL::sign(value[1]);
-    made.point = add_point(integers_of(value), HSR_NO_LINE, HSR_NO_LINE);
+    made.point = add_image(integers_of(value));
     made.known = true;
     return made;
   }
 
-  uint32_t add_crossing(uint32_t k, uint32_t l) {
-    return add_point(cross(line_at(k).exact, line_at(l).exact), k, l);
+  // --- Points ----------------------------------------------------------------
+
+  // Turns (X, Y, W) so that W > 0. False: the point is at infinity.
+  static bool is_finite(Triple &value) {
+    const int sign = CGAL::sign(value[2]);
+    if (sign < 0)
+      negate(value);
+    return sign != 0;
   }
 
-  uint32_t add_point(Triple value, uint32_t k, uint32_t l) {
-    if (CGAL::is_zero(value[2]))
+  void keep(Point *of, const Triple &value) {
+    of->exact = uint32_t(integers.size());
+    integers.push_back(value);
+  }
+
+  // The integers of a point. Those of a crossing are found when they are asked
+  // for.
+  const Triple &integers_at(uint32_t p) {
+    if (p >= point.size())
+      return no_integers;
+    if (point[p].exact == NOTHING) {
+      Triple value = cross(line_at(point[p].line[0]).exact,
+                           line_at(point[p].line[1]).exact);
+      is_finite(value);
+      keep(&point[p], value);
+    }
+    return integers[point[p].exact];
+  }
+
+  int side(uint32_t p, uint32_t of) {
+    const Point &at = point_at(p);
+    if (at.line[0] == of || at.line[1] == of)
+      return 0;
+    const Line &l = line_at(of);
+    const double x = l.d[0] * at.at[0], y = l.d[1] * at.at[1], c = l.d[2];
+    const double value = x + y + c;
+    const double bound =
+        SIDE_ERROR * (std::fabs(x) + std::fabs(y) + std::fabs(c)) + LOST;
+    if (value > bound)
+      return 1;
+    if (value < -bound)
+      return -1;
+    return exactly([&] {
+      const Triple &whole = integers_at(p);
+      return int(CGAL::sign(l.exact[0] * whole[0] + l.exact[1] * whole[1] +
+                            l.exact[2] * whole[2]));
+    });
+  }
+
+  uint32_t add_crossing(uint32_t k, uint32_t l) {
+    Point made = {{0, 0}, {k, l}, NOTHING, NOTHING};
+    if (!nearest_crossing(line_at(k), line_at(l), made.at)) {
+      Triple value = cross(line_at(k).exact, line_at(l).exact);
+      if (!is_finite(value))
+        return HSR_NO_POINT;
+      find_place(value, made.at);
+    }
+    return number_of(
+        made, [&](uint32_t p) { return side(p, k) == 0 && side(p, l) == 0; });
+  }
+
+  uint32_t add_image(Triple value) {
+    if (!is_finite(value))
       return HSR_NO_POINT;
-    reduce(value);
-    if (CGAL::sign(value[2]) < 0)
-      negate(value);
-    const auto found = point_by_value.find(value);
-    if (found != point_by_value.end())
-      return found->second;
-    Point made = {value, {0, 0}, {k, l}};
+    Point made = {{0, 0}, {HSR_NO_LINE, HSR_NO_LINE}, NOTHING, NOTHING};
     find_place(value, made.at);
-    const uint32_t number = uint32_t(point.size());
-    point.push_back(made);
-    point_by_value.emplace(value, number);
+    const uint32_t number = number_of(made, [&](uint32_t p) {
+      const Triple &other = integers_at(p);
+      return value[0] * other[2] == other[0] * value[2] &&
+             value[1] * other[2] == other[1] * value[2];
+    });
+    if (point[number].exact == NOTHING)
+      keep(&point[number], value);
     return number;
+  }
+
+  // The number of a point, which is new unless it is the same as one of those
+  // with the same coordinates in doubles.
+  template <class Same> uint32_t number_of(Point made, const Same &is_same) {
+    uint32_t &first =
+        point_by_place.try_emplace({{made.at[0], made.at[1]}}, NOTHING)
+            .first->second;
+    for (uint32_t p = first; p != NOTHING; p = point[p].next)
+      if (is_same(p))
+        return p;
+    made.next = first;
+    point.push_back(made);
+    first = uint32_t(point.size() - 1);
+    return first;
   }
 };
 
@@ -660,7 +898,7 @@ uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
 bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
                         uint32_t p, uint32_t q) {
   try {
-    const Triple a = lines->point_at(p).exact, b = lines->point_at(q).exact;
+    const Triple a = lines->integers_at(p), b = lines->integers_at(q);
     return lines->surrounds(face,
                             {a[0] * b[2] + b[0] * a[2],
                              a[1] * b[2] + b[1] * a[2], Gmpz(2) * a[2] * b[2]});
@@ -672,22 +910,30 @@ bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
 
 int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
                       uint32_t line) {
-  const Point &at = lines->point_at(point);
-  if (at.line[0] == line || at.line[1] == line)
+  return lines->side(point, line);
+}
+
+/* The difference of two depths, each a sum of three terms. */
+int hsr_nearer_at(struct hsr_named_lines *lines, uint32_t f, uint32_t g,
+                  uint32_t point) {
+  try {
+    const Depth &p = lines->depth_of(f), &q = lines->depth_of(g);
+    const double *at = lines->point_at(point).at;
+    if (!p.sign || !q.sign)
+      return 0;
+    const double of_p[2] = {p.rough[0] * at[0], p.rough[1] * at[1]},
+                 of_q[2] = {q.rough[0] * at[0], q.rough[1] * at[1]};
+    const double by =
+        (of_p[0] + of_p[1] + p.rough[2]) - (of_q[0] + of_q[1] + q.rough[2]);
+    double size = std::fabs(p.rough[2]) + std::fabs(q.rough[2]);
+    for (int k = 0; k < 2; k++)
+      size += std::fabs(of_p[k]) + std::fabs(of_q[k]);
+    const double bound = SIDE_ERROR * size + LOST;
+    return by > bound ? 1 : by < -bound ? -1 : 0;
+  } catch (...) {
+    lines->failed = true;
     return 0;
-  const Line &l = lines->line_at(line);
-  const double p = l.d[0] * at.at[0], q = l.d[1] * at.at[1], r = l.d[2];
-  const double value = p + q + r;
-  const double bound =
-      SIDE_ERROR * (std::fabs(p) + std::fabs(q) + std::fabs(r)) + LOST;
-  if (value > bound)
-    return 1;
-  if (value < -bound)
-    return -1;
-  return lines->exactly([&] {
-    return CGAL::sign(l.exact[0] * at.exact[0] + l.exact[1] * at.exact[1] +
-                      l.exact[2] * at.exact[2]);
-  });
+  }
 }
 
 int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
@@ -703,8 +949,9 @@ int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
   if (by < -bound)
     return -1;
   return lines->exactly([&] {
-    return CGAL::compare(a.exact[size_t(axis)] * b.exact[2],
-                         b.exact[size_t(axis)] * a.exact[2]);
+    const Triple of_p = lines->integers_at(p), &of_q = lines->integers_at(q);
+    return CGAL::compare(of_p[size_t(axis)] * of_q[2],
+                         of_q[size_t(axis)] * of_p[2]);
   });
 }
 
@@ -719,8 +966,8 @@ int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
   if (by < -bound)
     return -1;
   return lines->exactly([&] {
-    return CGAL::sign(Exact(a.exact[size_t(axis)]) -
-                      Exact(at) * Exact(a.exact[2]));
+    const Triple &exact = lines->integers_at(p);
+    return CGAL::sign(Exact(exact[size_t(axis)]) - Exact(at) * Exact(exact[2]));
   });
 }
 

@@ -41,8 +41,9 @@ static struct extent extent_along(const struct hsr_area *a, const double n[2]) {
   struct extent found = {DBL_MAX, -DBL_MAX, 0};
   for (uint32_t k = 0; k < a->n_edges; k++) {
     double x = n[0] * a->edge[k].at[0][0], y = n[1] * a->edge[k].at[0][1];
-    found.lo = fmin(found.lo, x + y);
-    found.hi = fmax(found.hi, x + y);
+    double along = x + y;
+    found.lo = along < found.lo ? along : found.lo;
+    found.hi = along > found.hi ? along : found.hi;
     found.error += fabs(x) + fabs(y);
   }
   return found;
@@ -56,7 +57,8 @@ static bool edge_separates(const struct hsr_area *of, const struct hsr_area *a,
     const struct hsr_border_edge *e = &of->edge[k];
     double n[2] = {e->at[1][1] - e->at[0][1], e->at[0][0] - e->at[1][0]};
     struct extent p = extent_along(a, n), q = extent_along(b, n);
-    if (fmax(p.lo - q.hi, q.lo - p.hi) > 0x1p-48 * (p.error + q.error) + LOST)
+    double bound = 0x1p-48 * (p.error + q.error) + LOST;
+    if (p.lo - q.hi > bound || q.lo - p.hi > bound)
       return true;
   }
   return false;

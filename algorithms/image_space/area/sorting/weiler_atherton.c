@@ -169,12 +169,29 @@ static void display(struct state *s, struct hsr_area *area) {
 
 enum { BEHIND, BEFORE, BOTH };
 
+/* The same, as far as doubles tell it at every corner; else BOTH. */
+static int compare_roughly(struct state *s, const struct hsr_area *piece,
+                           const struct hsr_area *clip) {
+  int first =
+      hsr_nearer_at(s->c.lines, piece->face, clip->face, piece->edge[0].from);
+  for (uint32_t k = 1; k < piece->n_edges && first; k++)
+    if (hsr_nearer_at(s->c.lines, piece->face, clip->face,
+                      piece->edge[k].from) != first)
+      return BOTH;
+  return first ? first > 0 ? BEFORE : BEHIND : BOTH;
+}
+
 /* Where a piece lies of the clip polygon that it is inside of. *line and *sign
  * are set if it is on both sides: it is before where sign times the line's
  * function is positive. */
 static int compare_depths(struct state *s, const struct hsr_area *piece,
                           const struct hsr_area *clip, uint32_t *line,
                           int *sign) {
+  int roughly = compare_roughly(s, piece, clip);
+  *line = HSR_NO_LINE;
+  *sign = 0;
+  if (roughly != BOTH)
+    return roughly;
   bool lower = piece->face < clip->face, before = false, behind = false;
   struct hsr_line_name name = {HSR_LINE_MEETING,
                                lower ? piece->face : clip->face,
