@@ -2,6 +2,7 @@
 /* Decisions that are carried from row to row: see regions.h. */
 #include "algorithms/engines/scan_line/regions.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* No edge: a side of the window. */
@@ -29,8 +30,6 @@ void hsr_regions_open(struct hsr_regions *r, int j) {
   r->j = j;
   r->here = r->there = r->agreed = 0;
   r->n_list = s->n_list;
-  while (r->n_list && s->edge[s->list[r->n_list - 1]].column == HSR_NO_COLUMN)
-    r->n_list--;
 }
 
 /* --- The two lists -------------------------------------------------------- */

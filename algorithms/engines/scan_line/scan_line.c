@@ -71,22 +71,21 @@ static int find_spans(struct hsr_scan *s, const struct hsr_piece *piece,
 
 static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
                       uint32_t number) {
-  struct hsr_scan_cut cut = {.piece = *piece,
-                             .first_edge = s->n_edges,
-                             .n_edges = (int)most_ends(&s->screen, piece),
-                             .row = -1};
+  struct hsr_scan_cut cut = {
+      .piece = *piece, .first_edge = s->n_edges, .row = -1};
   struct hsr_scan_edge edge = {
       .face = piece->face, .piece = number, .cut = s->n_cut};
-  int row = piece->bounds.y0, end_row = piece->bounds.y1;
-  if (piece->n_cuts) { /* its bounds are wider than it is */
-    while (row < end_row && !find_spans(s, piece, row))
-      row++;
-    while (row < end_row && !find_spans(s, piece, end_row - 1))
-      end_row--;
+  int first_row = 0;
+  for (int row = piece->bounds.y0; row < piece->bounds.y1; row++) {
+    int n = find_spans(s, piece, row);
+    if (!n)
+      continue;
+    first_row = cut.n_edges ? first_row : row;
+    edge.end_row = row + 1;
+    cut.n_edges = n > cut.n_edges ? n : cut.n_edges;
   }
-  edge.end_row = end_row;
   for (int k = 0; k < cut.n_edges; k++)
-    put_into_bucket(s, edge, row);
+    put_into_bucket(s, edge, first_row);
   s->cut[s->n_cut++] = cut;
 }
 
@@ -138,16 +137,18 @@ void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
 /* --- X sort --------------------------------------------------------------- */
 
 /* Finds the columns of all ends of a piece, when the first of them is asked for
- * on the row. */
+ * on the row. Those that it does not have there lie in pairs at its last end;
+ * if it has none, where its first one was. */
 static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
                              int j) {
   if (cut->row == j)
     return;
   cut->row = j;
+  struct hsr_scan_edge *end = &s->edge[cut->first_edge];
   int n = find_spans(s, &cut->piece, j);
+  int last = n ? s->columns[n - 1] : end[0].column;
   for (int k = 0; k < cut->n_edges; k++)
-    s->edge[cut->first_edge + (uint32_t)k].column =
-        k < n ? s->columns[k] : HSR_NO_COLUMN;
+    end[k].column = k < n ? s->columns[k] : last;
 }
 
 /* Finds the column of an edge on row j, which is at `at` in the picture. */

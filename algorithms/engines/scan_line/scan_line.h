@@ -28,7 +28,6 @@
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
 
-#include <limits.h>
 #include <math.h>
 
 #ifdef __cplusplus
@@ -57,10 +56,6 @@ struct hsr_scan_known {
 };
 
 #define HSR_NOT_CUT UINT32_MAX
-
-/* The column of an edge that stands for an end of a cut face, on a row on which
- * the face has fewer ends. */
-#define HSR_NO_COLUMN INT_MAX
 
 /* A cut face, or a piece of a face, and the edges that stand for its ends. */
 struct hsr_scan_cut {

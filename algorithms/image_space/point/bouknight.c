@@ -232,8 +232,6 @@ static void scan_row(struct bouknight *s) {
   uint32_t k = 0;
   for (; k < s->edges.n_list; k++) {
     const struct hsr_scan_edge *edge = &s->edges.edge[s->edges.list[k]];
-    if (edge->column == HSR_NO_COLUMN)
-      break;
     int right = edge->column < w->x1 ? edge->column : w->x1;
     decide_span(s, k, left, right);
     if (left < right)

@@ -36,6 +36,8 @@
  *               big-harbor       889      889 */
 #include "algorithms/image_space/point/bouknight.h"
 
+#include <limits.h>
+
 enum hsr_status bouknight_begin_implied(struct bouknight *s) {
   size_t n = (size_t)s->edges.n_edges + 1;
   s->implied = HSR_NEW(s->edges.job->scratch, struct bouknight_implied, n);

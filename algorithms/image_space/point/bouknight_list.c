@@ -103,8 +103,6 @@ static uint32_t find_segments(struct bouknight *s) {
   uint32_t k = 0;
   for (; k < s->edges.n_list; k++) {
     const struct hsr_scan_edge *edge = edge_of(s, k);
-    if (edge->column == HSR_NO_COLUMN)
-      break;
     uint32_t *opened_by = &list->opened_by[edge->face];
     list->end[k] = NO_END;
     if (*opened_by == BOUKNIGHT_NONE) {

@@ -10,6 +10,8 @@
  *             on each row. */
 #include "algorithms/image_space/point/bouknight.h"
 
+#include <limits.h>
+
 enum hsr_status bouknight_begin_regions(struct bouknight *s,
                                         struct hsr_regions *carried) {
   s->regions = carried;

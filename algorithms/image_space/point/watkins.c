@@ -136,8 +136,6 @@ static void find_segments(struct hsr_watkins *s) {
   for (uint32_t k = 0; k < s->edges.n_list; k++) {
     uint32_t e = s->edges.list[k];
     const struct hsr_scan_edge *edge = &s->edges.edge[e];
-    if (edge->column == HSR_NO_COLUMN)
-      break;
     uint32_t number = s->open[edge->piece];
     bool opens = number == NONE;
     if (opens) {

@@ -38,6 +38,8 @@
  *             more than it saves. */
 #include "algorithms/image_space/point/watkins.h"
 
+#include <limits.h>
+
 enum hsr_status hsr_watkins_use_regions(struct hsr_watkins *s,
                                         struct hsr_watkins_regions *regions,
                                         size_t n_pieces,

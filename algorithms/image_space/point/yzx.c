@@ -258,8 +258,6 @@ static void find_crossings(struct scan *s) {
   uint32_t n = 0;
   for (uint32_t k = 0; k < s->edges.n_list; k++) {
     const struct hsr_scan_edge *edge = &s->edges.edge[s->edges.list[k]];
-    if (edge->column == HSR_NO_COLUMN)
-      break;
     struct strips *strips = &s->strips[edge->face];
     if (strips->row != s->j) {
       strips->row = s->j;
