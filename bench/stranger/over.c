@@ -65,16 +65,17 @@ static void *grow(struct hsr_growing *array, size_t size) {
 
 /* --- A row ---------------------------------------------------------------- */
 
-static bool differs(const struct supposed *now, int i, int j) {
-  size_t k = (size_t)j * (size_t)now->m + (size_t)i;
-  return now->got[k] != now->wanted[k];
+bool is_looked_at(const struct supposed *now, size_t k) {
+  return now->got[k] != now->wanted[k] ||
+         (now->got[k] != HSR_NO_FACE &&
+          k % (1 + now->all / RIGHT_LOOKED_AT) == 0);
 }
 
 static bool add_spans(struct overlook *o, uint32_t f, int j) {
   int n = hsr_face_spans(&o->screen, f, j, o->columns, &o->tally);
   for (int k = 0; k + 1 < n; k += 2)
     for (int i = o->columns[k]; i < o->columns[k + 1]; i++) {
-      if (!differs(o->now, i, j))
+      if (!is_looked_at(o->now, (size_t)j * (size_t)o->now->m + (size_t)i))
         continue;
       struct met *met = grow(&o->met, sizeof *met);
       if (!met)

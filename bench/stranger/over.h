@@ -34,7 +34,14 @@ enum hsr_status overlook_open(struct overlook *o, const struct studio *studio,
                               struct hsr_error *err);
 void overlook_close(struct overlook *o);
 
-/* Finds what is over the samples of row j that differ. HSR_E_NOMEM. */
+/* Of the samples that are right, about so many of a picture are looked at. */
+enum { RIGHT_LOOKED_AT = 65536 };
+
+/* Whether sample k is looked at: it differs, or it is one of those that are
+ * right. */
+bool is_looked_at(const struct supposed *now, size_t k);
+
+/* Finds what is over the samples of row j that are looked at. HSR_E_NOMEM. */
 enum hsr_status overlook_row(struct overlook *o, int j, struct hsr_error *err);
 
 /* Returns the faces over sample (i, j) of that row, *n of them, in order. They

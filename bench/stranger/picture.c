@@ -271,9 +271,11 @@ static enum hsr_status check_format(struct reading *r) {
                     "%s: --colours is for .png files and others of colours",
                     path);
   if (!f->colours && !exr && !raw && !npy)
-    return hsr_fail(r->err, HSR_E_USAGE,
-                    "%s: which colour is which face? --colours FILE says it",
-                    path);
+    return hsr_fail(
+        r->err, HSR_E_USAGE,
+        "%s: a picture is .npy, .exr or .raw; of colours, --colours "
+        "FILE says which is which face",
+        path);
   if (raw && !f->m)
     return hsr_fail(r->err, HSR_E_USAGE,
                     "%s: --size says how many columns and rows it has", path);

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of single samples. A sample may be of several kinds; the kind that
- * explains most samples gets all that it explains, then the next. */
+ * explains most samples gets all that it explains, then the next. A face that is
+ * hidden is a kind of what is left over: it explains more than others, and says
+ * less.
+ *
+ * A fault of every comparison shows wherever there is something to compare. So it
+ * is not supposed if many samples are right where it would make them wrong. */
 #include "bench/stranger/over.h"
 
 #include <math.h>
@@ -9,6 +14,10 @@
 #include <string.h>
 
 enum { FIRST_KIND = STRANGER_TIE, SURROUNDINGS = 8 };
+
+/* A fault of every comparison may have one exception for as many samples that it
+ * explains. */
+enum { FOR_AN_EXCEPTION = 8 };
 #define KIND(kind) (1u << (STRANGER_##kind - FIRST_KIND))
 
 struct looking {
@@ -18,6 +27,9 @@ struct looking {
   uint32_t *beside[SURROUNDINGS]; /* what is right half a sample away */
   bool is_empty;                  /* one id is everywhere */
   uint16_t *kinds;                /* of each sample that differs */
+  /* Of each kind of fault of every comparison: the samples that are right, but
+   * would not be. */
+  uint64_t against[STRANGER_WRONG - FIRST_KIND];
 };
 
 /* --- Depth ---------------------------------------------------------------- */
@@ -178,6 +190,7 @@ static unsigned kinds_of(struct looking *l, const struct case_ *c,
       kinds |= KIND(DEPTH);
     if (g == existing(c, true))
       kinds |= KIND(FARTHEST);
+    kinds |= KIND(HIDDEN);
   }
   if (is_at_edge(l, c, g))
     kinds |= KIND(EDGE);
@@ -204,6 +217,19 @@ static enum hsr_status draw_beside(struct looking *l,
   return status;
 }
 
+/* Counts a sample that is right against the faults that would make it wrong. */
+static void count_against(struct looking *l, const struct case_ *c,
+                          uint64_t samples) {
+  unsigned would_be = numbers(c);
+  if (existing(c, false) == existing(c, true))
+    return;
+  l->against[STRANGER_FARTHEST - FIRST_KIND] += samples;
+  if (!(would_be & KIND(LAST)))
+    l->against[STRANGER_LAST - FIRST_KIND] += samples;
+  if (!(would_be & KIND(FIRST)))
+    l->against[STRANGER_FIRST - FIRST_KIND] += samples;
+}
+
 static enum hsr_status look_at_row(struct looking *l, int j,
                                    struct hsr_error *err) {
   const struct supposed *now = l->now;
@@ -211,13 +237,17 @@ static enum hsr_status look_at_row(struct looking *l, int j,
   size_t differing =
       count_differing(now->got + begin, now->wanted + begin, (size_t)now->m);
   enum hsr_status status = differing ? overlook_row(&l->over, j, err) : HSR_OK;
+  const size_t step = 1 + now->all / RIGHT_LOOKED_AT;
   for (int i = 0; differing && i < now->m && !status; i++) {
     size_t k = begin + (size_t)i;
-    if (now->got[k] == now->wanted[k])
+    bool right = now->got[k] == now->wanted[k];
+    if (!is_looked_at(now, k))
       continue;
     struct case_ c = {.i = i, .j = j, .got = now->got[k]};
     c.over = overlook_sample(&l->over, i, j, &c.n);
-    if (c.over)
+    if (c.over && right)
+      count_against(l, &c, step);
+    else if (c.over)
       l->kinds[k] = (uint16_t)(kinds_of(l, &c, now->wanted[k]) |
                                (l->is_empty ? KIND(EMPTY) : 0));
     if (!c.over || l->over.tally.out_of_memory)
@@ -278,12 +308,16 @@ static void assign(struct looking *l, enum stranger_kind kind,
 
 /* The kind that most of the samples left may be of, and how many. */
 static enum stranger_kind usual_kind(const struct looking *l, uint64_t *most) {
-  uint64_t n[STRANGER_WRONG - FIRST_KIND] = {0};
+  enum { KINDS = STRANGER_HIDDEN - FIRST_KIND };
+  uint64_t n[KINDS + 1] = {0};
   int best = 0;
   for (size_t k = 0; k < l->now->all; k++)
     for (int kind = 0; l->kinds[k] >> kind; kind++)
       n[kind] += l->kinds[k] >> kind & 1;
-  for (int kind = 1; kind < STRANGER_WRONG - FIRST_KIND; kind++)
+  for (int kind = 0; kind < KINDS; kind++)
+    if (l->against[kind] > n[kind] / FOR_AN_EXCEPTION)
+      n[kind] = 0;
+  for (int kind = 1; kind < KINDS; kind++)
     if (n[kind] > n[best])
       best = kind;
   *most = n[best];
@@ -300,9 +334,11 @@ static void name_kinds(struct looking *l, struct stranger_verdict *verdict) {
   enum stranger_kind kind;
   while ((kind = usual_kind(l, &most), most))
     assign(l, kind, verdict);
-  assign(l, STRANGER_WRONG, verdict);
-  if (!verdict->sample[verdict->n_sample - 1].samples)
-    verdict->n_sample--;
+  for (kind = STRANGER_HIDDEN; kind <= STRANGER_WRONG; kind++) {
+    assign(l, kind, verdict);
+    if (!verdict->sample[verdict->n_sample - 1].samples)
+      verdict->n_sample--;
+  }
   qsort(verdict->sample, (size_t)verdict->n_sample, sizeof *verdict->sample,
         compare_reasons);
 }

@@ -61,11 +61,13 @@ void say_text(const struct judged *judged, bool colours) {
     printf("all %llu are right\n", (unsigned long long)v->compared);
     return;
   }
-  printf("%llu of %llu are wrong (%.3g %%)\n", (unsigned long long)v->differing,
-         (unsigned long long)v->compared,
+  printf("%llu of %llu %s wrong (%.3g %%)\n", (unsigned long long)v->differing,
+         (unsigned long long)v->compared, v->differing == 1 ? "is" : "are",
          100.0 * (double)v->differing / (double)v->compared);
-  printf("they are in columns %d to %d of rows %d to %d; the first is %s\n",
-         v->box[0], v->box[2] - 1, v->box[1], v->box[3] - 1, v->first);
+  if (v->differing > 1)
+    printf("they are in columns %d to %d of rows %d to %d\n", v->box[0],
+           v->box[2] - 1, v->box[1], v->box[3] - 1);
+  printf("the first is %s\n", v->first);
   say_reasons(v, colours);
 }
 
