@@ -71,6 +71,17 @@ static void print_algorithm(const struct hsr_algorithm *a, int sorts) {
   terminal_wrap(stdout, used, used, text);
 }
 
+/* What the codes of the last column mean. */
+static void print_demands(void) {
+  char text[600] = "";
+  size_t n = 0;
+  for (int k = 0; k < HSR_N_RESTRICTIONS && n < sizeof text; k++)
+    n += (size_t)snprintf(text + n, sizeof text - n, "%s%s %s", k ? "; " : "",
+                          hsr_restriction_code(1u << k), list_demand(k));
+  putchar('\n');
+  terminal_wrap(stdout, printf("demands: "), 9, text);
+}
+
 /* One word of an option, or an option of numbers. */
 void list_print_meaning(const char *what, const char *meaning) {
   int used = printf("    %-22s  ", what);
@@ -221,6 +232,7 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
          "taxonomy; restrictions");
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     print_algorithm(a->plain, sorts);
+  print_demands();
   print_options();
   print_palettes();
   return HSR_OK;

@@ -9,6 +9,10 @@
 /* Prints what an option is, and its words or its range with the standard one. */
 void list_print_option(const struct hsr_option *option);
 
+/* What restriction number k of common/adapt/adapt.h demands of a scene, in words.
+ * Static. */
+const char *list_demand(int k);
+
 /* Prints "what" in a column of its own, and what that means. */
 void list_print_meaning(const char *what, const char *meaning);
 

@@ -27,7 +27,7 @@ static void say_place(const struct hsr_algorithm *a) {
 }
 
 /* What a restriction demands, by its bit. */
-static const char *demand(int k) {
+const char *list_demand(int k) {
   static const char *const demands[HSR_N_RESTRICTIONS] = {
       "clusters that are closed convex polyhedra",
       "convex faces",
@@ -47,7 +47,7 @@ static void say_demands(const struct hsr_algorithm *a) {
     const char *code = hsr_restriction_code(1u << k);
     if (!((a->restrictions | a->lifted) & 1u << k))
       continue;
-    snprintf(text, sizeof text, "%s (%s)%s", demand(k), code,
+    snprintf(text, sizeof text, "%s (%s)%s", list_demand(k), code,
              a->restrictions & 1u << k
                  ? "; what is not so is divided or refused"
                  : "; only in its paper");

@@ -190,6 +190,8 @@ reportdir = $(pkgdatadir)/report
 nodist_report_DATA = %D%/page/index.html %D%/page/report.css \
   %D%/page/report.js %D%/page/lesson.html
 CLEANFILES += $(nodist_report_DATA)
+endif
+if MAKE_REPORT
 report_modules = %D%/npm/node_modules
 
 # npm's packages, in the build tree. None of them needs to run scripts.
@@ -252,12 +254,18 @@ distclean-local:
 	rm -rf %D%/npm
 else
 all-local: lab-of-tarball
+if WITH_REPORT
+$(nodist_report_DATA):
+	@$(MKDIR_P) %D%/page && cp $(srcdir)/%D%/built/$(@F) $@
+endif
 endif
 
-# A tarball that is made where the page is carries it, for builds without emscripten.
+# A tarball that is made where the pages are carries them, for builds without node and
+# without emscripten.
 dist-hook:
-	@test ! -f %D%/page/lab.html || { $(MKDIR_P) "$(distdir)/%D%/built" && \
-	  cp %D%/page/lab.html "$(distdir)/%D%/built"; }
+	@for page in index.html report.css report.js lesson.html lab.html; do \
+	  test ! -f %D%/page/$$page || { $(MKDIR_P) "$(distdir)/%D%/built" && \
+	  cp %D%/page/$$page "$(distdir)/%D%/built"; } || exit 1; done
 lab-of-tarball:
 	@test -f web/hsr.wasm || test ! -f $(srcdir)/%D%/built/lab.html || { \
 	  $(MKDIR_P) %D%/page && cp $(srcdir)/%D%/built/lab.html %D%/page; }

@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #define STANDARD_SIZE "128x128"
@@ -58,8 +59,25 @@ static bool is_pdf(const struct options *o) {
   return end && !strcmp(end, ".pdf");
 }
 
+/* Whether a name is that of slides or of a picture, which a page is not. */
+static bool is_no_page(const char *name) {
+  static const char *const end[] = {".pdf", ".svg", ".png", ".pptx"};
+  const char *dot = strrchr(name, '.');
+  for (size_t k = 0; dot && k < sizeof end / sizeof *end; k++)
+    if (!strcasecmp(dot, end[k]))
+      return true;
+  return false;
+}
+
 static error_t check_output(struct options *o) {
-  return o->output || (o->slides.folder && !o->survey)
+  if (o->output && is_no_page(o->output))
+    return option_fail(&o->base,
+                       "lesson: -o %s: a page is .html; --frames FILE.pdf or "
+                       "--frames DIR makes slides",
+                       o->output);
+  if (o->survey && o->slides.folder)
+    return option_fail(&o->base, "lesson: --survey makes a page, no slides");
+  return o->output || o->slides.folder
              ? 0
              : option_fail(&o->base, "lesson: which file? (-o FILE.html)");
 }
@@ -272,6 +290,8 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
     status = make_page(o, err);
   if (!status && o->output)
     printf("open %s\n", o->output);
+  if (!status && o->slides.folder)
+    printf("slides in %s\n", o->slides.folder);
   free(o);
   return status;
 }

@@ -149,6 +149,11 @@ static enum hsr_status check_sheet(const struct render_options *o,
                     "--sheet makes one drawing of lines; it does not go with "
                     "--views, --orbit, --frames, --tiles, --sort-last, "
                     "--passes, --crop, or --fill without --hatch");
+  if (o->view.camera.look)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--sheet names the views itself, as in "
+                    "--sheet=front,top,%s; --%s is for a drawing of one",
+                    o->view.camera.look, o->view.camera.look);
   for (int k = 0; k < o->n_outputs; k++)
     if (!hsr_is_paper_file(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE,

@@ -62,7 +62,7 @@ static enum hsr_status open_place(struct render *r,
   return status;
 }
 
-/* "view 3", "views 1-153" or "72 views of a turn". */
+/* "view 3", "views 1-153", "72 views of a turn" or "4 views". */
 static void print_views(const struct render *r, char *text, size_t size) {
   const struct render_options *o = r->options;
   if (o->last_frame >= 0)
@@ -71,16 +71,22 @@ static void print_views(const struct render *r, char *text, size_t size) {
     snprintf(text, size, "views %ld-%ld", o->first, o->last);
   else if (o->orbit)
     snprintf(text, size, "a turn from view %ld", o->view.view);
+  else if (r->n_on_sheet)
+    snprintf(text, size, "%zu views", r->n_on_sheet);
   else
     snprintf(text, size, "view %ld", o->view.view);
 }
 
-/* "512 x 512 samples", or "512 x 512 pixels of 4 x 4 samples". */
+/* "512 x 512 samples", "512 x 512 pixels of 4 x 4 samples", or "a sheet of 190 x
+ * 110 mm". */
 static void print_size(const struct render *r, char *text, size_t size) {
   const struct render_options *o = r->options;
   const int m = r->n_tiles ? o->view.m : r->view.m,
             n = r->n_tiles ? o->view.n : r->view.n, s = (int)o->supersamples;
-  if (s > 1)
+  if (r->n_on_sheet)
+    snprintf(text, size, "a sheet of %.0f x %.0f mm", r->sheet_mm[0],
+             r->sheet_mm[1]);
+  else if (s > 1)
     snprintf(text, size, "%d x %d pixels of %d x %d %s", m / s, n / s, s, s,
              r->kind->grains);
   else
@@ -129,6 +135,9 @@ static void print_report(struct render *r, const struct hsr_algorithm *a) {
            r->n_kept, r->options->last_frame - r->options->first_frame);
   if (hsr_scene_is_transparent(r->scene) && !r->kind->sees_through)
     printf("the scene has transparent faces; they are drawn as opaque ones\n");
+  if (r->setup.flags & HSR_KNOWN_WRONG)
+    printf("%s is known to be wrong; hsr judge tells of a picture where\n",
+           a->name);
   char times[300];
   if (r->options->sort_last)
     snprintf(times, sizeof times,

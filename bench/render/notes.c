@@ -139,11 +139,13 @@ static void say_no_faces(const struct render_options *o) {
   }
 }
 
-/* A scene whose unit is not a millimetre is a dot on a page to scale. */
+/* A scene whose unit is not a millimetre is a dot on a page to scale. A view has
+ * some tens of mm of line at the least, if one can see what it shows. */
 static void say_unit(const struct render *r) {
   const struct hsr_page *page = &r->options->page;
+  const size_t views = r->n_on_sheet ? r->n_on_sheet : 1;
   if (page->scale > 0 && !(page->unit > 0) && r->drawn.strokes &&
-      r->drawn.ink < 20)
+      r->drawn.ink < 20 * (double)views)
     fprintf(stderr,
             "hsr: to this scale all lines together are %.3g mm long; --unit "
             "says how long a unit of the scene is, if it is not 1mm\n",

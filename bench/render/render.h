@@ -69,6 +69,8 @@ struct render {
   struct hsr_answer answer;
   struct hsr_shaded shaded;
   struct hsr_drawn drawn;
+  size_t n_on_sheet;  /* views of --sheet */
+  double sheet_mm[2]; /* its width and height */
   struct hsr_answer
       fill; /* the visible polygons of --fill, and what they need */
   struct hsr_setup fill_setup;

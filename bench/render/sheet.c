@@ -238,6 +238,9 @@ static enum hsr_status write(struct sheet *s, struct hsr_plot *all,
   r->drawn = (struct hsr_drawn){.strokes = all->strokes.n,
                                 .ink = travel.down / HSR_PIXELS_PER_MM,
                                 .pen_up = travel.up / HSR_PIXELS_PER_MM};
+  r->n_on_sheet = s->n;
+  r->sheet_mm[0] = s->width / HSR_PIXELS_PER_MM;
+  r->sheet_mm[1] = s->height / HSR_PIXELS_PER_MM;
   return status;
 }
 

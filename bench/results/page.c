@@ -8,18 +8,23 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Where pages are as seen from the command: in the tree that it was built in;
+ * where `make install` puts them, so that all may be moved together. */
+static const char *const places[] = {"/reports/page", "/../share/hsr/report"};
+
 void find_page(const char *file, char folder[PAGE_FOLDER]) {
-  static const char beside[] = "/reports/page";
-  ssize_t length =
-      readlink("/proc/self/exe", folder, PAGE_FOLDER - sizeof beside);
-  folder[length > 0 ? length : 0] = '\0';
-  char *slash = strrchr(folder, '/');
-  if (slash)
-    strcpy(slash, beside);
-  char path[PAGE_FOLDER + 64];
-  snprintf(path, sizeof path, "%s/%.60s", folder, file);
-  if (access(path, R_OK))
-    snprintf(folder, PAGE_FOLDER, "%s", HSR_REPORT_DIR);
+  char self[PAGE_FOLDER / 2], path[PAGE_FOLDER + 64];
+  ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
+  self[length > 0 ? length : 0] = '\0';
+  char *slash = strrchr(self, '/');
+  for (size_t k = 0; slash && k < sizeof places / sizeof *places; k++) {
+    *slash = '\0';
+    snprintf(folder, PAGE_FOLDER, "%s%s", self, places[k]);
+    snprintf(path, sizeof path, "%s/%.60s", folder, file);
+    if (!access(path, R_OK))
+      return;
+  }
+  snprintf(folder, PAGE_FOLDER, "%s", HSR_REPORT_DIR);
 }
 
 /* Reads all of an open file, and ends it by 0. */
@@ -47,7 +52,10 @@ enum hsr_status read_built_page(const char *name, char **page,
   snprintf(path, sizeof path, "%s/%.60s", folder, name);
   FILE *file = fopen(path, "rb");
   if (!file)
-    return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
+    return hsr_fail(err, HSR_E_INPUT,
+                    "the page is not there, which the build makes where npm "
+                    "is: %.400s: %s",
+                    path, strerror(errno));
   enum hsr_status status = read_text(file, path, page, err);
   fclose(file);
   return status;

@@ -114,7 +114,7 @@ static const struct argp argp = {
     "the measured Table I; how each step grows; the taxonomy; and which of the "
     "survey's conclusions the counts bear out. It takes them from results of "
     "hsr bench. Without results it first counts on the nine scenes of the "
-    "tables and on a walk, which takes some minutes.\v"
+    "tables and on a walk, which takes half an hour.\v"
     "  hsr tables\n"
     "  hsr bench --counts house harbor big-harbor --size 500x500 -o c.ndjson\n"
     "  hsr tables c.ndjson\n"

@@ -46,9 +46,28 @@ static enum hsr_status fill(struct row *row, const struct results *results,
   return status;
 }
 
+/* The reference, if it was timed; else the algorithm of the first cell that was.
+ */
+static const char *present(const struct results *results,
+                           const char *reference) {
+  const char *first = NULL;
+  size_t k;
+  json_t *cell;
+  json_array_foreach(results->cells, k, cell) {
+    const char *name = results_text(cell, "algorithm");
+    if (!json_object_get(cell, "starts"))
+      continue;
+    if (!strcmp(name, reference))
+      return reference;
+    first = first ? first : name;
+  }
+  return first ? first : reference;
+}
+
 enum hsr_status rows_make(struct rows *rows, const struct results *results,
                           const char *reference, struct hsr_error *err) {
   size_t n = json_array_size(results->cells);
+  reference = present(results, reference);
   *rows = (struct rows){.reference = reference};
   rows->row = calloc(n ? n : 1, sizeof *rows->row);
   if (!rows->row)
