@@ -7,10 +7,12 @@ import { figures } from "./figures/all.js";
 import { closeness } from "./data/projection.js";
 import { runOf } from "./data/run.js";
 import { contradicts, numbersOf } from "./data/numbers.js";
+import { searchAt } from "./data/stretches.js";
 import { readTrace } from "./data/trace.js";
 import { eventWords } from "./data/words.js";
 import { lessonOf, LESSONS } from "./lessons/all.js";
-import { unseen } from "./looks/all.js";
+import { looksOf, unseen } from "./looks/all.js";
+import { markerLooks } from "./looks/tests.js";
 import { keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { courseIndex } from "./parts/course.js";
 import { ideaOf, lessonText, wayThrough } from "./parts/lesson.js";
@@ -18,6 +20,7 @@ import { player, playerState } from "./parts/player.js";
 import { whenLooksChange } from "./parts/redraw.js";
 import { stepDrawing } from "./parts/save_step.js";
 import { slides } from "./parts/slides.js";
+import { GLOSSARY } from "./telling/glossary.js";
 import { momentsOf } from "./telling/moments.js";
 import { secondsOf } from "./telling/pace.js";
 import { questionsOf } from "./telling/questions.js";
@@ -184,7 +187,8 @@ addEventListener("hashchange", () => {
 globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESSONS,
   story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
   moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
-  contradicts, drawing: stepDrawing, seconds: secondsOf };
+  contradicts, drawing: stepDrawing, seconds: secondsOf, looks: looksOf, searchAt,
+  markers: markerLooks, glossary: GLOSSARY };
 
 readAddress();
 keys(playing.act);

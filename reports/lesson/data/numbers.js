@@ -4,8 +4,9 @@
 import { fragmentAt } from "./fragments.js";
 import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
+import { planeAsked, separating } from "../looks/tests.js";
 import { closeness, projection } from "./projection.js";
-import { stretchesAt } from "./stretches.js";
+import { searchAt } from "./stretches.js";
 
 const NEARER = new Set(["nearer", "in front"]);
 const FARTHER = new Set(["farther", "behind"]);
@@ -92,20 +93,36 @@ function depthsInWindow(run, e) {
 // Of the halves of two segments that a logarithmic search compares; a single sample
 // that they do not decide is compared by itself.
 function depthsOfStretches(run, e) {
-  const found = e.window ? stretchesAt(run, e.k) : null;
+  const found = e.window ? searchAt(run, e.k) : null;
   if (!found) return null;
+  if (found.half) return { words: halfWords(run, e, found.half), less: null };
   const depth = (q) => run.header.view.parallel ? -q : 1 / q;
-  const [f, g] = found.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
+  const [f, g] = found.two.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
   const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
   const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
   if (!isDeep(run, ranges.flat()) || (!isApart && e.window.width === 1 &&
     e.outcome !== "undecided")) return null;
   const [p, q, r, s] = told(...ranges.flat());
   const less = lessOf(e.outcome);
-  return { words: `${p} to ${q} deep against ${r} to ${s}`,
+  return { words: `${p} to ${q} deep against ${r} to ${s}${priceWords(found)}`,
     a: less ? ranges[0][1] : ranges[0][0], b: less ? ranges[1][0] : ranges[1][1],
     less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
 }
+
+// Which half of a segment is kept, and why.
+function halfWords(run, { b }, { which, middle, side, split }) {
+  const columns = "the columns that are searched lie";
+  if (side === null) return `${columns} on both sides of the midpoint, column ${
+    middle}: they are divided too, at column ${split}, and the left part comes first`;
+  return `${which ? `${columns} on both sides of its midpoint, but of ${
+    run.faceName(b.ids[0])} ` : ""}the ${side} half is kept: ${which ? "they lie"
+    : columns} ${side} of ${which ? "that" : "the"} midpoint, column ${middle}`;
+}
+
+// What the answer costs, where halves were needed.
+const priceWords = ({ comparisons, divisions }) => !divisions ? ""
+  : `; so far ${comparisons} comparisons and ${divisions === 1 ? "one division"
+    : `${divisions} divisions`} for these two`;
 
 // Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {
@@ -160,6 +177,37 @@ function farthest(run, e) {
   }
   const [a, b] = told(p[0], q[1]);
   return { words: `P begins ${a} deep, Q ends ${b} deep`, less: null };
+}
+
+// Tests 4 and 5: how far the corners of the one lie on their side of the plane of the
+// other. Of a piece that was cut, the corners are not known.
+function cornersAndPlane(run, e) {
+  const whose = e.counter.key === "list-test" ? planeAsked(e) : null;
+  if (!whose) return null;
+  const other = whose === e.a ? e.b : e.a;
+  const [f, g] = [other.ids[0], whose.ids[0]];
+  if (run.outline(e.k, other.ids[1], f) || run.header.view.parallel) return null;
+  const { normal, offset } = equationOf(run, { face: g });
+  const side = (p) => normal.reduce((sum, x, c) => sum + x * p[c], -offset);
+  const eye = side(run.header.view.eye);
+  // Positive on the side where they are said to be.
+  const sign = (eye < 0 ? -1 : 1) * (whose === e.b ? -1 : 1);
+  const far = run.header.faces[f][3].map((v) => sign * side(run.trace.points[v]));
+  const [least, most] = [Math.min(...far), Math.max(...far)];
+  const [p, q] = told(Math.max(0, least), most);
+  const [whoseCorners, plane, word] = whose === e.b ? ["P", "Q", "beyond"]
+    : ["Q", "P", "before"];
+  return { words: `the corners of ${whoseCorners} lie ${p} to ${q} ${word} the plane of ${
+    plane}`, a: 0, b: least, less: true };
+}
+
+// Test 6: the line between the two images.
+function lineBetween(run, e) {
+  if (e.counter.key !== "list-test" || !/^test 6/.test(e.outcome)) return null;
+  const line = separating(run, e);
+  return { less: null, words: line
+    ? `the line of an edge of ${line.of}, dotted, has P on one side and Q on the other`
+    : "on no row do their samples meet" };
 }
 
 // --- Edges ---
@@ -293,5 +341,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
+const FINDERS = [farthest, cornersAndPlane, lineBetween, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
   depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

@@ -14,8 +14,12 @@ export const roberts = {
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
     "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
-    "is compared with the volumes that follow. What no volume hides is drawn. A concave " +
-    "solid is first divided into convex ones along the planes of its faces.",
+    "is compared with the volumes that follow. What no volume hides is drawn.",
+  "A volume is convex: it lies behind the plane of each of its faces. Where a solid is " +
+    "concave, as in the corner of an L, it lies on both sides of the plane of some face. " +
+    "It is cut along this plane, and each part again, until all parts are convex: they " +
+    "are its volumes. That is done before the first step, and for all views. The cuts " +
+    "are no faces and have no edges, so that none is drawn.",
   "A point of the edge is hidden if the line of sight to it passes through the volume. " +
     "At first all of the edge may be hidden. Each front plane of the volume takes away " +
     "what lies before it, and each edge of its contour what lies beside it, until all " +
