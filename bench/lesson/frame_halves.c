@@ -195,8 +195,10 @@ static void divide(struct frame_search *s) {
   s->is_shown = true;
   for (int k = 0; k < 2; k++) {
     double *stretch = s->at[k ? !longer : longer];
-    double middle = (stretch[0] + stretch[1] + 1) / 2;
+    double middle = (stretch[0] + stretch[1] + 1) / 2, end = stretch[1];
     s->keeps = narrow(stretch, s->l, s->r);
+    s->is_left = stretch[1] < end;
+    s->is_other = k;
     if (!k || s->keeps)
       s->middle = middle;
     if (s->keeps) {

@@ -68,7 +68,9 @@ struct frame_search {
   int n;
   struct frame_part part[FRAME_MOST_PARTS];
   double middle, kept[2]; /* of the last division */
-  bool keeps, is_known, is_shown;
+  bool keeps, is_left,
+      is_other; /* of it: a half, the left one, of the shorter */
+  bool is_known, is_shown;
 };
 
 struct frames {

@@ -117,7 +117,7 @@ function told(name) {
         const isSo = half.kept ? next.x >= half.kept[0] &&
           next.x + next.width - 1 <= half.kept[1] && words.includes(`${half.side} half`)
           : next.x === e.window.x && next.x + next.width === half.split &&
-            words.includes(`at column ${half.split}`);
+            words.includes(`divided at ${half.split}`);
         if (!isDashed || !isSo) say(out.halves, `step ${e.k + 1}: ${words}`);
       }
 

@@ -111,18 +111,16 @@ function depthsOfStretches(run, e) {
 
 // Which half of a segment is kept, and why.
 function halfWords(run, { b }, { which, middle, side, split }) {
-  const columns = "the columns that are searched lie";
-  if (side === null) return `${columns} on both sides of the midpoint, column ${
-    middle}: they are divided too, at column ${split}, and the left part comes first`;
-  return `${which ? `${columns} on both sides of its midpoint, but of ${
-    run.faceName(b.ids[0])} ` : ""}the ${side} half is kept: ${which ? "they lie"
-    : columns} ${side} of ${which ? "that" : "the"} midpoint, column ${middle}`;
+  if (side === null) return `no half holds all columns: they are divided at ${
+    split}`;
+  const end = side === "left" ? "up to" : "from";
+  return `${which ? `no half of it holds all columns; of ${run.faceName(b.ids[0])} ` : ""}` +
+    `the ${side} half is kept, ${end} column ${middle}`;
 }
 
 // What the answer costs, where halves were needed.
-const priceWords = ({ comparisons, divisions }) => !divisions ? ""
-  : `; so far ${comparisons} comparisons and ${divisions === 1 ? "one division"
-    : `${divisions} divisions`} for these two`;
+const priceWords = ({ comparisons, divisions }) => divisions
+  ? `; comparison ${comparisons} of the two` : "";
 
 // Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {
@@ -195,10 +193,7 @@ function cornersAndPlane(run, e) {
   const far = run.header.faces[f][3].map((v) => sign * side(run.trace.points[v]));
   const [least, most] = [Math.min(...far), Math.max(...far)];
   const [p, q] = told(Math.max(0, least), most);
-  const [whoseCorners, plane, word] = whose === e.b ? ["P", "Q", "beyond"]
-    : ["Q", "P", "before"];
-  return { words: `the corners of ${whoseCorners} lie ${p} to ${q} ${word} the plane of ${
-    plane}`, a: 0, b: least, less: true };
+  return { words: `by ${p} to ${q} at its corners`, a: 0, b: least, less: true };
 }
 
 // Test 6: the line between the two images.
@@ -206,7 +201,7 @@ function lineBetween(run, e) {
   if (e.counter.key !== "list-test" || !/^test 6/.test(e.outcome)) return null;
   const line = separating(run, e);
   return { less: null, words: line
-    ? `the line of an edge of ${line.of}, dotted, has P on one side and Q on the other`
+    ? `the dotted line, along an edge of ${line.of}, is between them`
     : "on no row do their samples meet" };
 }
 

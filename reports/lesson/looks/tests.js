@@ -53,9 +53,9 @@ function edgeBetween(p, q) {
 
 const NEAR = 0.06; // samples: images are rounded
 
-// A flag at each piece of the step that bears a marker.
+// A flag at each piece of the step that bears a marker. Halves bear none.
 export function markerLooks(run, e) {
-  if (!run.list?.ofPieces) return [];
+  if (!run.list?.ofPieces || e.kind === "split") return [];
   const of = [e.a, e.b].filter((s) => s.kind === "piece" && s.ids[0] >= 0);
   if (!of.length) return [];
   const { marked } = run.list.at(e.k + 1);

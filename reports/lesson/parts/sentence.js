@@ -52,7 +52,7 @@ function progressWords(run, k) {
   if (!keepsRows(run)) return `nothing ${progress.split(" ").at(-1)} yet`;
   const { painted, order } = run.list.at(k);
   return `${whole(painted.length)} of ${whole(painted.length + order.length)} pieces ` +
-    "are in the rows, which are shown at the end";
+    "in the rows, not shown yet";
 }
 
 const wrongAtEnd = (run, k) => k >= run.n ? wrongSamples(run).size : 0;
