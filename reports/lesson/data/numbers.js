@@ -310,11 +310,17 @@ function boxes(run, e) {
 function hiddenPart(run, e) {
   const at = e.counter.key === "edge-volume" ? fragmentAt(run, e.k) : null;
   if (!at?.hidden) return null;
-  const percent = (t) => `${Math.round(100 * Math.min(1, Math.max(0, t)))} %`;
-  const isWhole = at.from < 0.005 && at.to > 0.995;
-  return { words: `it hides from ${percent(at.hidden[0])} to ${percent(at.hidden[1])} ` +
-    `of the edge${isWhole ? "" : `; the fragment goes from ${percent(at.from)} to ${
-      percent(at.to)}`}`, less: null };
+  const fragment = at.from < 0.005 && at.to > 0.995 ? ""
+    : `; the fragment is ${shareWords(at.from, at.to)}`;
+  return { words: `it hides ${shareWords(...at.hidden)} of the edge${fragment}`, less: null };
+}
+
+// "all", "the first 55 %", "what lies between 25 % and 70 %".
+function shareWords(from, to) {
+  const [p, q] = [from, to].map((t) => Math.round(100 * Math.min(1, Math.max(0, t))));
+  if (!p && q === 100) return "all";
+  return !p ? `the first ${q} %` : q === 100 ? `the last ${100 - p} %`
+    : `what lies between ${p} % and ${q} %`;
 }
 
 // --- The pyramid ---

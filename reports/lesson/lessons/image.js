@@ -56,7 +56,7 @@ export const warnock = {
     ["Dashed: the critical surrounder. Solid: a face behind it at all corners",
       { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One intersecter is left before the surrounder, which is shown where that is not",
+    ["One intersecter is left: what is behind it is shown first, then itself",
       { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
     ["Half of the windows are done", { name: "windows", at: 0.5 }],

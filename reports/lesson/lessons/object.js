@@ -9,6 +9,21 @@ const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does i
 // events of a kind.
 const EARLY = 12;
 
+// Whether the volume is a part of a solid that was divided.
+function isPart(run, { b }) {
+  if (!run.partsOfSolids) {
+    const { bodies, volumes } = run.trace.structure;
+    const solid = (volumes ?? []).map((faces, v) => [faces ?? [], v])
+      .filter(([faces]) => faces.length > 3);
+    run.partsOfSolids = new Set((bodies ?? []).flatMap((body) => {
+      const of = new Set(body);
+      const own = solid.filter(([faces]) => faces.every((f) => of.has(f)));
+      return own.length > 1 ? own.map(([, v]) => v) : [];
+    }));
+  }
+  return run.partsOfSolids.has(b.ids[0]);
+}
+
 export const roberts = {
   idea: "Each edge against each volume",
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
@@ -60,6 +75,8 @@ export const roberts = {
     ["The volume hides one end: one piece is left",
       { of: "edge-volume", outcome: "one piece left", pick: "largest", among: EARLY },
       VOLUME],
+    ["This volume is a part of a concave solid, which was divided into convex ones",
+      { of: "edge-volume", where: isPart, pick: "largest" }],
     ["What is left goes on to the next volume", { of: "one-left", pick: "largest",
       among: EARLY }],
     ["The edge lies in the front of this volume, which cannot hide it",

@@ -49,10 +49,10 @@ function progressWords(run, k) {
   const done = run.painting.decided(k), { progress } = run.kind;
   if (done >= 0.01) return `${Math.floor(100 * done)} % ${progress}`;
   if (done) return `less than 1 % ${progress}`;
-  if (!keepsRows(run)) return `nothing ${progress.split(" ").at(-1)} yet`;
-  const { painted, order } = run.list.at(k);
-  return `${whole(painted.length)} of ${whole(painted.length + order.length)} pieces ` +
-    "in the rows, not shown yet";
+  const { painted, order } = keepsRows(run) ? run.list.at(k) : { painted: [], order: [] };
+  const all = painted.length + order.length;
+  return all ? `${whole(painted.length)} of ${whole(all)} pieces in the rows, not shown yet`
+    : `nothing ${progress.split(" ").at(-1)} yet`;
 }
 
 const wrongAtEnd = (run, k) => k >= run.n ? wrongSamples(run).size : 0;
