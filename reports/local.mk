@@ -53,6 +53,7 @@ lesson_sources = \
   %D%/lesson/data/structure.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/trees.js \
+  %D%/lesson/data/volumes.js \
   %D%/lesson/data/words.js \
   %D%/lesson/figures/all.js \
   %D%/lesson/figures/drawing.js \

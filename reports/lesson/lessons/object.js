@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The four algorithms in object space, which draw lines. all.js says what a lesson is.
 import { numbersOf } from "../data/numbers.js";
+import { isPart } from "../data/volumes.js";
 import { countOf, perEach, share, times, withOutcome } from "../telling/figures.js";
 
 const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does it hide?";
@@ -8,21 +9,6 @@ const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does i
 // A run of Roberts is long. To tell its idea early, rules look at the first so many
 // events of a kind.
 const EARLY = 12;
-
-// Whether the volume is a part of a solid that was divided.
-function isPart(run, { b }) {
-  if (!run.partsOfSolids) {
-    const { bodies, volumes } = run.trace.structure;
-    const solid = (volumes ?? []).map((faces, v) => [faces ?? [], v])
-      .filter(([faces]) => faces.length > 3);
-    run.partsOfSolids = new Set((bodies ?? []).flatMap((body) => {
-      const of = new Set(body);
-      const own = solid.filter(([faces]) => faces.every((f) => of.has(f)));
-      return own.length > 1 ? own.map(([, v]) => v) : [];
-    }));
-  }
-  return run.partsOfSolids.has(b.ids[0]);
-}
 
 export const roberts = {
   idea: "Each edge against each volume",
@@ -76,7 +62,7 @@ export const roberts = {
       { of: "edge-volume", outcome: "one piece left", pick: "largest", among: EARLY },
       VOLUME],
     ["This volume is a part of a concave solid, which was divided into convex ones",
-      { of: "edge-volume", where: isPart, pick: "largest" }],
+      { of: "edge-volume", where: (run, { b }) => isPart(run, b.ids[0]), pick: "largest" }],
     ["What is left goes on to the next volume", { of: "one-left", pick: "largest",
       among: EARLY }],
     ["The edge lies in the front of this volume, which cannot hide it",
