@@ -47,7 +47,10 @@ async function runNamed(name) {
 
 // --- The address ---
 
+let known = ""; // the address, as it was last read or written
+
 function readAddress() {
+  known = location.hash;
   const { params } = read();
   const one = (name, all, standard) => Object.hasOwn(all, params.get(name) ?? "")
     ? params.get(name) : standard;
@@ -77,19 +80,26 @@ function keepToOneScene() {
   state.a = state.a.filter((name) => scenes.get(name) === scene);
 }
 
-// Written when all rests: browsers limit the number of changes a second.
+// Written when all rests: browsers limit the number of changes a second. Where a reader
+// has just gone is not written over.
 let waiting = 0;
 function writeAddress() {
   clearTimeout(waiting);
   if (!state.a.length) return;
-  waiting = setTimeout(() => setAddress({ a: state.a.join(","),
-    k: state.k.join(","), lead: state.lead || null,
-    level: state.level === "moment" ? null : state.level,
-    by: state.by === "share" ? null : state.by, speed: state.speed,
-    to: state.to, face: state.face, quiz: state.quiz ? 1 : null,
-    outlines: state.outlines ? null : 0,
-    at: state.pixel ? `${state.pixel.i},${state.pixel.j}` : null }), 200);
+  waiting = setTimeout(() => {
+    if (location.hash !== known) return;
+    setAddress(changes());
+    known = location.hash;
+  }, 200);
 }
+
+const changes = () => ({ a: state.a.join(","),
+  k: state.k.join(","), lead: state.lead || null,
+  level: state.level === "moment" ? null : state.level,
+  by: state.by === "share" ? null : state.by, speed: state.speed,
+  to: state.to, face: state.face, quiz: state.quiz ? 1 : null,
+  outlines: state.outlines ? null : 0,
+  at: state.pixel ? `${state.pixel.i},${state.pixel.j}` : null });
 
 // --- The page ---
 
@@ -123,9 +133,13 @@ function showIndex() {
   document.title = "Hidden surfaces, step by step · hsr";
 }
 
+let begun = 0;
+
 async function begin() {
+  const own = ++begun;
   if (!state.a.length) return showIndex();
   const shown = await Promise.all(state.a.map(runNamed));
+  if (own !== begun) return; // the reader has gone elsewhere
   const [first] = shown;
   const { bar, note, question, legend, panels } = playing.begin(shown);
   const goTo = (k) => {
