@@ -115,7 +115,9 @@ function told(name) {
         const isDashed = lesson.looks(run, e).where.some(({ points, dashed }) => dashed &&
           points.every(([x]) => x === half.middle));
         const isSo = half.kept ? next.x >= half.kept[0] &&
-          next.x + next.width - 1 <= half.kept[1] && words.includes(`${half.side} half`)
+          next.x + next.width - 1 <= half.kept[1] &&
+          half.kept[half.side === "left" ? 1 : 0] + 0.5 === half.middle &&
+          words.includes(`the ${half.side} half`)
           : next.x === e.window.x && next.x + next.width === half.split &&
             words.includes(`divided at ${half.split}`);
         if (!isDashed || !isSo) say(out.halves, `step ${e.k + 1}: ${words}`);
