@@ -24,8 +24,10 @@ report_sources = \
   %D%/page/parts/plots.js \
   %D%/page/parts/print.js \
   %D%/page/parts/save.js \
+  %D%/page/parts/svg.js \
   %D%/page/parts/symbols.js \
   %D%/page/parts/table.js \
+  %D%/page/parts/taxonomy.js \
   %D%/page/parts/tree.js \
   %D%/page/parts/work_scale.js
 lesson_sources = \
@@ -51,6 +53,7 @@ lesson_sources = \
   %D%/lesson/data/structure.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/trees.js \
+  %D%/lesson/data/volumes.js \
   %D%/lesson/data/words.js \
   %D%/lesson/figures/all.js \
   %D%/lesson/figures/drawing.js \
@@ -60,7 +63,6 @@ lesson_sources = \
   %D%/lesson/figures/natures.js \
   %D%/lesson/figures/steps.js \
   %D%/lesson/figures/survivors.js \
-  %D%/lesson/figures/taxonomy.js \
   %D%/lesson/kinds/all.js \
   %D%/lesson/kinds/area.js \
   %D%/lesson/kinds/composited.js \
@@ -84,6 +86,7 @@ lesson_sources = \
   %D%/lesson/looks/boxes.js \
   %D%/lesson/looks/faces.js \
   %D%/lesson/looks/solids.js \
+  %D%/lesson/looks/tests.js \
   %D%/lesson/looks/windows.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/course.js \

@@ -47,33 +47,13 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The middle of the corners of the volume's faces. */
-static void middle_of(const struct hsr_mesh *mesh, const json_t *faces,
-                      double middle[3]) {
-  size_t k, n = 0;
-  const json_t *face;
-  double sum[3] = {0};
-  json_array_foreach(faces, k, face) {
-    size_t f = (size_t)json_integer_value(face);
-    for (uint32_t c = mesh->start[f]; c < mesh->start[f + 1]; c++, n++) {
-      uint32_t v = mesh->vertex[c];
-      sum[0] += mesh->x[v];
-      sum[1] += mesh->y[v];
-      sum[2] += mesh->z[v];
-    }
-  }
-  for (int c = 0; c < 3; c++)
-    middle[c] = n ? sum[c] / (double)n : 0;
-}
-
-/* Cuts by the plane of a face, outward from the middle. */
-static bool cut_by_face(const struct frames *f, size_t face,
-                        const double middle[3], const double a[3],
-                        const double b[3], struct cut *cut) {
+/* Cuts by the plane of a face; the volume is on that side of it. */
+static bool cut_by_face(const struct frames *f, size_t face, int side,
+                        const double a[3], const double b[3], struct cut *cut) {
   const struct hsr_mesh *mesh = &f->run->laid_out.mesh;
   double normal[3] = {mesh->nx[face], mesh->ny[face], mesh->nz[face]};
   const double on[3] = {mesh->px[face], mesh->py[face], mesh->pz[face]};
-  if (dot(normal, middle) > dot(normal, on))
+  if (side > 0)
     for (int c = 0; c < 3; c++)
       normal[c] = -normal[c];
   double length = sqrt(dot(normal, normal));
@@ -91,11 +71,14 @@ static bool hidden_by(const struct frames *f, const struct hsr_event *event,
   const struct hsr_mesh *mesh = &f->run->laid_out.mesh;
   const json_t *faces =
       json_array_get(json_object_get(f->structure, "volumes"), event->b.id[0]);
-  double end[2][3], middle[3];
+  const json_t *sides =
+      json_array_get(json_object_get(f->structure, "sides"), event->b.id[0]);
+  double end[2][3];
   struct cut cut = {3, {{0, 0}, {1, 0}, {1, 1}}};
   size_t k;
   const json_t *face;
-  if (json_array_size(faces) < 4 || f->run->view.parallel)
+  if (json_array_size(faces) < 4 ||
+      json_array_size(sides) != json_array_size(faces) || f->run->view.parallel)
     return false;
   for (int e = 0; e < 2; e++) {
     uint32_t v = event->a.id[e];
@@ -105,10 +88,10 @@ static bool hidden_by(const struct frames *f, const struct hsr_event *event,
     end[e][1] = mesh->y[v];
     end[e][2] = mesh->z[v];
   }
-  middle_of(mesh, faces, middle);
   json_array_foreach(faces, k, face) {
-    if (!cut_by_face(f, (size_t)json_integer_value(face), middle, end[0],
-                     end[1], &cut) ||
+    int side = (int)json_integer_value(json_array_get(sides, k));
+    if (!cut_by_face(f, (size_t)json_integer_value(face), side, end[0], end[1],
+                     &cut) ||
         cut.n < 3)
       return false;
   }

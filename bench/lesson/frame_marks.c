@@ -111,8 +111,7 @@ json_int_t frames_place_of_piece(const struct frames *f,
   return base + piece->id[1];
 }
 
-/* The pieces of the priority list that is at hand; NULL: there is none. */
-static const json_t *list_at(const struct frames *f,
+const json_t *frames_list_at(const struct frames *f,
                              const struct hsr_event *event) {
   const json_t *list, *found = NULL;
   size_t k;
@@ -128,7 +127,7 @@ const json_t *frames_outline(const struct frames *f,
                              const struct hsr_event *event,
                              const struct hsr_subject *subject) {
   const json_t *of_trees = json_object_get(f->structure, "pieces"),
-               *list = list_at(f, event);
+               *list = frames_list_at(f, event);
   if (subject->kind != HSR_OF_PIECE)
     return NULL;
   const json_t *piece =
@@ -157,25 +156,6 @@ static void mark_cube(struct frames *f, const struct hsr_subject *subject,
       add_wires(f, json_array_get(cube, 2));
   }
   stroke(f, colour, 2, dashed);
-}
-
-/* The halves of a piece that a step divides. */
-static void mark_halves(struct frames *f, const struct hsr_event *event,
-                        unsigned colour) {
-  size_t k;
-  const json_t *piece;
-  double fill = .5;
-  if (event->a.kind != HSR_OF_PIECE)
-    return;
-  json_array_foreach(list_at(f, event), k, piece) {
-    if (json_integer_value(json_array_get(piece, 1)) != event->a.id[1])
-      continue;
-    frames_add_polygon(f, json_array_get(piece, 3));
-    frames_set_colour(f->cairo, colour, fill);
-    cairo_fill_preserve(f->cairo);
-    stroke(f, colour, 2.5, false);
-    fill = .15;
-  }
 }
 
 /* The faces of a subject, and its edge or vertex. */
@@ -309,5 +289,6 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   frames_mark_planes(f, event, colour);
   frames_mark_boxes(f, event);
   if (kind == HSR_SPLIT)
-    mark_halves(f, event, colour);
+    frames_mark_halves(f, event, colour);
+  frames_mark_midpoint(f);
 }

@@ -181,6 +181,13 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
     append_words(text, size, between(event, kind), b, "");
   if (*outcome)
     append_words(text, size, ": ", outcome, "");
+  if (f->search.is_shown && f->search.keeps && f->search.is_other)
+    append_words(text, size, ", but of ", b, "");
+  if (f->search.is_shown && f->search.keeps)
+    append_words(text, size, f->search.is_other ? " the " : ": the ",
+                 f->search.is_left ? "left" : "right", " half is kept");
+  else if (f->search.is_shown)
+    append_words(text, size, ": ", "the columns are divided", "");
   if (frames_is_part(f, w) && (!of_window || is_shown) && *a)
     append_words(text, size, " (", where, ")");
   *text = (char)toupper((unsigned char)*text);

@@ -276,6 +276,7 @@ static void listen(void *context, const struct hsr_event *event) {
     return;
   f->count[event->counter]++;
   frames_follow_fragments(f, event);
+  frames_follow_search(f, event);
   sketch(f, event, a->counters[event->counter].kind);
   bool wanted = false;
   for (; f->done < f->n && event->number + 1 >= step_of(f, f->done);

@@ -5,6 +5,7 @@
  * frame_marks.c      what a step is about, over the picture
  * frame_shapes.c     boxes that are compared, and planes
  * frame_fragments.c  what a volume hides of an edge
+ * frame_halves.c     what a step divides in two
  * frame_words.c      the outline, the step in words, the counters */
 #ifndef HSR_BENCH_LESSON_FRAMES_H
 #define HSR_BENCH_LESSON_FRAMES_H
@@ -50,6 +51,28 @@ struct frame_fragments {
   bool is_begun, is_known, is_shown, is_after_test;
 };
 
+enum { FRAME_MOST_PARTS = 32 };
+
+/* Samples of a search that are divided: their right part begins at `middle`. */
+struct frame_part {
+  double at[2][2]; /* the stretches of both */
+  int middle, r, outcome;
+  bool is_second; /* the right part is searched, the left one had `outcome` */
+};
+
+/* A logarithmic search, of two segments of a row. All zero at the start. */
+struct frame_search {
+  uint32_t face[2];
+  int row, l, r;   /* the samples that are searched now */
+  double at[2][2]; /* the stretches that are compared, in samples */
+  int n;
+  struct frame_part part[FRAME_MOST_PARTS];
+  double middle, kept[2]; /* of the last division */
+  bool keeps, is_left,
+      is_other; /* of it: a half, the left one, of the shorter */
+  bool is_known, is_shown;
+};
+
 struct frames {
   struct trace_run *run;
   const char *folder; /* or the PDF */
@@ -66,6 +89,7 @@ struct frames {
   json_t *lists;             /* as of lesson_lists_json */
   struct lesson_bytes notes; /* of them */
   struct frame_fragments fragments;
+  struct frame_search search;
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
   uint32_t *touches; /* of the samples: how often a step looked at them */
   struct hsr_arena arena;
@@ -102,6 +126,10 @@ const json_t *frames_faces_of_volume(const struct frames *f,
                                      const struct hsr_event *event,
                                      const struct hsr_subject *volume);
 
+/* Borrowed: the pieces of the priority list that is at hand; NULL: there is none. */
+const json_t *frames_list_at(const struct frames *f,
+                             const struct hsr_event *event);
+
 /* The place of a piece of a BSP tree among those of all trees. */
 json_int_t frames_place_of_piece(const struct frames *f,
                                  const struct hsr_subject *piece);
@@ -117,6 +145,16 @@ void frames_mark_planes(struct frames *f, const struct hsr_event *event,
 void frames_follow_fragments(struct frames *f, const struct hsr_event *event);
 bool frames_mark_fragment(struct frames *f, const struct hsr_event *event,
                           unsigned colour);
+
+/* Notes a step of a logarithmic search: to be called for each event in order.
+ * frames_mark_midpoint marks where the last one divided a segment, and the half
+ * that is kept, if it was a division. */
+void frames_follow_search(struct frames *f, const struct hsr_event *event);
+void frames_mark_midpoint(struct frames *f);
+
+/* Marks the halves of a piece, and between them the line of the plane. */
+void frames_mark_halves(struct frames *f, const struct hsr_event *event,
+                        unsigned colour);
 
 /* Whether a window is some of the picture, not all of it. */
 bool frames_is_part(const struct frames *f, const struct hsr_window *w);

@@ -5,6 +5,7 @@ libbench_a_SOURCES += \
   %D%/describe.c \
   %D%/draw.c \
   %D%/frame_fragments.c \
+  %D%/frame_halves.c \
   %D%/frame_marks.c \
   %D%/frame_shapes.c \
   %D%/frame_words.c \

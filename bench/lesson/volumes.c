@@ -15,19 +15,23 @@ struct found {
   struct hsr_sight sight;
   struct hsr_arena arena;
   json_t *body, *volume; /* lists of faces */
+  json_t *side; /* of each face of a volume: where the volume is, 1 before it */
 };
 
 static json_int_t parent(const struct found *found, uint32_t face) {
   return (json_int_t)hsr_world_parent(found->world, face);
 }
 
-/* Adds volume v as the faces of its planes. */
+/* Adds volume v as the faces of its planes, and the sides of these. */
 static void add_volume(struct found *found, uint32_t v) {
   const struct hsr_volumes *all = &found->volumes;
-  json_t *faces = json_array();
-  for (uint32_t i = all->plane_start[v]; i < all->plane_start[v + 1]; i++)
+  json_t *faces = json_array(), *sides = json_array();
+  for (uint32_t i = all->plane_start[v]; i < all->plane_start[v + 1]; i++) {
     hsr_json_append(&faces, json_integer(parent(found, all->plane[i].face)));
+    hsr_json_append(&sides, json_integer(all->plane[i].side));
+  }
   hsr_json_append(&found->volume, faces);
+  hsr_json_append(&found->side, sides);
 }
 
 /* Whether all corners of body b lie before the eye. */
@@ -81,8 +85,10 @@ bool lesson_has_volumes(const struct hsr_setup *setup) {
 }
 
 bool lesson_add_volumes(json_t *to, const struct trace_run *run) {
-  struct found found = {
-      .world = run->setup.world, .body = json_array(), .volume = json_array()};
+  struct found found = {.world = run->setup.world,
+                        .body = json_array(),
+                        .volume = json_array(),
+                        .side = json_array()};
   bool good = !find(&found, &run->view);
   hsr_sight_free(&found.sight);
   hsr_volumes_free(&found.volumes);
@@ -90,10 +96,12 @@ bool lesson_add_volumes(json_t *to, const struct trace_run *run) {
   hsr_arena_free(&found.arena);
   if (numbers_solids(&run->setup)) { /* from 1: of each, its faces */
     json_decref(found.volume);
+    json_array_clear(found.side);
     found.volume = json_copy(found.body);
     good &=
         found.volume && !json_array_insert_new(found.volume, 0, json_array());
   }
   good &= !json_object_set_new(to, "bodies", found.body);
+  good &= !json_object_set_new(to, "sides", found.side);
   return !json_object_set_new(to, "volumes", found.volume) && good;
 }

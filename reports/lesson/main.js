@@ -7,10 +7,12 @@ import { figures } from "./figures/all.js";
 import { closeness } from "./data/projection.js";
 import { runOf } from "./data/run.js";
 import { contradicts, numbersOf } from "./data/numbers.js";
+import { searchAt } from "./data/stretches.js";
 import { readTrace } from "./data/trace.js";
 import { eventWords } from "./data/words.js";
 import { lessonOf, LESSONS } from "./lessons/all.js";
-import { unseen } from "./looks/all.js";
+import { looksOf, unseen } from "./looks/all.js";
+import { markerLooks } from "./looks/tests.js";
 import { keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { courseIndex } from "./parts/course.js";
 import { ideaOf, lessonText, wayThrough } from "./parts/lesson.js";
@@ -18,6 +20,7 @@ import { player, playerState } from "./parts/player.js";
 import { whenLooksChange } from "./parts/redraw.js";
 import { stepDrawing } from "./parts/save_step.js";
 import { slides } from "./parts/slides.js";
+import { GLOSSARY } from "./telling/glossary.js";
 import { momentsOf } from "./telling/moments.js";
 import { secondsOf } from "./telling/pace.js";
 import { questionsOf } from "./telling/questions.js";
@@ -44,7 +47,10 @@ async function runNamed(name) {
 
 // --- The address ---
 
+let known = ""; // the address, as it was last read or written
+
 function readAddress() {
+  known = location.hash;
   const { params } = read();
   const one = (name, all, standard) => Object.hasOwn(all, params.get(name) ?? "")
     ? params.get(name) : standard;
@@ -74,19 +80,26 @@ function keepToOneScene() {
   state.a = state.a.filter((name) => scenes.get(name) === scene);
 }
 
-// Written when all rests: browsers limit the number of changes a second.
+// Written when all rests: browsers limit the number of changes a second. Where a reader
+// has just gone is not written over.
 let waiting = 0;
 function writeAddress() {
   clearTimeout(waiting);
   if (!state.a.length) return;
-  waiting = setTimeout(() => setAddress({ a: state.a.join(","),
-    k: state.k.join(","), lead: state.lead || null,
-    level: state.level === "moment" ? null : state.level,
-    by: state.by === "share" ? null : state.by, speed: state.speed,
-    to: state.to, face: state.face, quiz: state.quiz ? 1 : null,
-    outlines: state.outlines ? null : 0,
-    at: state.pixel ? `${state.pixel.i},${state.pixel.j}` : null }), 200);
+  waiting = setTimeout(() => {
+    if (location.hash !== known) return;
+    setAddress(changes());
+    known = location.hash;
+  }, 200);
 }
+
+const changes = () => ({ a: state.a.join(","),
+  k: state.k.join(","), lead: state.lead || null,
+  level: state.level === "moment" ? null : state.level,
+  by: state.by === "share" ? null : state.by, speed: state.speed,
+  to: state.to, face: state.face, quiz: state.quiz ? 1 : null,
+  outlines: state.outlines ? null : 0,
+  at: state.pixel ? `${state.pixel.i},${state.pixel.j}` : null });
 
 // --- The page ---
 
@@ -120,9 +133,13 @@ function showIndex() {
   document.title = "Hidden surfaces, step by step · hsr";
 }
 
+let begun = 0;
+
 async function begin() {
+  const own = ++begun;
   if (!state.a.length) return showIndex();
   const shown = await Promise.all(state.a.map(runNamed));
+  if (own !== begun) return; // the reader has gone elsewhere
   const [first] = shown;
   const { bar, note, question, legend, panels } = playing.begin(shown);
   const goTo = (k) => {
@@ -184,7 +201,8 @@ addEventListener("hashchange", () => {
 globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESSONS,
   story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
   moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
-  contradicts, drawing: stepDrawing, seconds: secondsOf };
+  contradicts, drawing: stepDrawing, seconds: secondsOf, looks: looksOf, searchAt,
+  markers: markerLooks, glossary: GLOSSARY };
 
 readAddress();
 keys(playing.act);

@@ -29,6 +29,12 @@ export async function telling({ test, open, file }) {
       assert.deepEqual(seen.texts, []));
     await test(`${name} on ${scene}: its steps as drawings`, () =>
       assert.deepEqual(seen.drawings, []));
+    await test(`${name} on ${scene}: what is divided and what is kept is told`, () =>
+      assert.deepEqual(seen.halves, []));
+    await test(`${name} on ${scene}: tests by planes and lines, and markers, are seen`,
+      () => assert.deepEqual(seen.tests, []));
+    await test(`${name} on ${scene}: the words of the field are explained`, () =>
+      assert.deepEqual(seen.unexplained, []));
   }
   await test(`${scene}: printing is without errors`, async () => {
     await page.emulateMedia({ media: "print" });
@@ -45,7 +51,7 @@ function told(name) {
   return lesson.run(name).then((run) => {
     const { trace, header } = run;
     const out = { undrawn: [], against: [], moments: [], questions: [], texts: [],
-      drawings: [], seconds: [] };
+      drawings: [], halves: [], tests: [], unexplained: [], seconds: [] };
     const say = (list, text) => list.length < 4 && list.push(text);
 
     // Some events of every counter and outcome.
@@ -93,6 +99,41 @@ function told(name) {
         say(out.questions, `step ${k}: ${text} ${right}`);
       if (lesson.unseen(run, e).length) say(out.questions, `step ${k} is not drawn`);
       if (!text.endsWith("?")) say(out.questions, text);
+      if (right === "undecided" || answers.some(([word]) => word === "undecided"))
+        say(out.questions, `step ${k}: nothing is decided`);
+    }
+
+    // A segment that is divided: the next comparison is of the half that is kept, or
+    // of the left part.
+    for (const ks of of.values())
+      for (let p = 0; p < ks.length; p += Math.max(1, Math.floor(ks.length / 100))) {
+        const e = run.event(ks[p]);
+        const half = e.counter.key === "depth-division" && run.kind.name === "ids"
+          ? lesson.searchAt(run, e.k)?.half : null;
+        if (!half) continue;
+        const next = run.event(e.k + 1).window, words = lesson.words(run, e);
+        const isDashed = lesson.looks(run, e).where.some(({ points, dashed }) => dashed &&
+          points.every(([x]) => x === half.middle));
+        const isSo = half.kept ? next.x >= half.kept[0] &&
+          next.x + next.width - 1 <= half.kept[1] &&
+          half.kept[half.side === "left" ? 1 : 0] + 0.5 === half.middle &&
+          words.includes(`the ${half.side} half`)
+          : next.x === e.window.x && next.x + next.width === half.split &&
+            words.includes(`divided at ${half.split}`);
+        if (!isDashed || !isSo) say(out.halves, `step ${e.k + 1}: ${words}`);
+      }
+
+    // Tests 4 to 6 of a list of priority, among the key moments; and its markers.
+    for (const { k } of moments) {
+      const e = k <= trace.kept ? run.event(k - 1) : null;
+      const test = e?.counter.key === "list-test" ? /^test ([456])/.exec(e.outcome) : null;
+      const { where } = test ? lesson.looks(run, e) : {};
+      if (test && test[1] < 6 && !where.some(({ closed, role }) => closed && role === "ink"))
+        say(out.tests, `step ${k}: no plane`);
+      if (test?.[1] === "6" && !where.some(({ dotted }) => dotted) &&
+          !/on no row/.test(lesson.words(run, e))) say(out.tests, `step ${k}: no line`);
+      if (e?.counter.key === "list-move" && !lesson.markers(run, e).length)
+        say(out.tests, `step ${k}: no marker`);
     }
 
     // Texts: no number written by hand; those of the answer are counts of the run, or
@@ -128,6 +169,18 @@ function told(name) {
         Number(t.replaceAll(",", ""))).filter((n) => !known.has(n));
       if (odd.length > wrong) say(out.texts, `${odd}: ${written.find[1](run)}`);
     }
+
+    // Words of the field that its texts use.
+    const FIELD = ["back face", "body", "box", "BSP", "bubble sort", "bucket", "circle",
+      "cluster", "concave", "contour", "convex", "crossing", "disjoint", "fragment",
+      "front face", "intersecter", "interval", "linear programme", "logarithmic",
+      "marker", "mask", "midpoint", "minimax", "obscure", "octree", "penetrate", "piece",
+      "plane", "priority", "pyramid", "segment", "separating plane", "span",
+      "surround test", "surrounder", "vertex", "volume", "window"];
+    const said = [...written?.text ?? [], ...moments.map(({ say: text }) => text),
+      ...questions.map(({ text }) => text)].join(" ");
+    out.unexplained = FIELD.filter((word) => new RegExp(`\\b${word}`, "i").test(said) &&
+      !lesson.glossary.some(([, , pattern]) => pattern.test(word)));
 
     // Drawings of some steps.
     for (const { k } of moments.slice(0, 4)) {

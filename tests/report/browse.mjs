@@ -118,6 +118,19 @@ async function sampled(folder) {
     assert.match(await page.textContent("#pictures"), /touched/);
   });
 
+  await test("figure 13 is a drawing that can be saved; the ten are framed", async () => {
+    await go("#/tables/figure-13");
+    assert.equal(await page.locator("#figure-13 .taxonomy svg a").count(), 10);
+    assert.equal(await page.locator("#figure-13 .leaf.ten").count(), 10);
+    const saved = page.waitForEvent("download");
+    await page.locator("#figure-13 .taxonomy button.save").click();
+    const svg = readFileSync(await (await saved).path(), "utf8");
+    assert.match(svg, /^<svg/);
+    assert.doesNotMatch(svg, /var\(|NaN|undefined/);
+    await follow("#figure-13 .taxonomy a:has-text('Watkins')");
+    assert.match(await heading(), /Watkins/);
+  });
+
   await test("Watkins beside Bouknight", async () => {
     await choose(page, "with", "bouknight");
     assert.match(await hash(), /with=bouknight/);

@@ -592,7 +592,7 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
      "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
-     "overlap|left to the samples|P may obscure Q|known from the last frame",
+     "overlap|each sample decides|P may obscure Q|known from the last frame",
      .key = "list-test"},
     {"minimax tests",
      "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
@@ -603,7 +603,7 @@ static const struct hsr_counter counters[] = {
     {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "
-     "6: left to the samples"},
+     "6: each sample decides"},
     {"overlap tests", "test 6: pairs tested for overlap on the screen",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "test 6: overlap|test 6: apart"},
     {"overlap rows", "test 6: rows on which the samples of both are compared",

@@ -32,17 +32,11 @@ export function listStrip(run) {
       items.forEach((item, n) => {
         const x = n % fit * w, y = Math.floor(n / fit) * (high + 2);
         drawItem(context, item, { x, y, w: w - 2, h: high },
-          n < painted.length && order.length > 0, marked.has(item.piece));
+          n < painted.length && order.length > 0);
         const isP = e && same(item, e.a), isQ = e && same(item, e.b);
-        if (!isP && !isQ) return;
-        for (const [colour, line, dash] of [["--paper", 6, []],
-          [null, 3, isP ? [] : [4, 3]]]) {
-          context.strokeStyle = colour ? colourOf(colour) : kindColour(e.kind);
-          context.lineWidth = line;
-          context.setLineDash(dash);
-          context.strokeRect(x + 1, y + 1, w - 4, high - 2);
-        }
-        context.setLineDash([]);
+        if (isP || isQ) drawFrame(context, { x, y, w: w - 2, h: high },
+          kindColour(e.kind), isP ? [] : [4, 3]);
+        if (marked.has(item.piece)) drawMarker(context, x + w - 2, y);
       });
       if (painted.length && order.length) { // where painting is
         const n = painted.length;
@@ -52,7 +46,7 @@ export function listStrip(run) {
     });
   };
 
-  const drawItem = (context, item, box, isDone, isMarked) => {
+  const drawItem = (context, item, box, isDone) => {
     const colour = run.header.faces[item.face]?.[2] ?? "#888888";
     const strip = isDone ? 3 : box.h;
     context.fillStyle = colour;
@@ -63,15 +57,32 @@ export function listStrip(run) {
       context.fillText(String(item.piece ?? item.face), box.x + box.w / 2,
         box.y + (box.h - (isDone ? strip : 0)) / 2 + 1);
     }
-    if (!isMarked) return;
-    context.fillStyle = colourOf("--ink");
-    context.beginPath();
-    context.moveTo(box.x + box.w, box.y);
-    context.lineTo(box.x + box.w - 7, box.y);
-    context.lineTo(box.x + box.w, box.y + 7);
-    context.fill();
   };
   return { element, show };
+}
+
+function drawFrame(context, { x, y, w, h }, own, dash) {
+  for (const [colour, line, dashes] of [[colourOf("--paper"), 6, []], [own, 3, dash]]) {
+    context.strokeStyle = colour;
+    context.lineWidth = line;
+    context.setLineDash(dashes);
+    context.strokeRect(x + 1, y + 1, w - 2, h - 2);
+  }
+  context.setLineDash([]);
+}
+
+// A filled corner, with a pale seam, over the frame of P or Q.
+function drawMarker(context, x, y) {
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x - 10, y);
+  context.lineTo(x, y + 10);
+  context.closePath();
+  context.strokeStyle = colourOf("--paper");
+  context.lineWidth = 2;
+  context.stroke();
+  context.fillStyle = colourOf("--ink");
+  context.fill();
 }
 
 const nameOf = (run, { face, piece }) => piece === null || !run.list.at

@@ -3,7 +3,7 @@
 // step compares, and its span.
 import { colourOf, kindColour } from "../data/kinds.js";
 import { closeness, segmentsOn } from "../data/projection.js";
-import { stretchesAt } from "../data/stretches.js";
+import { searchAt } from "../data/stretches.js";
 import { board } from "./board.js";
 
 const HIGH = 190; // of the canvas
@@ -74,18 +74,37 @@ function drawSegment(context, run, g, { px, py, e }) {
   stroke(run.header.faces[g.face][2], 3.5);
 }
 
-// The stretches that a logarithmic search compares, between their ends; where the first
-// is divided, its midpoint.
+// The stretches that a logarithmic search compares, between their ends; where one is
+// divided, a dashed line at its midpoint, and a bar under the half that is kept.
 function drawStretches(context, run, e, { px, py }) {
-  const two = stretchesAt(run, e.k);
+  const found = searchAt(run, e.k);
+  if (!found) return;
+  const { two, half } = found;
   context.fillStyle = colourOf("--ink");
   const tick = (x, y, high) => context.fillRect(px(x) - 1, py(y) - high, 2, 2 * high);
-  two?.forEach(({ x0, x1, q0, q1 }, k) => {
+  for (const { x0, x1, q0, q1 } of two) {
     tick(x0 + 0.5, q0, 6);
     tick(x1 + 0.5, q1, 6);
-    if (e.kind === "subdivide" && k === 0)
-      tick((x0 + x1 + 1) / 2, (q0 + q1) / 2, 10);
-  });
+  }
+  if (!half) return;
+  stroke(context, [px(half.middle), 0], [px(half.middle), HIGH - 12], [5, 4]);
+  if (!half.kept) return;
+  const [from, to] = half.kept.map((x) => px(x + 0.5));
+  stroke(context, [from, HIGH - 13], [to, HIGH - 13], []);
+  context.font = "11px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.fillText("kept", (from + to) / 2, HIGH - 18);
+}
+
+function stroke(context, from, to, dash) {
+  context.strokeStyle = colourOf("--ink");
+  context.lineWidth = 2.5;
+  context.setLineDash(dash);
+  context.beginPath();
+  context.moveTo(...from);
+  context.lineTo(...to);
+  context.stroke();
+  context.setLineDash([]);
 }
 
 // Where the edges of the step cross the row.

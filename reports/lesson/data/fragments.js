@@ -2,7 +2,7 @@
 // Of an algorithm that compares edges with convex volumes: the fragment of the edge
 // that is at hand, and the part of it that the volume hides. The steps of an edge are
 // replayed: the trace says what was left, and the scene says where.
-import { equationOf } from "../looks/solids.js";
+import { planesOf } from "./volumes.js";
 
 // { from, to, hidden: [from, to] or null } at event k, as shares of the edge from its
 // first end; null: the event is none of these, or the places are not known.
@@ -120,25 +120,4 @@ function clipped(polygon, inside) {
       out.push(p.map((x, c) => x + (q[c] - x) * s / (s - t)));
   });
   return out;
-}
-
-// The planes of a solid volume, their normals outward; null: it is flat.
-function planesOf(run, v) {
-  run.volumePlanes ??= new Map();
-  if (!run.volumePlanes.has(v)) run.volumePlanes.set(v, outward(run, v));
-  return run.volumePlanes.get(v);
-}
-
-function outward(run, v) {
-  const faces = run.trace.structure.volumes?.[v] ?? [];
-  if (faces.length < 4) return null;
-  const corners = faces.flatMap((f) => run.header.faces[f][3].map((p) =>
-    run.trace.points[p]));
-  const middle = [0, 1, 2].map((c) => corners.reduce((sum, p) => sum + p[c], 0) /
-    corners.length);
-  return faces.map((face) => {
-    const { normal, offset } = equationOf(run, { face });
-    return dot(normal, middle) <= offset ? { normal, offset }
-      : { normal: normal.map((x) => -x), offset: -offset };
-  });
 }

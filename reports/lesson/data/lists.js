@@ -17,6 +17,10 @@ export function listOf(run) {
   return sort >= 0 ? sortedFaces(run, sort) : null;
 }
 
+// Whether rows are kept until all pieces are in them.
+export const keepsRows = (run) => Boolean(run.list?.ofPieces) &&
+  run.counterOf("list-segment") >= 0;
+
 // Each event of the counter puts its subject at the end.
 function growingList(run, title, counter, outcome) {
   const { trace } = run;

@@ -4,8 +4,9 @@
 import { fragmentAt } from "./fragments.js";
 import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
+import { planeAsked, separating } from "../looks/tests.js";
 import { closeness, projection } from "./projection.js";
-import { stretchesAt } from "./stretches.js";
+import { searchAt } from "./stretches.js";
 
 const NEARER = new Set(["nearer", "in front"]);
 const FARTHER = new Set(["farther", "behind"]);
@@ -92,20 +93,34 @@ function depthsInWindow(run, e) {
 // Of the halves of two segments that a logarithmic search compares; a single sample
 // that they do not decide is compared by itself.
 function depthsOfStretches(run, e) {
-  const found = e.window ? stretchesAt(run, e.k) : null;
+  const found = e.window ? searchAt(run, e.k) : null;
   if (!found) return null;
+  if (found.half) return { words: halfWords(run, e, found.half), less: null };
   const depth = (q) => run.header.view.parallel ? -q : 1 / q;
-  const [f, g] = found.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
+  const [f, g] = found.two.map(({ q0, q1 }) => [depth(q0), depth(q1)]);
   const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
   const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
   if (!isDeep(run, ranges.flat()) || (!isApart && e.window.width === 1 &&
     e.outcome !== "undecided")) return null;
   const [p, q, r, s] = told(...ranges.flat());
   const less = lessOf(e.outcome);
-  return { words: `${p} to ${q} deep against ${r} to ${s}`,
+  return { words: `${p} to ${q} deep against ${r} to ${s}${priceWords(found)}`,
     a: less ? ranges[0][1] : ranges[0][0], b: less ? ranges[1][0] : ranges[1][1],
     less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
 }
+
+// Which half of a segment is kept, and why.
+function halfWords(run, { b }, { which, middle, side, split }) {
+  if (side === null) return `no half holds all columns: they are divided at ${
+    split}`;
+  const end = side === "left" ? "up to" : "from";
+  return `${which ? `no half of it holds all columns; of ${run.faceName(b.ids[0])} ` : ""}` +
+    `the ${side} half is kept, ${end} column ${middle}`;
+}
+
+// What the answer costs, where halves were needed.
+const priceWords = ({ comparisons, divisions }) => divisions
+  ? `; comparison ${comparisons} of the two` : "";
 
 // Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {
@@ -160,6 +175,34 @@ function farthest(run, e) {
   }
   const [a, b] = told(p[0], q[1]);
   return { words: `P begins ${a} deep, Q ends ${b} deep`, less: null };
+}
+
+// Tests 4 and 5: how far the corners of the one lie on their side of the plane of the
+// other. Of a piece that was cut, the corners are not known.
+function cornersAndPlane(run, e) {
+  const whose = e.counter.key === "list-test" ? planeAsked(e) : null;
+  if (!whose) return null;
+  const other = whose === e.a ? e.b : e.a;
+  const [f, g] = [other.ids[0], whose.ids[0]];
+  if (run.outline(e.k, other.ids[1], f) || run.header.view.parallel) return null;
+  const { normal, offset } = equationOf(run, { face: g });
+  const side = (p) => normal.reduce((sum, x, c) => sum + x * p[c], -offset);
+  const eye = side(run.header.view.eye);
+  // Positive on the side where they are said to be.
+  const sign = (eye < 0 ? -1 : 1) * (whose === e.b ? -1 : 1);
+  const far = run.header.faces[f][3].map((v) => sign * side(run.trace.points[v]));
+  const [least, most] = [Math.min(...far), Math.max(...far)];
+  const [p, q] = told(Math.max(0, least), most);
+  return { words: `by ${p} to ${q} at its corners`, a: 0, b: least, less: true };
+}
+
+// Test 6: the line between the two images.
+function lineBetween(run, e) {
+  if (e.counter.key !== "list-test" || !/^test 6/.test(e.outcome)) return null;
+  const line = separating(run, e);
+  return { less: null, words: line
+    ? `the dotted line, along an edge of ${line.of}, is between them`
+    : "on no row do their samples meet" };
 }
 
 // --- Edges ---
@@ -267,11 +310,17 @@ function boxes(run, e) {
 function hiddenPart(run, e) {
   const at = e.counter.key === "edge-volume" ? fragmentAt(run, e.k) : null;
   if (!at?.hidden) return null;
-  const percent = (t) => `${Math.round(100 * Math.min(1, Math.max(0, t)))} %`;
-  const isWhole = at.from < 0.005 && at.to > 0.995;
-  return { words: `it hides from ${percent(at.hidden[0])} to ${percent(at.hidden[1])} ` +
-    `of the edge${isWhole ? "" : `; the fragment goes from ${percent(at.from)} to ${
-      percent(at.to)}`}`, less: null };
+  const fragment = at.from < 0.005 && at.to > 0.995 ? ""
+    : `; the fragment is ${shareWords(at.from, at.to)}`;
+  return { words: `it hides ${shareWords(...at.hidden)} of the edge${fragment}`, less: null };
+}
+
+// "all", "the first 55 %", "what lies between 25 % and 70 %".
+function shareWords(from, to) {
+  const [p, q] = [from, to].map((t) => Math.round(100 * Math.min(1, Math.max(0, t))));
+  if (!p && q === 100) return "all";
+  return !p ? `the first ${q} %` : q === 100 ? `the last ${100 - p} %`
+    : `what lies between ${p} % and ${q} %`;
 }
 
 // --- The pyramid ---
@@ -293,5 +342,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
+const FINDERS = [farthest, cornersAndPlane, lineBetween, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
   depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

@@ -4,9 +4,10 @@
 // are replayed from where the search of the pair began.
 import { closeness, segmentsOn } from "./projection.js";
 
-// The two stretches at event k, { x0, x1, q0, q1 } each, q as of closeness; null: the
-// event is none of such a search.
-export function stretchesAt(run, k) {
+// { two, comparisons, divisions, half } at event k. two: the stretches, { x0, x1, q0, q1 }
+// each, q as of closeness; how often the two segments have been compared and divided so
+// far. half, where one is divided: halfOf of it. null: the event is none of such a search.
+export function searchAt(run, k) {
   const search = run.counterOf("depth-search");
   const divide = run.counterOf("depth-division");
   const { counter, a0, b0 } = run.trace;
@@ -20,7 +21,8 @@ export function stretchesAt(run, k) {
 
 class Replay {
   constructor(run, search, first, wanted) {
-    Object.assign(this, { run, search, at: first, wanted, found: null });
+    Object.assign(this, { run, search, at: first, wanted, found: null,
+      comparisons: 0, divisions: 0 });
     while (this.at <= wanted && !this.found) {
       const before = this.at;
       this.begin();
@@ -34,14 +36,23 @@ class Replay {
     const { trace } = run;
     if (trace.counter[at] !== this.search) return;
     const [l, r, j] = [trace.x[at], trace.x[at] + trace.width[at], trace.y[at]];
+    Object.assign(this, { comparisons: 0, divisions: 0 });
     const [f, g] = [trace.a0[at], trace.b0[at]].map((face) =>
       wholeSegment(run, face, l, r, j));
     if (f && g) this.searched(f, g, l, r);
   }
 
-  // Takes the next event, and notes the stretches if it is the wanted one.
-  take(f, g) {
-    if (this.at === this.wanted) this.found = this.isTurned(f, g);
+  // Takes the next event, of the samples [l, r), and notes the stretches if it is the
+  // wanted one.
+  take(f, g, l, r) {
+    const isDivision = this.run.trace.counter[this.at] !== this.search;
+    if (isDivision) this.divisions += 1;
+    else this.comparisons += 1;
+    if (this.at === this.wanted) {
+      const two = this.isTurned(f, g), { comparisons, divisions } = this;
+      this.found = { two, comparisons, divisions,
+        half: isDivision ? halfOf(two, l, r) : null };
+    }
     this.at += 1;
     return this.at - 1;
   }
@@ -54,11 +65,11 @@ class Replay {
   // Where the answer of the search in [l, r) ends; null: the wanted event is found.
   searched(f, g, l, r) {
     for (;;) {
-      const e = this.take(f, g);
+      const e = this.take(f, g, l, r);
       if (this.found) return null;
       const { outcome } = this.run.event(e);
       if (outcome !== "undecided") return { outcome, end: r };
-      this.take(f, g);
+      this.take(f, g, l, r);
       if (this.found) return null;
       const isLonger = f.x1 - f.x0 >= g.x1 - g.x0;
       const halves = [narrowed(f, l, r), narrowed(g, l, r)];
@@ -68,8 +79,7 @@ class Replay {
       if (chosen === 0) f = halves[0];
       else g = halves[1];
     }
-    const longer = f.x1 - f.x0 >= g.x1 - g.x0 ? f : g;
-    const middle = Math.floor((longer.x0 + longer.x1) / 2) + 1;
+    const middle = splitOf(f.x1 - f.x0 >= g.x1 - g.x0 ? f : g);
     const first = this.searched(f, g, l, middle);
     if (!first || first.end < middle) return first;
     const second = this.searched(f, g, middle, r);
@@ -98,4 +108,20 @@ function narrowed(p, l, r) {
   const middle = (p.x0 + p.x1) / 2, q = (p.q0 + p.q1) / 2;
   if (r - 1 <= middle && middle < p.x1) return { ...p, x1: middle, q1: q };
   return l >= middle && middle > p.x0 ? { ...p, x0: middle, q0: q } : null;
+}
+
+// The sample with which the right part begins, where samples are divided too.
+const splitOf = ({ x0, x1 }) => Math.floor((x0 + x1) / 2) + 1;
+
+// What becomes of two stretches for the samples [l, r), the longer one first: { which,
+// middle, kept: [x0, x1], side, split }. Stretch number `which` is divided at column
+// `middle`; of it, the half on that side is kept. No side: the samples lie on both sides
+// of both midpoints, and their right part begins at column `split`.
+function halfOf(two, l, r) {
+  const which = two.findIndex((p) => narrowed(p, l, r));
+  if (which < 0) return { which: 0, middle: (two[0].x0 + two[0].x1 + 1) / 2, kept: null,
+    side: null, split: splitOf(two[0]) };
+  const { x0, x1 } = two[which], kept = narrowed(two[which], l, r);
+  return { which, middle: (x0 + x1 + 1) / 2, kept: [kept.x0, kept.x1],
+    side: kept.x0 === x0 ? "left" : "right", split: null };
 }

@@ -3,6 +3,7 @@
 import { kindLook } from "./kinds.js";
 import { isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
+import { searchAt } from "./stretches.js";
 
 // e: the event, where its words depend on it.
 export function subjectWords(run, { kind, ids }, window, e) {
@@ -92,7 +93,7 @@ const nth = (n) => `${n}${n % 100 > 10 && n % 100 < 14 ? "th"
 function timesWords(run, e) {
   const times = e.kind === "accept" ? 1 : timesSo(run, e);
   const isSome = [e.a, e.b].some(({ kind, ids }) => kind === "edge" && ids[0] < 0);
-  return times < 2 ? "" : isSome ? `, the ${nth(times)} such edge`
+  return times < 2 || searchAt(run, e.k) ? "" : isSome ? `, the ${nth(times)} such edge`
     : `, the ${nth(times)} time`;
 }
 

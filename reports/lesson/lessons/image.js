@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The four algorithms in image space. all.js says what a lesson is.
+import { searchAt } from "../data/stretches.js";
 import { countOf, perEach, share, times, withOutcome } from "../telling/figures.js";
 
-const WINDOW = "Is the face disjoint from the window, does it intersect or surround it?";
-const KINDS = { disjoint: "disjoint", intersecter: "it intersects",
-  surrounder: "it surrounds" };
+const WINDOW = "Is the face disjoint from the window, an intersecter or a surrounder?";
 const isLarge = (run, { window: w }) => w && w.width >= run.width / 16;
 const isSmall = (run, e) => isLarge(run, e) && e.window.width < run.width / 2;
+
+// The first such window is the picture's own upper right quarter.
+const isUpperRight = (run, { window: w }) => w && w.y === 0 && w.x > 0 &&
+  w.x + w.width === run.width && w.height < run.height;
 
 export const warnock = {
   idea: "Divide until it is simple",
@@ -15,39 +18,45 @@ export const warnock = {
     "divided into four, and each quarter is looked at in the same way. A window of " +
     "a single sample shows the face that is nearest there. Large areas cost little; " +
     "the work gathers along edges.",
-  "A face is disjoint from a window, surrounds it, or intersects it. A face that " +
-    "surrounds a window is called its surrounder. It surrounds the quarters, too; and " +
-    "what is disjoint from a window is disjoint from its quarters. Neither is tested " +
+  "To a window, a face is one of three: disjoint, if no part of it is in the window; a " +
+    "surrounder, if it covers all of the window; an intersecter, if it covers a part. " +
+    "A surrounder of a window is a surrounder of its quarters, too; and what is disjoint " +
+    "from a window is disjoint from its quarters. Neither is tested " +
     "again. Of all surrounders the nearest one is the critical one: it is compared " +
     "with the planes of the other faces at the corners of the window, since a plane is at " +
     "all four corners, even where its face is not. The faces come " +
     "in order of depth, so that the search ends at the first one that is behind a " +
     "surrounder.",
-  "There are no scan lines. A window is done with all its quarters before the next " +
-    "window of its size begins, so that the picture fills in square by square."],
+  "There are no scan lines. The quarters of a window are taken in this order: upper left, " +
+    "upper right, lower left, lower right. Each is done with all its own quarters before " +
+    "the next one begins, so that the picture fills in square by square."],
   source: "The survey, chapter III, area sampling, figures 25 and 26; Warnock 1969",
   moments: [
     ["The first window is the whole picture", { name: "windows" }],
-    ["A face intersects it", { of: "window-test", outcome: "intersecter" }],
+    ["An intersecter: the face covers a part of the window",
+      { of: "window-test", outcome: "intersecter" }, WINDOW],
     ["It is not empty, and no face hides all else in it: it is divided into four",
       { of: "subdivision" }],
-    ["A quarter is divided again", { of: "subdivision", nth: 2 }],
-    ["A face covers the window and hides all else there: it is shown",
+    ["A quarter is divided again, before the next quarter is taken", { of: "subdivision",
+      nth: 2 }],
+    ["The upper left quarter is done: the upper right one is next",
+      { name: "windows", where: isUpperRight }],
+    ["A surrounder that hides all else in the window: it is shown",
       { of: "homogeneous-window", pick: "largest", id: "shown" }],
-    ["A face surrounds this window: it covers all of it",
+    ["A surrounder: the face covers all of this window",
       { of: "window-test", outcome: "surrounder", pick: "largest",
-        where: (run, e) => e.window?.width > 1 }, WINDOW, KINDS],
-    ["A face is disjoint from this window: it is left out, here and in its quarters",
-      { of: "window-test", outcome: "disjoint", where: isLarge }, WINDOW, KINDS],
-    ["A face intersects this window: it covers a part of it",
+        where: (run, e) => e.window?.width > 1 }, WINDOW],
+    ["The face is disjoint from this window: it is left out, here and in its quarters",
+      { of: "window-test", outcome: "disjoint", where: isLarge }, WINDOW],
+    ["Another intersecter, of a smaller window",
       { of: "window-test", outcome: "intersecter", pick: "largest",
-        where: isSmall }, WINDOW, KINDS],
-    ["This face surrounds the larger window: its quarter inherits that, without a test",
+        where: isSmall }, WINDOW],
+    ["A surrounder of the larger window: its quarter inherits that, without a test",
       { name: "inherited surrounders", pick: "largest" }],
-    ["The dashed face is the critical surrounder. The solid one is behind it at all corners",
+    ["Dashed: the critical surrounder. Solid: a face behind it at all corners",
       { name: "depth search", outcome: "behind", pick: "largest", real: true }],
     ["An empty window shows the background", { of: "empty-window", pick: "largest" }],
-    ["One face is left before the surrounder: where it is not, the surrounder is shown",
+    ["One intersecter is left: what is behind it is shown first, then itself",
       { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
     ["Half of the windows are done", { name: "windows", at: 0.5 }],
@@ -126,17 +135,30 @@ const scanLine = (id) => [
   ["They change places in the list", { of: "interchange", after: "order" }],
 ];
 
+// Whether the span before this one, on its row, shows the same face and ends here.
+function isRepeated(run, e) {
+  const c = run.counterOf("span"), { trace } = run;
+  for (let k = e.k - 1; k >= 0 && trace.y[k] === e.window.y; k--)
+    if (trace.counter[k] === c) return trace.a0[k] === e.a.ids[0] &&
+      trace.x[k] + trace.width[k] === e.window.x && e.window.width > 2;
+  return false;
+}
+
 export const bouknight = {
   idea: "Spans between neighboring edges",
   text: ["The edges that cross a line are kept in a list in order of X. From line to " +
     "line the list hardly changes, so that a bubble sort mends it. Between each edge " +
     "and the next is a span: which face is nearest at both of its ends?",
+  "A face is on between its two edges: at the first it is turned on, at the second off. " +
+    "In every span all faces that are on are searched, one after the other: each is " +
+    "compared with the nearest so far. So each edge begins a new search, even the edge of " +
+    "a face that is hidden there.",
   "If two different faces are, they penetrate, and the span is divided there."],
   source: "The survey, chapter III, scan lines, figure 27a; Bouknight 1969",
   needs: [{ of: "span-division", instead: "penetration",
     why: "No two faces of this scene penetrate, so that no span is divided." }],
   moments: [
-    ["The faces that are on are compared at an end of the span: nearer",
+    ["Of the faces that are on, this is nearer than the nearest so far",
       { of: "depth-search", outcome: "nearer", real: true, pick: "largest",
         id: "depth" }, NEARER],
     ...scanLine("depth"),
@@ -147,9 +169,12 @@ export const bouknight = {
     ["The nearest face is shown in the span", { of: "span", real: true,
       with: ["depth", "row"], after: "depth", pick: "widest",
       or: { of: "span", real: true, after: "depth" } }],
-    ["The faces that are on are compared: farther",
-      { of: "depth-search", outcome: "farther", real: true, after: "depth",
-        pick: "largest" }, NEARER],
+    ["Another face that is on is farther: the nearest so far stays",
+      { of: "depth-search", outcome: "farther", real: true, with: ["depth", "row"],
+        after: "depth" }, NEARER],
+    ["A hidden face’s edge began this span: searched anew, for the same face",
+      { of: "span", real: true, where: isRepeated, with: ["depth", "row"],
+        or: { of: "span", real: true, where: isRepeated } }],
     ["A different face is nearest at each end: they penetrate, and the span is divided",
       { of: "span-division", pick: "largest", id: "cut" }],
     ["The first part of the divided span is shown", { of: "span", after: "cut" }],
@@ -197,6 +222,14 @@ function showsNext(run, e) {
 const isFirst = (run, e) => !isDivision(run, e.k - 1) && e.window.width > 2;
 const isAtOnce = (run, e) => isFirst(run, e) && run.event(e.k - 1).counter !== e.counter;
 
+const keepsHalf = (run, e) => e.window.width > 2 &&
+  Boolean(searchAt(run, e.k)?.half?.kept);
+const dividesSpan = (run, e) => e.window.width > 4 &&
+  searchAt(run, e.k)?.half?.side === null;
+// Whether it took several divisions.
+const isPaid = (run, e) => e.window.width > 1 && isDivision(run, e.k - 1) &&
+  searchAt(run, e.k)?.divisions > 1;
+
 export const watkins = {
   idea: "Spans as long as possible",
   text: ["As in Bouknight’s algorithm the edges of a line are kept in order of X, from " +
@@ -211,7 +244,11 @@ export const watkins = {
     "If both halves reach into the span, the span is divided there: the left part is " +
     "searched first, and the right part only if one face is nearer in all of the left " +
     "part. Otherwise the span ends where the order changes, and what is right of it " +
-    "waits for the next span. So it is where two faces penetrate."],
+    "waits for the next span. So it is where two faces penetrate.",
+  "The price: each midpoint costs one more comparison of the same two segments. As " +
+    "halves shrink to a single sample at the latest, that is as many comparisons as the " +
+    "length can be halved. A midpoint needs no multiplication: a sum and a shift by one " +
+    "bit give its column and its depth."],
   source: "The survey, chapter III, scan lines, figures 12, 27b and 28; Watkins 1970",
   needs: [{ of: "depth-division", instead: "penetration",
     why: "In this scene the ends of segments always tell: nothing is divided." }],
@@ -239,9 +276,16 @@ export const watkins = {
     ["The depths of two segments overlap: their ends do not tell",
       { of: "depth-search", outcome: "undecided", after: "over", pick: "largest",
         real: true, where: isFirst, id: "open" }],
-    ["One segment is divided at its midpoint", { of: "depth-division",
+    ["One segment is divided at its midpoint, the dashed line", { of: "depth-division",
       after: "open" }],
-    ["One part is compared again", { of: "depth-search", after: "open" }],
+    ["The price of a division: the same two are compared again",
+      { of: "depth-search", after: "open" }],
+    ["The half that holds the columns searched is kept, the other dropped",
+      { of: "depth-division", pick: "largest", where: keepsHalf }],
+    ["Both midpoints are within the columns: these are divided, left first",
+      { of: "depth-division", pick: "largest", where: dividesSpan }],
+    ["The ends of what was kept tell at last", { of: "depth-search", real: true,
+      where: isPaid, like: /nearer|farther/, pick: "largest" }, NEARER],
     ["The ends of these two tell at once", { of: "depth-search", real: true,
       where: isAtOnce, after: "over", pick: "largest", like: /nearer|farther/ }, NEARER],
     ["Half of the lines are done", { of: "span", at: 0.5 }],

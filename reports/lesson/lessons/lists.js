@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two algorithms of list priority. all.js says what a lesson is.
+import { separating } from "../looks/tests.js";
 import { countOf, mostOutcomes, times } from "../telling/figures.js";
 
 const SIDES = { "in front": "in front", behind: "behind" };
@@ -70,6 +71,14 @@ export const schumacker = {
       "back-face-cull"))} faces.`],
 };
 
+// Whether two whole faces without a common corner are compared.
+function areApart(run, { k, a, b }) {
+  const [p, q] = [a, b].map(({ ids: [f, piece] }) => run.outline(k, piece, f) ? null
+    : run.header.faces[f]?.[3]);
+  return Boolean(p && q) && !p.some((v) => q.includes(v));
+}
+const hasLine = (run, e) => areApart(run, e) && Boolean(separating(run, e));
+
 const TEST = "P is solid, Q is dashed. Which test shows that P does not obscure Q?";
 
 export const newell = {
@@ -102,7 +111,7 @@ export const newell = {
       { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
     ["Q is moved before P in the list, to be painted first; it has a marker now",
       { of: "list-move", before: "again", id: "moved" }],
-    ["The first Q that is moved: it bears a marker from now on, a filled corner in the list",
+    ["The first Q that is moved. From now on it bears a marker, the flag",
       { of: "list-move" }],
     ["P is solid, Q is dashed. No test says no: P may obscure Q",
       { of: "list-test", like: /may obscure/, before: "moved" }, TEST],
@@ -114,12 +123,15 @@ export const newell = {
       { of: "list-test", outcome: "test 2: apart in X", pick: "apart" }, TEST],
     ["Test 3: P and Q are apart in Y",
       { of: "list-test", outcome: "test 3: apart in Y", pick: "apart" }, TEST],
-    ["Test 4: P is wholly beyond the plane of Q",
-      { of: "list-test", like: /^test 4/, pick: "largest" }, TEST],
-    ["Test 5: Q is wholly before the plane of P",
-      { of: "list-test", like: /^test 5/, pick: "largest" }, TEST],
-    ["Test 6: their images do not overlap",
-      { of: "list-test", like: /^test 6/, pick: "largest" }, TEST],
+    ["Test 4: P is wholly beyond the plane of Q, the dashed sheet",
+      { of: "list-test", like: /^test 4/, pick: "largest", where: areApart,
+        or: { of: "list-test", like: /^test 4/, pick: "largest" } }, TEST],
+    ["Test 5: Q is wholly before the plane of P, the pale sheet",
+      { of: "list-test", like: /^test 5/, pick: "largest", where: areApart,
+        or: { of: "list-test", like: /^test 5/, pick: "largest" } }, TEST],
+    ["Test 6: boxes overlap, images do not: a line passes between",
+      { of: "list-test", like: /^test 6/, pick: "largest", where: hasLine,
+        or: { of: "list-test", like: /^test 6/, pick: "largest" } }, TEST],
     ["Another circle, another division", { of: "list-division", after: "cut" }],
     ["P is in order: its rows are generated", { of: "list-segment", pick: "widest",
       id: "rows" }],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The four algorithms in object space, which draw lines. all.js says what a lesson is.
 import { numbersOf } from "../data/numbers.js";
+import { isPart } from "../data/volumes.js";
 import { countOf, perEach, share, times, withOutcome } from "../telling/figures.js";
 
 const VOLUME = "Solid: the edge. Dashed: the volume. How much of the edge does it hide?";
@@ -14,8 +15,12 @@ export const roberts = {
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
     "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
-    "is compared with the volumes that follow. What no volume hides is drawn. A concave " +
-    "solid is first divided into convex ones along the planes of its faces.",
+    "is compared with the volumes that follow. What no volume hides is drawn.",
+  "A volume is convex: it lies behind the plane of each of its faces. Where a solid is " +
+    "concave, as in the corner of an L, it lies on both sides of the plane of some face. " +
+    "It is cut along this plane, and each part again, until all parts are convex: they " +
+    "are its volumes. That is done before the first step, and for all views. The cuts " +
+    "are no faces and have no edges, so that none is drawn.",
   "A point of the edge is hidden if the line of sight to it passes through the volume. " +
     "At first all of the edge may be hidden. Each front plane of the volume takes away " +
     "what lies before it, and each edge of its contour what lies beside it, until all " +
@@ -56,6 +61,8 @@ export const roberts = {
     ["The volume hides one end: one piece is left",
       { of: "edge-volume", outcome: "one piece left", pick: "largest", among: EARLY },
       VOLUME],
+    ["This volume is a part of a concave solid, which was divided into convex ones",
+      { of: "edge-volume", where: (run, { b }) => isPart(run, b.ids[0]), pick: "largest" }],
     ["What is left goes on to the next volume", { of: "one-left", pick: "largest",
       among: EARLY }],
     ["The edge lies in the front of this volume, which cannot hide it",

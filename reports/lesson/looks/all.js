@@ -6,7 +6,8 @@
 import { boxLooks } from "./boxes.js";
 import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
 import { cellLook, cubeLook, isRegion, planeLook, volumeLook } from "./solids.js";
-import { bucketLook, windowLook } from "./windows.js";
+import { testLook } from "./tests.js";
+import { bucketLook, halvedLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
   "implied edge": impliedLook, vertex: vertexLook, volume: volumeLook,
@@ -19,7 +20,8 @@ export function looksOf(run, e) {
     ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}) }));
   return { a: of(e.a, false), b: of(e.b, true),
     where: [...windowLook(run, e), ...bucketLook(run, e), ...boxLooks(run, e),
-      ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e)] };
+      ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e), ...testLook(run, e),
+      ...halvedLook(run, e)] };
 }
 
 // The halves of a piece that is divided, and between them the line of the plane.

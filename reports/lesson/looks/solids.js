@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
 import { projection } from "../data/projection.js";
+import { isPart, planesOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
 
 const BODY = /body|bodies|collections/;
@@ -14,8 +15,34 @@ export function facesOfVolume(run, e, v) {
 }
 
 export function volumeLook(run, e, { ids: [v] }) {
+  const ofBody = BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
+  const part = !ofBody && isPart(run, v) ? partShapes(run, v) : [];
+  if (part.length) return part;
   const faces = facesOfVolume(run, e, v) ?? [];
   return faces.flatMap((f) => faceShapes(run, f, 0.1, 1.4));
+}
+
+// The sides of a part of a divided solid, also those that no face bounds: each plane,
+// as far as it lies behind the others.
+function partShapes(run, v) {
+  const planes = planesOf(run, v) ?? [];
+  return planes.map((plane, k) => planes.reduce((polygon, other, n) => n === k ? polygon
+    : behind(polygon, other), planeInBox(run, plane))).map((polygon) =>
+    imageOf(run, polygon)).filter((points) => points.length > 2)
+    .map((points) => ({ points, closed: true, fill: 0.1, width: 1.4 }));
+}
+
+// What of a polygon of the world lies behind a plane.
+function behind(polygon, { normal, offset }) {
+  const out = [];
+  polygon.forEach((p, n) => {
+    const q = polygon[(n + 1) % polygon.length];
+    const [s, t] = [dot(normal, p) - offset, dot(normal, q) - offset];
+    if (s <= 0) out.push(p);
+    if ((s < 0 && t > 0) || (s > 0 && t < 0))
+      out.push(p.map((x, c) => x + (q[c] - x) * s / (s - t)));
+  });
+  return out;
 }
 
 export function cubeLook(run, e, { ids: [node, instance] }) {
@@ -116,7 +143,7 @@ export function planeOfCell(run, counter, node) {
 // --- A plane, as far as the scene goes ---
 
 export function planeLook(run, plane) {
-  const cut = planeInBox(run, plane);
+  const cut = imageOf(run, planeInBox(run, equationOf(run, plane)));
   return cut.length > 2 ? [{ points: cut, closed: true, fill: 0.3, width: 2 }] : [];
 }
 
@@ -162,8 +189,8 @@ function sceneBox(run) {
   return run.sceneBox;
 }
 
-function planeInBox(run, plane) {
-  const { normal, offset } = equationOf(run, plane);
+// The corners of a plane's part in the box of the scene.
+function planeInBox(run, { normal, offset }) {
   const box = sceneBox(run);
   const corner = (c) => [0, 1, 2].map((k) => box[k][c >> k & 1]);
   const found = [];
@@ -175,7 +202,7 @@ function planeInBox(run, plane) {
       if ((s < 0) === (t < 0)) continue;
       found.push(p.map((x, k) => x + (q[k] - x) * s / (s - t)));
     }
-  return imageOf(run, around(found, normal));
+  return around(found, normal);
 }
 
 // Points of a plane, in their order around the middle.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The looks of windows, rows and samples, and of buckets.
+// The looks of windows, rows and samples, of buckets, and of a segment that is halved.
+import { searchAt } from "../data/stretches.js";
 
 const rectangle = (x, y, width, height) =>
   [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
@@ -41,4 +42,19 @@ export function bucketLook(run, e) {
   const row = Math.max(0, Math.min(run.height - 1, top));
   return [{ points: rectangle(0, row, run.width, 1), closed: true, width: 1,
     fill: 0.4 }];
+}
+
+const REACH = 0.05; // of the picture's height: how far the line goes
+
+// A segment that a logarithmic search divides: a dashed line at its midpoint, and the
+// half that is kept.
+export function halvedLook(run, e) {
+  if (e.counter.key !== "depth-division" || !e.window) return [];
+  const half = searchAt(run, e.k)?.half;
+  if (!half) return [];
+  const y = e.window.y, reach = REACH * run.height;
+  const line = { points: [[half.middle, y - reach], [half.middle, y + 1 + reach]],
+    width: 2.5, dashed: true, role: "ink" };
+  return half.kept ? [{ points: rectangle(half.kept[0], y, half.kept[1] + 1 - half.kept[0],
+    1), closed: true, width: 1, fill: 0.9, role: "ink" }, line] : [line];
 }

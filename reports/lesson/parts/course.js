@@ -2,9 +2,9 @@
 // The way in to the lessons: the tree of figure 13, and the course in its order.
 import { href } from "../../page/data/address.js";
 import { h, link } from "../../page/parts/dom.js";
+import { taxonomyTree } from "../../page/parts/taxonomy.js";
 import { LESSONS } from "../lessons/all.js";
 import { survivorsFigure } from "../figures/survivors.js";
-import { taxonomyTree } from "../figures/taxonomy.js";
 import { glossary } from "./lesson.js";
 
 const to = (name) => href("", "", { a: name });
@@ -22,7 +22,8 @@ export function courseIndex(survey, survivors) {
       "Four simple ones come first, two later ones last."),
     h("p", {}, h("a", { class: "begin", href: to(known[0].name) },
       "Begin with the first")),
-    taxonomyTree(known),
+    taxonomyTree(known, { to, said: (name) => LESSONS[name].idea,
+      end: "Choose one to watch it." }),
     courseTable(known),
     survivors && survivorsFigure(survivors),
     glossary(),

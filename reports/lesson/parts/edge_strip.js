@@ -24,7 +24,7 @@ export function edgeStrip(run) {
       .map((p) => run.trace.parts[p]).sort((a, b) => a[2] - b[2]);
     title.textContent = !key ? "No edge is asked about now."
       : `Edge ${key.replace(",", "–")}: ${parts.length
-        ? "how many faces hide it, from end to end" : "not drawn yet"}`;
+        ? "how many faces hide it, from end to end; white: not drawn" : "not drawn yet"}`;
     bar.replaceChildren(...pieces(parts));
     bar.setAttribute("aria-label", inWords(parts));
   };

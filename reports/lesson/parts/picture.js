@@ -2,7 +2,9 @@
 // The picture of a run: what is painted so far, the images of all faces, and
 // over them what the algorithm does now.
 import { colourOf, kindColour, packed } from "../data/kinds.js";
+import { keepsRows } from "../data/lists.js";
 import { looksOf } from "../looks/all.js";
+import { markerLooks } from "../looks/tests.js";
 import { wrongSamples } from "../telling/wrong.js";
 
 const DASH = [6, 4];
@@ -90,7 +92,7 @@ export function picture(canvas, run) {
   const markEvent = (e) => {
     const colour = kindColour(e.kind);
     const { a, b, where } = looksOf(run, e);
-    for (const shape of [...b, ...a, ...where]) drawShape(shape, colour);
+    for (const shape of [...b, ...a, ...where, ...markerLooks(run, e)]) drawShape(shape, colour);
   };
 
   const markPixel = ({ i, j }) => {
@@ -154,7 +156,7 @@ export function picture(canvas, run) {
 
 // Where rows are kept until all is done: the pieces that are in them, pale.
 function drawBuffered(run, context, k) {
-  if (!run.list?.ofPieces || run.counterOf("list-segment") < 0) return;
+  if (!keepsRows(run)) return;
   context.globalAlpha = 0.4;
   for (const { face, piece } of run.list.at(k).painted) {
     const outline = run.outline(k - 1, piece, face) ?? run.header.faces[face][4];

@@ -3,6 +3,7 @@
 import { colourOf, KINDS, setPaper, kindColour } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { looksOf } from "../looks/all.js";
+import { markerLooks } from "../looks/tests.js";
 import { momentsOf } from "../telling/moments.js";
 import { offer } from "../../page/parts/save.js";
 import { pathOf, round, s } from "../figures/drawing.js";
@@ -46,7 +47,7 @@ const scaled = (points, unit) => points.map(([x, y]) => [x * unit, y * unit]);
 function marks(run, e, unit) {
   const { a, b, where } = looksOf(run, e);
   const colour = e.kind in KINDS ? kindColour(e.kind) : colourOf("--ink");
-  return [...b, ...a, ...where].flatMap((shape) => {
+  return [...b, ...a, ...where, ...markerLooks(run, e)].flatMap((shape) => {
     const own = shape.role === "ink" ? colourOf("--ink") : colour;
     if (shape.ring) return [s("circle", { cx: round(shape.ring[0] * unit),
       cy: round(shape.ring[1] * unit), r: 5, fill: "none", stroke: own,

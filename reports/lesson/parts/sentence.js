@@ -2,6 +2,7 @@
 // The step in words: where it is, what it tells of the idea, what it does.
 import { firstLine } from "../data/branches.js";
 import { kindLook } from "../data/kinds.js";
+import { keepsRows } from "../data/lists.js";
 import { eventWords } from "../data/words.js";
 import { momentsOf } from "../telling/moments.js";
 import { wrongSamples } from "../telling/wrong.js";
@@ -24,7 +25,7 @@ export function sentence(run) {
     return [at >= 0 ? `Key moment ${at + 1} of ${moments.length}` : null,
       k > trace.kept ? `The end, after all ${whole(trace.events)} steps`
         : `Step ${whole(k)} of ${whole(trace.events)}`,
-      `${Math.floor(100 * run.painting.decided(k))} % ${run.kind.progress}`]
+      progressWords(run, k)]
       .filter(Boolean).join(" · ");
   };
 
@@ -40,6 +41,18 @@ export function sentence(run) {
       : k === 0 ? firstLine(run) : "";
   };
   return { element, show };
+}
+
+// How much of the answer is there. Where rows are kept until all is done, how many
+// pieces are in them.
+function progressWords(run, k) {
+  const done = run.painting.decided(k), { progress } = run.kind;
+  if (done >= 0.01) return `${Math.floor(100 * done)} % ${progress}`;
+  if (done) return `less than 1 % ${progress}`;
+  const { painted, order } = keepsRows(run) ? run.list.at(k) : { painted: [], order: [] };
+  const all = painted.length + order.length;
+  return all ? `${whole(painted.length)} of ${whole(all)} pieces in the rows, not shown yet`
+    : `nothing ${progress.split(" ").at(-1)} yet`;
 }
 
 const wrongAtEnd = (run, k) => k >= run.n ? wrongSamples(run).size : 0;

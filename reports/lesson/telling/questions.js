@@ -2,6 +2,7 @@
 // The questions of a run: before some of its key moments, what will come of the step?
 // Only where both subjects can be seen.
 import { unseen, looksOf } from "../looks/all.js";
+import { withOutcome } from "./figures.js";
 import { boxOf, momentsOf } from "./moments.js";
 
 const MOST = 8; // questions of a run
@@ -21,10 +22,14 @@ export function questionsOf(run) {
 const spread = (all, n) => all.length <= n ? all : Array.from({ length: n }, (_, k) =>
   all[Math.round(k * (all.length - 1) / (n - 1))]);
 
+// An outcome that no picture tells: nothing is found out yet.
+const OPEN = /^undecided$/;
+
 function questionAt(run, { k, ask, words }) {
   if (k > run.trace.kept) return null;
   const e = run.event(k - 1);
-  const answers = words ? Object.keys(words) : answersTo(e);
+  if (OPEN.test(e.outcome)) return null;
+  const answers = words ? Object.keys(words) : answersTo(run, e);
   if (answers.length < 2 || !answers.includes(e.outcome) || !isSeen(run, e))
     return null;
   const text = ask ?? askedOf(e);
@@ -34,10 +39,12 @@ function questionAt(run, { k, ask, words }) {
 
 // Of a counter of several questions, the outcomes of the one that is asked ("test 2:
 // apart", but not "test 3: apart").
-function answersTo({ counter, outcome }) {
-  const all = counter.outcomes ?? [];
+function answersTo(run, { counter, outcome }) {
+  const all = (counter.outcomes ?? []).filter((w) => !OPEN.test(w));
   const of = (word) => word.includes(":") ? word.split(":")[0] : null;
-  const own = counter.key === "list-test" ? all.filter((w) => w !== "end of {Q}")
+  // Of the six tests: these, and what else comes in this run.
+  const own = counter.key === "list-test" ? all.filter((w) => w !== "end of {Q}" &&
+    (/^test|may obscure/.test(w) || withOutcome(run, counter.key, w)))
     : all.filter((w) => of(w) === of(outcome));
   const body = /^(body|volume)/.exec(outcome)?.[0];
   return body ? own.filter((w) => w.startsWith(body)) : own;

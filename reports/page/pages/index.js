@@ -24,7 +24,9 @@ export function indexPage(report) {
           link(href("tables"), "the tables of 1974 beside our counts"), "."),
         watching(report.lessonPages), trying(report.laboratory)),
       picture(report)),
-    section("The algorithms", "tree", tree(report), apart(report)),
+    section("The algorithms", "tree", h("p", {}, "The survey’s ten are framed. ",
+      link(href("tables", "figure-13"), "Its own tree"), " is with the tables."),
+    tree(report), apart(report)),
     section("What was run", "run", summary(report), leftOut(report)),
     section("Where and when", "machine", runs(report.headers)),
   ] };

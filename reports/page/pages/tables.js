@@ -10,6 +10,7 @@ import {
 import { h, link, section } from "../parts/dom.js";
 import { formula } from "../parts/symbols.js";
 import { folded, table } from "../parts/table.js";
+import { taxonomyTree } from "../parts/taxonomy.js";
 import { tree } from "../parts/tree.js";
 
 export function tablesPage(report) {
@@ -22,7 +23,7 @@ export function tablesPage(report) {
       `Table ${["IV", "V", "VI"][k] ?? k + 4}: ${s.scene}`, summary(report, s)]),
     ["table-7", "Table VII: totals a frame", table7(report, t)],
     ["figure-13", "Figure 13: the taxonomy",
-      report.algorithms.length && tree(report)],
+      report.algorithms.length && figure13(report)],
     ["figure-29a", "Figure 29a: what each demands", figure29a(t)],
     ["figure-29b", "Figure 29b: the sorts each makes", figure29b(t)],
     ["orders", "The sorting orders", orders(t)],
@@ -39,6 +40,18 @@ export function tablesPage(report) {
       : h("p", {}, "There are no tables."),
     ...all.map(([id, title, content]) => section(title, id, content)),
   ] };
+}
+
+// The survey's tree, and all algorithms of the testbed in its branches.
+function figure13(report) {
+  const of = (name) => report.algorithms.find((a) => a.name === name);
+  const said = (name) => [of(name)?.title, of(name)?.sort_order &&
+    `sorts ${of(name).sort_order}`].filter(Boolean).join(" · ");
+  return [
+    taxonomyTree(report.algorithms, { to: (name) => href("algorithm", name), said,
+      end: "Choose one to see what it did." }),
+    h("p", {}, "All algorithms of the testbed in the same tree; the ten are framed."),
+    tree(report)];
 }
 
 function table1(report, t) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tree of figure 13: nested lists, which the style sheet draws as a tree; it
-// runs from left to right if there is room.
+// runs from left to right if there is room. The survey's ten are framed.
 import { href } from "../data/address.js";
 import { key, looks } from "../data/looks.js";
 import { PEER, unique } from "../data/model.js";
 import { h, link } from "./dom.js";
+import { TEN } from "./taxonomy.js";
 
 // In the figure's order.
 const BRANCHES = [
@@ -42,7 +43,7 @@ function leaf(algorithm) {
 }
 
 function leafOf({ name, authors, year }) {
-  return h("span", { class: "leaf" },
+  return h("span", { class: TEN.has(name) ? "leaf ten" : "leaf" },
     link(href("algorithm", name), key(looks(name)), name),
     h("small", {}, [authors, year].filter(Boolean).join(", ")));
 }

@@ -723,7 +723,7 @@ static const struct hsr_counter warnock_counters[] = {
     {"minimax culls", "faces tested that their boxes decided", HSR_COMPARE,
      HSR_OF_FACE, HSR_OF_WINDOW, "disjoint|intersecter"},
     {"inherited surrounders",
-     "faces not tested, since they surround a larger window", HSR_ACTIVATE,
+     "faces not tested: surrounders of a larger window", HSR_ACTIVATE,
      HSR_OF_FACE, HSR_OF_WINDOW},
     {"inherited disjoints",
      "faces not tested, since they are disjoint from a larger window",

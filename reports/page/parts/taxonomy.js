@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tree of the survey's figure 13 with the ten algorithms as its leaves, as a
-// drawing that can be saved. Each leaf leads to its lesson.
-import { href } from "../../page/data/address.js";
-import { h } from "../../page/parts/dom.js";
-import { saveSvg } from "../../page/parts/save.js";
-import { LESSONS } from "../lessons/all.js";
-import { board, line, s, text } from "./drawing.js";
+// drawing that can be saved.
+import { h } from "./dom.js";
+import { saveSvg } from "./save.js";
+import { board, line, s, text } from "./svg.js";
 
 const TREE = ["opaque objects", [
   ["object space", [
@@ -18,10 +16,15 @@ const TREE = ["opaque objects", [
     ["area sampling", ["warnock"]],
     ["point sampling", ["romney", "bouknight", "watkins"]]]]]];
 
+// The ten, by name.
+export const TEN = new Set(TREE[1].flatMap(([, branches]) =>
+  branches.flatMap(([, names]) => names)));
+
 const ROW = 30, X = [8, 150, 280, 470], WIDTH = 860;
 
-// known: the algorithms of the page.
-export function taxonomyTree(known) {
+// known: the algorithms of the page; to(name): where a leaf leads; said(name): what
+// stands below it; end: what a reader can do with it.
+export function taxonomyTree(known, { to, said, end }) {
   const shapes = [];
   let row = 0;
 
@@ -30,9 +33,9 @@ export function taxonomyTree(known) {
     const a = known.find((k) => k.name === name);
     const label = text(X[3], y + 4, a ? `${a.authors} ${a.year ?? ""}` : name,
       { "text-anchor": "start", "font-size": 13, fill: a ? "var(--link)" : null });
-    const idea = text(X[3], y + 16, LESSONS[name].idea, { "text-anchor": "start",
+    const idea = text(X[3], y + 16, said(name), { "text-anchor": "start",
       "font-size": 10, fill: "var(--faint)" });
-    shapes.push(a ? s("a", { href: href("", "", { a: name }) }, label) : label, idea);
+    shapes.push(a ? s("a", { href: to(name) }, label) : label, idea);
     return y;
   };
 
@@ -58,6 +61,6 @@ export function taxonomyTree(known) {
   const caption = "Figure 13 of the survey: the ten algorithms";
   return h("figure", { class: "taxonomy" }, h("div", { class: "scroll", tabindex: 0,
     role: "region", "aria-label": "The tree" }, drawing),
-  h("figcaption", {}, `${caption}. Choose one to watch it. `,
+  h("figcaption", {}, `${caption}. ${end} `,
     saveSvg(caption, () => drawing, [])));
 }
