@@ -58,21 +58,17 @@ static const struct hsr_command commands[] = {
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 
-static const char begin_with[] =
-    "to begin with:\n"
-    "  hsr render house          a picture\n"
-    "  hsr check house           who draws it right\n"
-    "  hsr list watkins          all of one algorithm\n";
-
 static void print_help(FILE *out) {
   fputs("usage: hsr COMMAND [ARGUMENT...]\n"
         "\n"
         "A testbed for the classic hidden-surface algorithms: one correct\n"
         "picture, every algorithm must produce it, and its work is counted.\n"
-        "\n",
-        out);
-  fputs(begin_with, out);
-  fputs("\n"
+        "\n"
+        "to begin with:\n"
+        "  hsr render house          a picture\n"
+        "  hsr check house           who draws it right\n"
+        "  hsr list watkins          all of one algorithm\n"
+        "\n"
         "commands:\n",
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
@@ -281,8 +277,9 @@ int main(int argc, char **argv) {
   if (status)
     return end(status, &err);
   if (argc < 2) {
-    fputs("hsr: a command is needed; hsr --help lists them\n", stderr);
-    fputs(begin_with, stderr);
+    fputs("hsr: a command is needed, as in hsr render house; hsr help lists "
+          "them\n",
+          stderr);
     return HSR_E_USAGE;
   }
   if (!strcmp(argv[1], "--version") || !strcmp(argv[1], "-V")) {

@@ -92,12 +92,13 @@ function movedByKeys(pictures) {
 
 // --- The address ---
 
-let written = location.hash;
+let written = location.hash; // the address, as it was last written or read
 
 function keepAddress(head) {
   let waiting = 0;
   const write = async () => {
     const { hash } = await addressOf(state);
+    if (location.hash !== written) return; // the reader has gone elsewhere
     written = hash;
     document.title = `${state.scene}: ${state.a.join(", ")} · the laboratory of hsr`;
     globalThis.history.replaceState(null, "", hash);
@@ -108,6 +109,7 @@ function keepAddress(head) {
   });
   addEventListener("hashchange", async () => {
     if (location.hash === written) return;
+    written = location.hash;
     const { state: asked, unread } = await readAddress();
     Object.assign(state.play, asked.play);
     lab.set({ ...asked, play: state.play });
