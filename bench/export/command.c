@@ -391,7 +391,7 @@ enum part {
 static const char *const part_name[] = {[OBJECTS] = "objects",
                                         [NAMES] = "names",
                                         [INSTANCES] = "instances",
-                                        [SIDES] = "sides",
+                                        [SIDES] = "one-sidedness",
                                         [SHARED] = "shared vertices",
                                         [COLOURS] = "colours",
                                         [OPACITIES] = "opacities",

@@ -71,6 +71,8 @@ export const GLOSSARY = [
     "shown", /priority/],
   ["pyramid", "a picture, and above it pictures of half the size, each entry for four " +
     "below", /pyramid/],
+  ["quantitative invisibility", "of a point of an edge: how many faces hide it; where it " +
+    "is 0, the edge is visible", /invisibility/],
   ["raster element", "a sample of the picture", /raster element/],
   ["relevant", "what is left after the culls", /\brelevant\b/],
   ["scan line", "a row of samples", /scan line/],
