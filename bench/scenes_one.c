@@ -93,6 +93,23 @@ static void say_table1(const struct hsr_table1 *table) {
   }
 }
 
+/* The box around all corners of faces, in units of the scene. */
+static void say_box(const struct hsr_mesh *mesh) {
+  double lo[3] = {INFINITY, INFINITY, INFINITY},
+         hi[3] = {-INFINITY, -INFINITY, -INFINITY};
+  const double *const at[3] = {mesh->x, mesh->y, mesh->z};
+  for (size_t k = 0; k < mesh->n_corners; k++)
+    for (int c = 0; c < 3; c++) {
+      lo[c] = fmin(lo[c], at[c][mesh->vertex[k]]);
+      hi[c] = fmax(hi[c], at[c][mesh->vertex[k]]);
+    }
+  if (mesh->n_corners)
+    printf("\nbox: from %.5g,%.5g,%.5g to %.5g,%.5g,%.5g: %.5g x %.5g x %.5g "
+           "units\n",
+           lo[0], lo[1], lo[2], hi[0], hi[1], hi[2], hi[0] - lo[0],
+           hi[1] - lo[1], hi[2] - lo[2]);
+}
+
 static enum hsr_status say_statistics(struct hsr_scene *scene,
                                       struct hsr_error *err) {
   if (hsr_scene_faces(scene) > MOST_MEASURED) {
@@ -104,6 +121,8 @@ static enum hsr_status say_statistics(struct hsr_scene *scene,
   struct hsr_view view;
   struct hsr_table1 table;
   enum hsr_status status = hsr_world_open(&world, scene, MOST_MEASURED, err);
+  if (!status)
+    say_box(&world.mesh);
   if (!status)
     status = hsr_view_init(&view, &scene->views[0], SIDE, SIDE, err);
   if (!status)
