@@ -7,6 +7,7 @@
 
 #include <jansson.h>
 
+#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stddef.h>
@@ -21,7 +22,7 @@
 /* Ends the program if a step that a test needs, but does not test, fails. */
 static void must(bool done) {
   if (!done)
-    bail("The test cannot be set up.");
+    bail("the test cannot be set up: %s", strerror(errno));
 }
 
 static void write_bytes(const char *path, const char *bytes, size_t n) {
