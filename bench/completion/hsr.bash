@@ -16,7 +16,7 @@ _hsr() {
   done < <("${COMP_WORDS[0]}" complete "${list[@]:1}" 2>/dev/null)
   # bash keeps what stands before the last colon or =
   COMPREPLY=("${COMPREPLY[@]#"${word%"${word##*[:=]}"}"}")
-  [[ ${#COMPREPLY[@]} == 1 && ${COMPREPLY[0]} == *= ]] && compopt -o nospace
+  [[ ${#COMPREPLY[@]} == 1 && ${COMPREPLY[0]} == *[=:] ]] && compopt -o nospace
   return 0
 }
 complete -o filenames -o bashdefault -F _hsr hsr

@@ -48,9 +48,16 @@ static void keep_list(struct begun *begun) {
 
 /* --- Values --------------------------------------------------------------- */
 
+/* Meshes lie in an archive, which takes a while to read: only a word that begins
+ * so asks for their names. */
 static void offer_scenes(const struct begun *begun) {
+  static const char of_meshes[] = "mesh:";
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
     offer(begun, b->name, strlen(b->name));
+  if (strncmp(begun->rest, of_meshes, sizeof of_meshes - 1) != 0) {
+    offer(begun, of_meshes, sizeof of_meshes - 1);
+    return;
+  }
   char **name = NULL, mesh[MOST_WORD];
   size_t n = 0;
   struct hsr_error err;
