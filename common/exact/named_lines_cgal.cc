@@ -268,12 +268,10 @@ double nearest_quotient(const Gmpz &x, const Gmpz &w) {
   if (CGAL::is_zero(x))
     return 0;
   const long shift = 62 - (exponent_of(x) - exponent_of(w));
-  Gmpz numerator, denominator(w), quotient, rest;
-  mpz_abs(numerator.mpz(), x.mpz());
-  if (shift > 0)
-    mpz_mul_2exp(numerator.mpz(), numerator.mpz(), mp_bitcnt_t(shift));
-  else
-    mpz_mul_2exp(denominator.mpz(), w.mpz(), mp_bitcnt_t(-shift));
+  Gmpz numerator, denominator, quotient, rest; // numbers of their own
+  mpz_mul_2exp(numerator.mpz(), x.mpz(), mp_bitcnt_t(std::max(0L, shift)));
+  mpz_abs(numerator.mpz(), numerator.mpz());
+  mpz_mul_2exp(denominator.mpz(), w.mpz(), mp_bitcnt_t(std::max(0L, -shift)));
   mpz_tdiv_qr(quotient.mpz(), rest.mpz(), numerator.mpz(), denominator.mpz());
   uint64_t digits = 0;
   mpz_export(&digits, nullptr, -1, sizeof digits, 0, 0, quotient.mpz());

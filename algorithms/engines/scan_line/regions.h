@@ -65,7 +65,7 @@ struct hsr_regions {
   struct hsr_regions_counters counters;
   int j;
 
-  uint32_t n_list; /* the row's list, without ends that are not there */
+  uint32_t n_list;              /* of the row's list */
   uint32_t *old, n_old, *place; /* that of the row before; by edge: its number
                                    there, if it is there */
   struct hsr_region *region;    /* by first edge; the last one: by none */

@@ -76,7 +76,10 @@ static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
   struct hsr_scan_edge edge = {
       .face = piece->face, .piece = number, .cut = s->n_cut};
   int first_row = 0;
-  for (int row = piece->bounds.y0; row < piece->bounds.y1; row++) {
+  const struct hsr_window *w = s->window;
+  int begin = piece->bounds.y0 > w->y0 ? piece->bounds.y0 : w->y0,
+      end = piece->bounds.y1 < w->y1 ? piece->bounds.y1 : w->y1;
+  for (int row = begin; row < end; row++) {
     int n = find_spans(s, piece, row);
     if (!n)
       continue;

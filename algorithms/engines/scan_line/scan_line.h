@@ -18,10 +18,16 @@
  *             - X is kept as a column, since the picture is one of samples.
  *             - A face that is divided, or cut by the near plane, gives its
  *             columns row by row (hsr_piece_spans). The paper clips it.
+ *             It stands in the list by as many edges as it has ends on any row
+ *             of the window. On a row where it has fewer, the others are pairs
+ *             that enclose nothing; they are sorted and counted like all.
  * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
- *             S_l)). The formula of the merge takes half a list of S_l. But a
- *             list of edges holds two for each segment, so up to twice as many
- *             comparisons are made as it says. */
+ *             S_l)). Measured, the merge takes 3.4 times its formula on house,
+ *             4.0 on harbor and 2.5 on big-harbor. For the formula takes half a
+ *             list of S_l, but a list of edges holds two for each segment, and
+ *             S_l leaves out segments between samples, which the list holds;
+ *             and edges enter on rows where the list is long. The sort, too,
+ *             goes over all edges of the list. */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
 #define HSR_ALGORITHMS_SCAN_LINE_H
 

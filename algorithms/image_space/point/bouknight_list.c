@@ -97,11 +97,10 @@ static const struct hsr_scan_edge *edge_of(const struct bouknight *s,
   return &s->edges.edge[s->edges.list[k]];
 }
 
-/* Pairs the edges of each face. Returns how many edges there are. */
-static uint32_t find_segments(struct bouknight *s) {
+/* Pairs the edges of each face. */
+static void find_segments(struct bouknight *s) {
   struct bouknight_list *list = s->list;
-  uint32_t k = 0;
-  for (; k < s->edges.n_list; k++) {
+  for (uint32_t k = 0; k < s->edges.n_list; k++) {
     const struct hsr_scan_edge *edge = edge_of(s, k);
     uint32_t *opened_by = &list->opened_by[edge->face];
     list->end[k] = NO_END;
@@ -113,7 +112,6 @@ static uint32_t find_segments(struct bouknight *s) {
       *opened_by = BOUKNIGHT_NONE;
     }
   }
-  return k;
 }
 
 /* --- Changes -------------------------------------------------------------- */
@@ -235,7 +233,8 @@ static uint32_t pass_edges(struct bouknight *s, uint32_t k, uint32_t n,
 void bouknight_scan_list(struct bouknight *s) {
   const struct hsr_window *w = s->edges.window;
   struct bouknight_list *list = s->list;
-  uint32_t n = find_segments(s), k = 0;
+  uint32_t n = s->edges.n_list, k = 0;
+  find_segments(s);
   list->n_changes = 0;
   for (int left = w->x0, right; left < w->x1; left = right) {
     k = pass_edges(s, k, n, left);

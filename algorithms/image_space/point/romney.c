@@ -17,8 +17,8 @@
  *             columns; of one column, in the order they had on the last line;
  *             x_occupied[] holds the faces of which an odd number of pieces
  *             hold the raster element, as parity would have it.
- * Reuse       The paper reuses a line that is crossed by the same edges in the
- *             same order as the last one ("Scan-line Algorithms"), and also "a
+ * Reuse       The paper reuses a line with the same faces as the last one, whose
+ *             edge crossings are in the same order ("Scan-line Algorithms"), and also "a
  *             correspondingly unchanged left part" of a line ("Existing Uses
  *             of Coherence"). So does this module. Why it is right: of two
  *             convex faces that do not penetrate, one is nearer at all samples

@@ -19,8 +19,8 @@
  *             500 lines of 500 samples, in thousands, without the option and
  *             with it; and the sample spans:
  *               house         799    763    6,240   5,813
- *               harbor      3,864  3,219   26,374  20,726
- *               big-harbor  9,200  8,859   57,087  51,618
+ *               harbor      3,864  3,218   26,374  20,726
+ *               big-harbor  9,200  8,856   57,087  51,618
  *             It saves in each, and spans are longer: the hope is borne out */
 #include "algorithms/image_space/point/watkins.h"
 

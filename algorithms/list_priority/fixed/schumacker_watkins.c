@@ -3,7 +3,7 @@
  * are painted on a frame buffer, one over the other. Or the order eases Watkins'
  * last step, and nothing is painted over.
  *
- * Source      Sutherland et al. 1974, "Other Combinations of Sorting": half a
+ * Source      Sutherland et al. 1974, "Other Combinations of Sorting": a
  *             sentence, and its sorting order Zp YXZ, p for a partial sort.
  * Notation    cluster, separating plane -> common/scene/clusters.h; scan line,
  *             segment, sample span -> watkins.c
@@ -23,10 +23,9 @@
  *             an element searched, 1 for two places), by watkins, z=layers and
  *             z=clusters: house 760K, 17K, 38K; harbor 3.66M, 1.16M, 686K;
  *             big-harbor 8.68M, 4.52M, 2.95M. So the step is eased, but in
- *             house layers ease it more. The other steps do not gain: X merge
- *             is as Watkins' (layers have a tenth of it in house, a fortieth in
- *             the harbors); and in big-harbor 6,497,727 X interchanges, where
- *             Watkins has 216,461, cost more than the last step saves
+ *             house layers ease it more. The other steps do not gain: they
+ *             cost as much as Watkins' (layers have a tenth of his X merge in
+ *             house, a fortieth in the harbors)
  * Departures  Those of scan_line.h. Watkins' scan lines and sample spans are
  *             those of the box of the cluster's faces, not of the picture. A
  *             loose face (cluster_faces.h) is painted after all clusters, where
@@ -233,7 +232,7 @@ static const struct hsr_step steps[] = {{"depth search",
                                         {NULL}};
 
 static const struct hsr_line outline[] = {
-    {"for each cluster, from the farthest, by the separating planes",
+    {"for each cluster, in the order of the separating planes",
      HSR_RAISES(HSR_INTER_CLUSTER)},
     {"  z=clusters: give its faces its place; then scan all clusters at once",
      HSR_RAISES(PLACED)},

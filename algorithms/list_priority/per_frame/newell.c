@@ -32,8 +32,6 @@
 /* Of the survey's ways to find what P may obscure. */
 enum { INDEX_SORT, GROUPS, AGAIN };
 
-/* Of the last frame's order. */
-
 enum { SPECIAL }; /* option */
 enum { ALONG_THE_LIST, BY_GROUPS, LATERAL };
 static const struct hsr_word specials[] = {

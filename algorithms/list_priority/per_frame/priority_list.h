@@ -40,8 +40,9 @@
  *             - The halves of a divided piece are inserted where they belong.
  *             To find that place, the list is searched; that is counted, too.
  * Cost        Z sort 2 F_r, Newell special F_r^2 (f + f^2 + 100 f^3), f = 2
- *             H_f / n: its terms are the pairs that come to the tests in Z, in
- *             X and Y, and of planes */
+ *             H_f / n: its terms are the pairs that come to test 2, to test 3,
+ *             and to tests 4 to 6. Test 1, in Z, is for the paper implied in
+ *             the selection of Q; here it is made, and costs 1 as well */
 #ifndef HSR_ALGORITHMS_PRIORITY_LIST_H
 #define HSR_ALGORITHMS_PRIORITY_LIST_H
 

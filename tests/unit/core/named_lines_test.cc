@@ -143,25 +143,24 @@ void compare_depths(hsr_named_lines *lines, const hsr_world &world,
                      sign * hsr_crossing_side(lines, point, line) != nearer;
 }
 
-void test_scene(tap *tap, const char *name) {
+void test_world(tap *tap, const char *name, const hsr_world &world,
+                const hsr_camera &camera) {
   uint64_t seed = 11;
   Found found;
-  both_worlds worlds;
-  open_worlds(&worlds, name);
   hsr_view view;
-  must_view(&view, &worlds.scene->views[0], M, N);
-  hsr_named_lines *lines = hsr_named_lines_new(&worlds.world, &view);
+  must_view(&view, &camera, M, N);
+  hsr_named_lines *lines = hsr_named_lines_new(&world, &view);
   std::map<Place, uint32_t> known;
   std::map<uint32_t, Place> places;
   for (int k = 0; k < PAIRS; k++) {
-    const Drawn a = draw_edge(lines, worlds.world, view, &seed),
-                b = k % 8 ? draw_edge(lines, worlds.world, view, &seed)
+    const Drawn a = draw_edge(lines, world, view, &seed),
+                b = k % 8 ? draw_edge(lines, world, view, &seed)
                           : draw_border(lines, &seed);
     cross_two(lines, a, b, known, places, &found);
   }
   for (const auto &[point, place] : places)
     for (int k = 0; k < 3; k++)
-      compare_depths(lines, worlds.world, point, &seed, &found);
+      compare_depths(lines, world, point, &seed, &found);
   ok(tap, found.points > 100 && !found.far && !found.apart && !found.one,
      "%s: %ld crossings, %ld of them met again: %ld are not at the nearest "
      "doubles, %ld have two numbers, %ld share one",
@@ -170,14 +169,52 @@ void test_scene(tap *tap, const char *name) {
      "%s: of %ld depths that doubles tell, %ld are contrary to the line", name,
      found.told, found.contrary);
   hsr_named_lines_free(lines);
+}
+
+void test_scene(tap *tap, const char *name) {
+  both_worlds worlds;
+  open_worlds(&worlds, name);
+  test_world(tap, name, worlds.world, worlds.scene->views[0]);
   close_worlds(&worlds);
+}
+
+// Triangles whose corners are from 1 to 2^-200 before the eye, so that images are
+// up to 2^200 pixels away.
+void test_far_images(tap *tap) {
+  constexpr int FACES = 60;
+  uint64_t seed = 7;
+  hsr_scene *scene = hsr_scene_new("far images");
+  hsr_object *object = hsr_scene_object(scene, "triangles");
+  const hsr_camera camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0},   60,
+                             0,         0,          {0, 0, 0, 0}};
+  for (uint32_t k = 0; k < 3 * FACES; k++) {
+    const double x = double(draw_integer(&seed, -999, 999)),
+                 y = double(draw_integer(&seed, -999, 999));
+    const int by = k % 3 ? int(draw_integer(&seed, 0, 200)) : 0;
+    if (hsr_object_vertex(object, x, y, -std::ldexp(1000, -by), nullptr))
+      bail("no vertex");
+  }
+  for (uint32_t f = 0; f < FACES; f++) {
+    const uint32_t corner[] = {3 * f, 3 * f + 1, 3 * f + 2};
+    if (hsr_object_face(object, corner, 3, nullptr))
+      bail("no face");
+  }
+  if (hsr_scene_view(scene, &camera))
+    bail("no view");
+  must_finish(scene);
+  hsr_world world;
+  must_world(&world, scene);
+  test_world(tap, "far images", world, camera);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
 }
 
 } // namespace
 
 int main() {
-  tap tap = plan(2 * int(std::size(scenes)));
+  tap tap = plan(2 * int(std::size(scenes)) + 2);
   for (const char *name : scenes)
     test_scene(&tap, name);
+  test_far_images(&tap);
   return finish(&tap);
 }
