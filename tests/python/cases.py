@@ -122,12 +122,13 @@ def test_scene():
 
 
 def test_weld():
-    with open("near.obj", "w") as near:
+    path = folder / "near.obj"
+    with open(path, "w") as near:
         near.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0.001 0\nv 0 1 0.001\nv 1 1 0\n")
         near.write("f 1 2 3\nf 4 6 5\n")
-    with hsr.scene("near.obj", weld=0.01) as joined:
+    with hsr.scene(path, weld=0.01) as joined:
         ok("2 vertices joined" in joined.info.notes, joined.info.notes)
-    with hsr.scene("near.obj") as apart:
+    with hsr.scene(path) as apart:
         ok(not apart.info.notes, apart.info.notes)
     raises(hsr.UsageError, "weld must be", lambda: hsr.scene("house", weld=-1))
 
