@@ -92,7 +92,7 @@ static void print_help(FILE *out) {
       out);
 }
 
-/* The same as CITATION.cff says, for BibTeX. */
+/* The same as CITATION.cff says, for BibTeX, with the year of the version. */
 static void print_citation(void) {
   puts("@misc{hsr,\n"
        "  author = {{The hsr authors}},\n"

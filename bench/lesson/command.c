@@ -6,11 +6,11 @@
 #include "bench/lesson/lesson.h"
 #include "bench/options/command.h"
 #include "bench/options/words.h"
+#include "common/files/suffix.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 #define STANDARD_SIZE "128x128"
@@ -61,12 +61,8 @@ static bool is_pdf(const struct options *o) {
 
 /* Whether a name is that of slides or of a picture, which a page is not. */
 static bool is_no_page(const char *name) {
-  static const char *const end[] = {".pdf", ".svg", ".png", ".pptx"};
-  const char *dot = strrchr(name, '.');
-  for (size_t k = 0; dot && k < sizeof end / sizeof *end; k++)
-    if (!strcasecmp(dot, end[k]))
-      return true;
-  return false;
+  return hsr_ends_in(name, ".pdf") || hsr_ends_in(name, ".svg") ||
+         hsr_ends_in(name, ".png");
 }
 
 static error_t check_output(struct options *o) {

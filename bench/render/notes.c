@@ -139,8 +139,8 @@ static void say_no_faces(const struct render_options *o) {
   }
 }
 
-/* A scene whose unit is not a millimetre is a dot on a page to scale. A view has
- * some tens of mm of line at the least, if one can see what it shows. */
+/* A scene whose unit is not a millimetre is a dot on a page to scale. A view with
+ * less than 20 mm of line is too small to show anything. */
 static void say_unit(const struct render *r) {
   const struct hsr_page *page = &r->options->page;
   const size_t views = r->n_on_sheet ? r->n_on_sheet : 1;

@@ -53,8 +53,8 @@ enum hsr_status read_built_page(const char *name, char **page,
   FILE *file = fopen(path, "rb");
   if (!file)
     return hsr_fail(err, HSR_E_INPUT,
-                    "the page is not there, which the build makes where npm "
-                    "is: %.400s: %s",
+                    "the page is missing; a build with npm makes it: %.400s: "
+                    "%s",
                     path, strerror(errno));
   enum hsr_status status = read_text(file, path, page, err);
   fclose(file);

@@ -34,7 +34,7 @@ enum hsr_status overlook_open(struct overlook *o, const struct studio *studio,
                               struct hsr_error *err);
 void overlook_close(struct overlook *o);
 
-/* Of the samples that are right, about so many of a picture are looked at. */
+/* About how many of a picture's right samples are looked at. */
 enum { RIGHT_LOOKED_AT = 65536 };
 
 /* Whether sample k is looked at: it differs, or it is one of those that are

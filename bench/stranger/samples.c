@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of single samples. A sample may be of several kinds; the kind that
- * explains most samples gets all that it explains, then the next. A face that is
- * hidden is a kind of what is left over: it explains more than others, and says
- * less.
+ * explains most samples gets all that it explains, then the next. A hidden face
+ * is the kind of what is left after that, since it says least of the cause.
  *
  * A fault of every comparison shows wherever there is something to compare. So it
  * is not supposed if many samples are right where it would make them wrong. */

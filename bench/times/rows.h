@@ -26,7 +26,8 @@ struct rows {
 };
 
 /* Makes the rows of all cells, which the caller frees also after a failure.
- * `reference` is borrowed. HSR_E_NOMEM. */
+ * `reference` is borrowed; if it was not timed, the first algorithm that was
+ * takes its place, whose name is that of `results`. HSR_E_NOMEM. */
 enum hsr_status rows_make(struct rows *rows, const struct results *results,
                           const char *reference, struct hsr_error *err);
 void rows_free(struct rows *rows);

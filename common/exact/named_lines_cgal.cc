@@ -128,6 +128,11 @@ Triple cross(const Triple &a, const Triple &b) {
           a[0] * b[1] - a[1] * b[0]};
 }
 
+// The sign of a value that is off by at most `bound`; 0: it is in doubt.
+int certain_sign(double value, double bound) {
+  return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
 double rounded(const Gmpz &x, long exponent) {
   long own;
   const double digits = mpz_get_d_2exp(&own, x.mpz());
@@ -160,6 +165,14 @@ struct Line {
   Sum sum[3]; // the same as d[], but finer
   bool fine;  // sum[] holds no number too small for products
 };
+
+// The sign of a line's function, as far as doubles make it certain; else 0.
+int rough_sign(const Line &l, double sx, double sy) {
+  const double x = l.d[0] * sx, y = l.d[1] * sy, c = l.d[2];
+  return certain_sign(
+      x + y + c,
+      SIDE_ERROR * (std::fabs(x) + std::fabs(y) + std::fabs(c)) + LOST);
+}
 
 struct Point {
   double at[2];
@@ -576,7 +589,7 @@ struct hsr_named_lines {
       return 0;
     const double own = point_at(of.point).at[axis], at = place[axis];
     const double bound = SIDE_ERROR * (std::fabs(own) + std::fabs(at)) + LOST;
-    return own - at > bound ? 1 : own - at < -bound ? -1 : 0;
+    return certain_sign(own - at, bound);
   }
 
   std::array<Exact, 3> border(uint32_t side) const {
@@ -708,14 +721,8 @@ struct hsr_named_lines {
     if (at.line[0] == of || at.line[1] == of)
       return 0;
     const Line &l = line_at(of);
-    const double x = l.d[0] * at.at[0], y = l.d[1] * at.at[1], c = l.d[2];
-    const double value = x + y + c;
-    const double bound =
-        SIDE_ERROR * (std::fabs(x) + std::fabs(y) + std::fabs(c)) + LOST;
-    if (value > bound)
-      return 1;
-    if (value < -bound)
-      return -1;
+    if (const int sign = rough_sign(l, at.at[0], at.at[1]))
+      return sign;
     return exactly([&] {
       const Triple &whole = integers_at(p);
       return int(CGAL::sign(l.exact[0] * whole[0] + l.exact[1] * whole[1] +
@@ -845,14 +852,8 @@ void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
 int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
                      double sy) {
   const Line &l = lines->line_at(line);
-  const double p = l.d[0] * sx, q = l.d[1] * sy, r = l.d[2];
-  const double value = p + q + r;
-  const double bound =
-      SIDE_ERROR * (std::fabs(p) + std::fabs(q) + std::fabs(r)) + LOST;
-  if (value > bound)
-    return 1;
-  if (value < -bound)
-    return -1;
+  if (const int sign = rough_sign(l, sx, sy))
+    return sign;
   const auto exact = [](const Gmpz &x) { return Exact(x); };
   return lines->exactly([&] {
     return CGAL::sign(exact(l.exact[0]) * Exact(sx) +
@@ -926,8 +927,7 @@ int hsr_nearer_at(struct hsr_named_lines *lines, uint32_t f, uint32_t g,
     double size = std::fabs(p.rough[2]) + std::fabs(q.rough[2]);
     for (int k = 0; k < 2; k++)
       size += std::fabs(of_p[k]) + std::fabs(of_q[k]);
-    const double bound = SIDE_ERROR * size + LOST;
-    return by > bound ? 1 : by < -bound ? -1 : 0;
+    return certain_sign(by, SIDE_ERROR * size + LOST);
   } catch (...) {
     lines->failed = true;
     return 0;

@@ -25,9 +25,9 @@
  *             S_l)). Measured, the merge takes 3.4 times its formula on house,
  *             4.0 on harbor and 2.5 on big-harbor. For the formula takes half a
  *             list of S_l, but a list of edges holds two for each segment, and
- *             S_l leaves out segments between samples, which the list holds;
- *             and edges enter on rows where the list is long. The sort, too,
- *             goes over all edges of the list. */
+ *             S_l leaves out segments between samples, which the list holds.
+ *             Probably most edges also enter where the list is long. The sort,
+ *             too, goes over all edges of the list. */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
 #define HSR_ALGORITHMS_SCAN_LINE_H
 

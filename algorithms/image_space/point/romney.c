@@ -18,9 +18,9 @@
  *             x_occupied[] holds the faces of which an odd number of pieces
  *             hold the raster element, as parity would have it.
  * Reuse       The paper reuses a line with the same faces as the last one, whose
- *             edge crossings are in the same order ("Scan-line Algorithms"), and also "a
- *             correspondingly unchanged left part" of a line ("Existing Uses
- *             of Coherence"). So does this module. Why it is right: of two
+ *             edge crossings are in the same order ("Scan-line Algorithms"),
+ *             and also "a correspondingly unchanged left part" of a line
+ *             ("Existing Uses of Coherence"). So does this module. Why it is right: of two
  *             convex faces that do not penetrate, one is nearer at all samples
  *             that both hold. (Otherwise they would meet between two such
  *             samples.) So the visible face depends only on the set of faces

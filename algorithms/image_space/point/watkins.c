@@ -42,8 +42,8 @@
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h. The paper charges each element of a span; here a
  *             search is a pair, so that the first element, or a lone one, is
- *             free, as in bouknight.c. A crossing that is predicted costs 10, as other
- *             relations of two segments in the plane do. */
+ *             free, as in bouknight.c. A crossing that is predicted costs 10,
+ *             as other relations of two segments in the plane do. */
 #include "algorithms/image_space/point/watkins.h"
 
 #include <stdlib.h>

@@ -169,7 +169,8 @@ static void display(struct state *s, struct hsr_area *area) {
 
 enum { BEHIND, BEFORE, BOTH };
 
-/* The same, as far as doubles tell it at every corner; else BOTH. */
+/* Where a piece lies of the clip polygon that it is inside of. BOTH: doubles do
+ * not tell it at every corner, or it is on both sides. */
 static int compare_roughly(struct state *s, const struct hsr_area *piece,
                            const struct hsr_area *clip) {
   int first =
