@@ -46,7 +46,8 @@
  *             are reused and not only lines, the depth search may take less
  *             than the f = 1/2 of the cost formula.
  * Cost        Y sort 2 F_r, X sort n S_l, X priority search n m, depth search
- *             20 n (2 S_l) D_c / 2 */
+ *             20 n (2 S_l) D_c / 2. The tests whether intercepts are in the last
+ *             line's order are charged too, 1 each; the formula leaves them out */
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
 
@@ -59,7 +60,8 @@ enum {
   SPANS_REUSED,
   LINES_REUSED,
   THICKNESS_CHECKS,
-  THICKNESS_DIVISIONS
+  THICKNESS_DIVISIONS,
+  ORDER_TESTS
 };
 
 /* No more in a bucket; not in the table. */
@@ -294,13 +296,24 @@ static void update_x_occupied(struct scan *s, uint32_t piece) {
   }
 }
 
-/* Passes the intercepts of a bucket. As long as they are those of the last
- * line, it is still known what is visible to the right of them. */
-static void pass_bucket(struct scan *s, int column) {
+/* Is intercept i the one that has its place in the last line's order? */
+static bool has_its_place(struct scan *s, uint32_t i, int column, int j) {
+  if (s->n_passed >= s->n_order)
+    return false;
+  bool same = s->order[s->n_passed].intercept == i;
+  (void)column, (void)j; /* for the trace */
+  HSR_STEP(s->tally, ORDER_TESTS, HSR_FACE(s->face[s->intercept[i].face].id),
+           HSR_NOTHING, HSR_AT(column, j), same);
+  return same;
+}
+
+/* Passes the intercepts of a bucket of row j. As long as they are those of the
+ * last line, it is still known what is visible to the right of them. */
+static void pass_bucket(struct scan *s, int column, int j) {
   for (uint32_t i = s->x_bucket[column - s->window->x0]; i != NONE;
        i = s->intercept[i].next) {
     struct crossing *crossing = &s->order[s->n_passed];
-    s->unchanged &= s->n_passed < s->n_order && crossing->intercept == i;
+    s->unchanged = s->unchanged && has_its_place(s, i, column, j);
     if (!s->unchanged)
       *crossing = (struct crossing){i, UNKNOWN};
     s->n_passed++;
@@ -393,7 +406,7 @@ static void scan_line(struct scan *s, int j) {
   for (int left = s->window->x0, right; left < x1; left = right) {
     HSR_STEP(s->tally, X_PRIORITY_SEARCH, HSR_THE_WINDOW, HSR_NOTHING,
              HSR_AT(left, j), s->x_bucket[left - s->window->x0] != NONE);
-    pass_bucket(s, left);
+    pass_bucket(s, left, j);
     for (right = left + 1;
          right < x1 && s->x_bucket[right - s->window->x0] == NONE; right++)
       HSR_STEP(s->tally, X_PRIORITY_SEARCH, HSR_THE_WINDOW, HSR_NOTHING,
@@ -413,7 +426,7 @@ static void scan_line(struct scan *s, int j) {
       reused = true;
     }
   }
-  pass_bucket(s, x1); /* beyond the window, but in order */
+  pass_bucket(s, x1, j); /* beyond the window, but in order */
   s->n_order = s->n_passed;
   clear_x_occupied(s);
   if (reused && !searched)
@@ -503,6 +516,11 @@ static const struct hsr_counter counters[] = {
     [THICKNESS_DIVISIONS] = {"thickness divisions",
                              "of these, spans that had to be divided",
                              HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    [ORDER_TESTS] = {"order tests",
+                     "intercepts compared with those in their places on the "
+                     "last line",
+                     HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING,
+                     "another intercept|the same intercept"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -514,7 +532,8 @@ static const struct hsr_line outline[] = {
     {"  for each X bucket, from the left", HSR_RAISES(X_PRIORITY_SEARCH)},
     {"    enter faces that begin there into the X occupied table, delete those "
      "that end"},
-    {"    if all intercepts so far are in the order of the last line"},
+    {"    if all intercepts so far are in the order of the last line",
+     HSR_RAISES(ORDER_TESTS)},
     {"      show what was visible there", HSR_RAISES(SPANS_REUSED)},
     {"    else search the X occupied table for the nearest face",
      HSR_RAISES(DEPTH_SEARCH)},
@@ -545,8 +564,12 @@ static double predict_depth_search(const struct hsr_table1 *t) {
 static const struct hsr_step steps[] = {
     {"Y sort", Y_SORT, HSR_KIND_BUCKET, "2 F_r", predict_y_sort},
     {"X sort", X_SORT, HSR_KIND_BUCKET, "n S_l", predict_x_sort},
-    {"X priority search", X_PRIORITY_SEARCH, HSR_KIND_ELEMENT, "n m",
-     predict_x_priority_search},
+    {"X priority search",
+     X_PRIORITY_SEARCH,
+     HSR_KIND_ELEMENT,
+     "n m",
+     predict_x_priority_search,
+     {{ORDER_TESTS, HSR_KIND_NUMBERS}}},
     {"depth search", DEPTH_SEARCH, HSR_KIND_CROSSING,
      "20 n (2 S_l) D_c f, f = 1/2", predict_depth_search},
     {NULL}};

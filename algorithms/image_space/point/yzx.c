@@ -777,7 +777,7 @@ static const struct hsr_step steps[] = {
       {YZX_DIVISIONS, HSR_KIND_FACES},
       {YZX_MOVED, HSR_KIND_LIST}}},
     {"overlap on rows", YZX_ROWS, HSR_KIND_LINE},
-    {"circle search", YZX_CIRCLES, HSR_KIND_FACES},
+    {"circle search", YZX_CIRCLES, HSR_KIND_PIECE},
     {"implied edges",
      YZX_IMPLIED,
      HSR_KIND_SPAN,

@@ -504,6 +504,11 @@ static void interchange(struct hsr_priority_list *s, uint32_t q) {
   piece_at(s, q)->marker = s->attempt;
 }
 
+/* Whether piece a bears the marker of this attempt. */
+static bool is_in_circle(const struct hsr_priority_list *s, uint32_t a) {
+  return a != NONE && piece_at(s, a)->marker == s->attempt;
+}
+
 /* P and Q obscure one another, or are in a circle of pieces that do, all of
  * which bear the marker of this attempt. Divides one by the plane of another.
  * There is such a pair: if every piece were on one side of the plane of every
@@ -512,12 +517,12 @@ static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
   uint32_t p = s->head;
   if (try_to_divide(s, q, p) || try_to_divide(s, p, q))
     return true;
-  for (uint32_t a = p; a != NONE && (a == p || piece_at(s, a)->marker);
-       a = piece_at(s, a)->next)
-    for (uint32_t b = p; b != NONE && (b == p || piece_at(s, b)->marker);
-         b = piece_at(s, b)->next)
-      if (a != b && try_to_divide(s, a, b))
+  for (uint32_t a = p; is_in_circle(s, a); a = piece_at(s, a)->next)
+    for (uint32_t b = p; is_in_circle(s, b); b = piece_at(s, b)->next) {
+      bool tried = (a == p && b == q) || (a == q && b == p);
+      if (a != b && !tried && try_to_divide(s, a, b))
         return true;
+    }
   return false;
 }
 
@@ -639,7 +644,7 @@ static const struct hsr_step steps[] = {
       {HSR_LIST_DIVISIONS, HSR_KIND_FACES},
       {HSR_LIST_INSERTIONS, HSR_KIND_LIST}}},
     {"overlap on rows", HSR_LIST_OVERLAP_ROWS, HSR_KIND_LINE},
-    {"circle search", HSR_LIST_CIRCLES, HSR_KIND_FACES},
+    {"circle search", HSR_LIST_CIRCLES, HSR_KIND_PIECE},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {

@@ -32,7 +32,12 @@ static const struct pixel_face triangles[] = {
  *   7    1
  * Spans: 26. Depth search: 1 + 3 = 4. Spans reused: 1 + 3 + 3 + 1 + 1 = 9.
  * A is in the table before B, so each look finds a face nearer than all before.
- * Lines with faces but without a search: rows 3 to 6. Both faces are flat. */
+ * Lines with faces but without a search: rows 3 to 6. Both faces are flat.
+ *
+ * Order tests: intercepts, up to the first that is another than on the last line.
+ * Row 2: the left one of A, then that of B for the right one of A: 2, 1 the same.
+ * Rows 3 and 4: 4 each. Row 5: that of A, then its right one for B's left: 2, 1
+ * the same. Row 6: 2. */
 static const struct hand_count derived[] = {
     {"Y sort", 2},
     {"X sort", 9},
@@ -44,6 +49,8 @@ static const struct hand_count derived[] = {
     {"spans", 26},
     {"spans reused", 9},
     {"lines reused", 4},
+    {"order tests", 14},
+    {"order tests", 12, "the same intercept"},
     {NULL}};
 
 int main(void) {
