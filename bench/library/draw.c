@@ -100,6 +100,7 @@ void hsr_free(struct lib_answer *answer) {
   if (!answer)
     return;
   lib_polygons_free(&answer->polygons);
+  free(answer->work);
   hsr_answer_free(&answer->answer);
   lib_ready_free(answer->ready);
   hsr_close(answer->scene);
@@ -191,15 +192,52 @@ static enum hsr_status draw_by_crew(struct lib_answer *answer,
   return status;
 }
 
+enum hsr_status lib_check_work(const struct hsr_variant *variant,
+                               struct hsr_error *err) {
+  const struct hsr_answer_type *type = variant->choice.form.type;
+  return type->by_places &&
+                 !hsr_choice_folds(variant->listed->counting, &variant->choice)
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_USAGE,
+                        "work is only for samples drawn in one picture; %s "
+                        "draws %s",
+                        variant->name, type->draws);
+}
+
+/* Makes the memory of the work at each sample, if it is asked for. */
+static enum hsr_status take_work(struct lib_answer *answer,
+                                 const struct hsr_request *request,
+                                 struct hsr_error *err) {
+  const struct hsr_view *view = &answer->view;
+  free(answer->work);
+  answer->work = NULL;
+  if (!request->work)
+    return HSR_OK;
+  if (!answer->counts)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "the drawer was prepared without request.counts");
+  enum hsr_status status = lib_check_work(&answer->variant, err);
+  if (status)
+    return status;
+  answer->work =
+      calloc((size_t)view->m * (size_t)view->n, sizeof *answer->work);
+  answer->tally.work = answer->work;
+  answer->tally.work_stride = (size_t)view->m;
+  return answer->work ? HSR_OK : hsr_fail_nomem(err);
+}
+
 enum hsr_status lib_answer_draw(struct lib_answer *answer, struct crew *crew,
                                 const struct hsr_request *request,
                                 struct hsr_error *err) {
   struct hsr_trace *trace = answer->tally.trace;
   answer->world = answer->ready->world;
   answer->tally = (struct hsr_tally){.trace = trace};
+  enum hsr_status status = take_work(answer, request, err);
+  if (status)
+    return status;
   say_setup(answer, &answer->ready->setup);
   lib_scene_read(answer->scene);
-  enum hsr_status status = draw_by_crew(answer, crew, request, err);
+  status = draw_by_crew(answer, crew, request, err);
   if (!status)
     status = lib_polygons_make(answer, err);
   lib_scene_leave(answer->scene);

@@ -398,12 +398,15 @@ struct hsr_request {
   double offset[2]; /* how far each sample lies to the right of the middle of
                        its place, and below it, in samples: above -1/2 and below
                        1/2. Of kind "ids" */
+  int work; /* not 0: also how often each sample is looked at, for hsr_get_work.
+               Then the build that counts draws, as with `counts` */
 };
 
 /* Draws. The caller frees *answer by hsr_free. HSR_E_USAGE for a text that
  * names no algorithm or option, a view that the scene has not, a size out of
- * range, or a window that is empty, not in the picture, or of a kind of answer
- * that has none; HSR_E_INPUT for a camera that is impossible; HSR_E_REFUSED if
+ * range, a window that is empty, not in the picture, or of a kind of answer
+ * that has none, or work of an answer that is not drawn sample by sample, in one
+ * picture; HSR_E_INPUT for a camera that is impossible; HSR_E_REFUSED if
  * the algorithm does not take the scene, and the text says why; HSR_E_STOPPED
  * if progress() returned 0. */
 HSR_API enum hsr_status hsr_draw(const struct hsr_scene *scene,
@@ -610,6 +613,12 @@ HSR_API enum hsr_status hsr_get_voxels(const struct hsr_answer *answer,
 HSR_API enum hsr_status hsr_get_counts(const struct hsr_answer *answer,
                                        const uint64_t **count, size_t *n,
                                        struct hsr_error *err);
+
+/* m n floats: how often the algorithm looked at each sample. What it does to an
+ * area is shared out among the samples of the area. Of an answer that was drawn
+ * with request.work. */
+HSR_API enum hsr_status hsr_get_work(const struct hsr_answer *answer,
+                                     const float **work, struct hsr_error *err);
 
 /* --- Judging -------------------------------------------------------------- */
 

@@ -149,6 +149,7 @@ struct lib_answer {
   uint32_t number;
   struct hsr_answer answer;
   struct hsr_tally tally;
+  float *work; /* by sample; NULL: it was not asked for */
   bool counts;
   char adapted[200];
   double adapt_seconds, prepare_seconds, draw_seconds;
@@ -165,6 +166,11 @@ enum hsr_status lib_view(const struct lib_scene *scene,
 /* Whether an algorithm, so chosen, has steps to tell of. HSR_E_USAGE. */
 enum hsr_status lib_check_trace(const struct hsr_variant *variant,
                                 struct hsr_error *err);
+
+/* Whether an algorithm, so chosen, draws samples in one picture, each of which
+ * can be told how much work it took. HSR_E_USAGE. */
+enum hsr_status lib_check_work(const struct hsr_variant *variant,
+                               struct hsr_error *err);
 
 /* Fills the arrays of an answer of polygons anew (polygons.c). HSR_E_NOMEM. */
 enum hsr_status lib_polygons_make(struct lib_answer *answer,

@@ -198,6 +198,17 @@ enum hsr_status hsr_get_counts(const struct lib_answer *answer,
   return HSR_OK;
 }
 
+enum hsr_status hsr_get_work(const struct lib_answer *answer,
+                             const float **work, struct hsr_error *err) {
+  enum hsr_status status = check(answer, work, "work", err);
+  if (status)
+    return status;
+  *work = answer->work;
+  return answer->work ? HSR_OK
+                      : hsr_fail(err, HSR_E_USAGE,
+                                 "the answer was drawn without request.work");
+}
+
 /* --- Arrays of the caller's ----------------------------------------------- */
 
 /* Makes colours, and depths too if they are wanted. *shaded is to be freed also

@@ -15,7 +15,7 @@ enum hsr_status lib_ready_new(const struct lib_scene *scene,
     return hsr_fail_nomem(err);
   *made = (struct lib_ready){.users = 1,
                              .scene = lib_scene_share(scene),
-                             .counts = request->counts,
+                             .counts = request->counts || request->work,
                              .threads = request->threads};
   enum hsr_status status =
       hsr_variant_parse(request->algorithm, &made->variant, err);

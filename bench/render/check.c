@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which options of hsr render go with which, and with what is drawn. */
+#include "bench/library/library.h"
 #include "bench/modules/variant.h"
 #include "bench/options/words.h"
 #include "bench/ranks/ranks.h"
@@ -25,11 +26,9 @@ static enum hsr_status check_kind(const struct render_options *o,
   if (o->hatch && kind->takes & 1u << HSR_LINES && !o->fill)
     return hsr_fail(err, HSR_E_USAGE,
                     "--hatch is for faces; --fill draws them under the lines");
-  if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
-    return hsr_fail(err, HSR_E_USAGE,
-                    "--work is only for samples drawn in one picture; %s draws "
-                    "%s",
-                    variant->name, kind->draws);
+  enum hsr_status status = o->work ? lib_check_work(variant, err) : HSR_OK;
+  if (status)
+    return status;
   if (o->work && ranks_count() > 1)
     return hsr_fail(err, HSR_E_USAGE, "--work is for one rank, not for %d",
                     ranks_count());

@@ -101,10 +101,10 @@ function coreOf(hsr) {
     point: copyOf(Uint32Array, p.point, nCycles + 1),
     xy: copyOf(Float64Array, p.xy, 2 * nPoints) });
 
-  const answerOf = ({ ids, rgba, segments, polygons, counts, ...rest }) => ({ ...rest,
+  const answerOf = ({ ids, rgba, segments, polygons, counts, work, ...rest }) => ({ ...rest,
     ids: copyOf(Uint32Array, ids, rest.m * rest.n),
     rgba: copyOf(Uint8ClampedArray, rgba, 4 * rest.m * rest.n),
-    segments: segments ?? undefined,
+    work: copyOf(Float32Array, work, rest.m * rest.n), segments: segments ?? undefined,
     polygons: polygons ? polygonsOf(polygons) : undefined, counts: counts ?? undefined });
 
   // --- Scenes ---

@@ -93,6 +93,11 @@ static json_t *ids_json(const struct lib_answer *answer) {
   return web_address(hsr_get_ids(answer, &ids, NULL) ? NULL : ids);
 }
 
+static json_t *work_json(const struct lib_answer *answer) {
+  const float *work;
+  return web_address(hsr_get_work(answer, &work, NULL) ? NULL : work);
+}
+
 /* A line, or "". */
 static void summarise(const struct lib_answer *answer, char *text,
                       size_t size) {
@@ -111,15 +116,15 @@ static enum hsr_status answer_json(const struct lib_answer *answer,
     return err->status;
   summarise(answer, summary, sizeof summary);
   hash_answer(answer, hash);
-  *json = json_pack("{ss si si s[iiii] so so so so so s{sf sf sf} ss ss ss}",
-                    "kind", info.kind_name, "m", info.m, "n", info.n, "window",
-                    info.window[0], info.window[1], info.window[2],
-                    info.window[3], "ids", ids_json(answer), "rgba",
-                    web_address(rgba), "segments", segments_json(answer),
-                    "polygons", polygons_json(answer), "counts",
-                    counts_json(answer), "seconds", "adapt", info.adapt_seconds,
-                    "prepare", info.prepare_seconds, "draw", info.draw_seconds,
-                    "adapted", info.adapted, "summary", summary, "hash", hash);
+  *json = json_pack(
+      "{ss si si s[iiii] so so so so so so s{sf sf sf} ss ss ss}", "kind",
+      info.kind_name, "m", info.m, "n", info.n, "window", info.window[0],
+      info.window[1], info.window[2], info.window[3], "ids", ids_json(answer),
+      "rgba", web_address(rgba), "segments", segments_json(answer), "polygons",
+      polygons_json(answer), "counts", counts_json(answer), "work",
+      work_json(answer), "seconds", "adapt", info.adapt_seconds, "prepare",
+      info.prepare_seconds, "draw", info.draw_seconds, "adapted", info.adapted,
+      "summary", summary, "hash", hash);
   return *json ? HSR_OK : hsr_fail_nomem(err);
 }
 

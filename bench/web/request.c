@@ -55,23 +55,24 @@ enum hsr_status web_request_read(struct web_request *to, const char *text,
   json_error_t error;
   const char *algorithm = NULL;
   json_t *camera = NULL;
-  int view = 0, counts = 0;
+  int view = 0, counts = 0, work = 0;
   *to = (struct web_request){
       .request = {.size = sizeof to->request, .m = 256, .n = 256}};
   struct hsr_request *r = &to->request;
   to->json = json_loads(text, 0, &error);
   if (!to->json ||
-      json_unpack(to->json, "{s?s s?o s?i s?i s?i s?b}", "algorithm",
+      json_unpack(to->json, "{s?s s?o s?i s?i s?i s?b s?b}", "algorithm",
                   &algorithm, "camera", &camera, "view", &view, "m", &r->m, "n",
-                  &r->n, "counts", &counts) ||
+                  &r->n, "counts", &counts, "work", &work) ||
       read_window(to->json, r->window) ||
       read_numbers(to->json, "offset", r->offset, 2))
     return hsr_fail(err, HSR_E_USAGE,
                     "a request is {algorithm, camera or view, m, n, window, "
-                    "counts, offset}");
+                    "counts, work, offset}");
   r->algorithm = algorithm;
   r->view = (uint32_t)view;
   r->counts = counts;
+  r->work = work;
   if (!camera || json_is_null(camera))
     return HSR_OK;
   r->camera = &to->camera;

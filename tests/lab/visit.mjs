@@ -147,6 +147,23 @@ await test("pictures blink, and show where the work went", async () => {
   assert.equal(await page.locator(".blink-name:visible").count(), 1);
 });
 
+await test("counts are held, and those of another picture stand beside them", async () => {
+  await go("#/?s=house&a=watkins&size=128x96");
+  await page.click(".hold");
+  const all = () => page.locator(".counters tfoot td:visible").allTextContents();
+  const [held] = await all();
+  assert.deepEqual(await all(), [held, held, "1.00"]);
+  await page.evaluate(() =>
+    globalThis.lab.set({ size: [64, 48], a: ["watkins:x-list=tree"] }));
+  await settled();
+  const [now, was, ratio] = await all();
+  const number = (text) => Number(text.replace(/[^0-9]/g, ""));
+  assert.equal(was, held);
+  assert.equal(ratio, (number(now) / number(held)).toFixed(2));
+  await page.click(".hold");
+  assert.deepEqual(await all(), [now]);
+});
+
 // --- links ---
 
 await test("a link opens what it was copied from", async () => {
@@ -348,6 +365,11 @@ await test("the reader decides, and exact depths say why", async () => {
   await page.click('button:text-is("Judge it")');
   await page.waitForSelector(".decide-side .bad");
   assert.match(await page.textContent(".decide-side"), /No order is right/);
+  const colours = await page.evaluate(() => Array.from({ length: 16 }, (_, k) =>
+    getComputedStyle(document.documentElement).getPropertyValue(`--hue-${k}`).trim()));
+  assert.equal(new Set(colours).size, 16);
+  assert.ok(await page.evaluate((all) => all.every((text) =>
+    CSS.supports("color", text)), colours));
 });
 
 // --- looks ---

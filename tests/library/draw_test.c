@@ -190,6 +190,7 @@ static void test_has_not(struct tap *tap, const struct hsr_scene *scene) {
   const uint32_t *sum;
   const uint64_t *count;
   const uint16_t *rgba;
+  const float *work;
   float x[3 * M * N];
   size_t n;
   int channels;
@@ -199,6 +200,7 @@ static void test_has_not(struct tap *tap, const struct hsr_scene *scene) {
          hsr_get_areas(answer, &bounds, NULL) == HSR_E_USAGE &&
          hsr_get_sums(answer, &sum, NULL) == HSR_E_USAGE &&
          hsr_get_counts(answer, &count, &n, NULL) == HSR_E_USAGE &&
+         hsr_get_work(answer, &work, NULL) == HSR_E_USAGE &&
          hsr_get_rgba(answer, &rgba, &channels, NULL) == HSR_E_USAGE &&
          hsr_get_polygons(answer, &polygons, NULL) == HSR_E_USAGE &&
          hsr_get_voxels(answer, &voxels, NULL) == HSR_E_USAGE,
@@ -238,6 +240,8 @@ static void test_null(struct tap *tap, const struct hsr_scene *scene) {
       hsr_get_rgba(NULL, (const uint16_t **)&to, &c, NULL),
       hsr_get_voxels(NULL, &voxels, NULL),
       hsr_get_counts(NULL, (const uint64_t **)&to, &n, NULL),
+      hsr_get_work(NULL, (const float **)&to, NULL),
+      hsr_get_work(a, NULL, NULL),
       hsr_get_summary(NULL, text, sizeof text, NULL),
       hsr_get_summary(a, NULL, sizeof text, NULL),
       hsr_judge(NULL, &verdict, NULL),
@@ -449,6 +453,39 @@ static void test_trace(struct tap *tap, const struct hsr_scene *scene) {
   hsr_free(counted);
 }
 
+/* The z-buffer looks at a sample once for each face that covers it. */
+static void test_work(struct tap *tap, const struct hsr_scene *scene) {
+  struct hsr_request request = request_of("zbuffer", M, N);
+  struct hsr_answer *answer = NULL, *lines = NULL, *part = NULL;
+  const uint64_t *count = NULL;
+  const float *work = NULL, *some = NULL;
+  size_t n = 0, wrong = 0;
+  double sum = 0;
+  request.work = 1;
+  request.threads = 2;
+  if (!hsr_draw(scene, &request, &answer, NULL) &&
+      !hsr_get_work(answer, &work, NULL))
+    for (int k = 0; k < M * N; k++)
+      sum += (double)work[k];
+  ok(tap,
+     sum > 0 && !hsr_get_counts(answer, &count, &n, NULL) &&
+         sum == (double)count[0],
+     "the work of the samples adds up: %.0f", sum);
+  request.window[2] = 5;
+  request.window[3] = N;
+  if (!hsr_draw(scene, &request, &part, NULL) &&
+      !hsr_get_work(part, &some, NULL))
+    for (int k = 0; k < M * N; k++)
+      wrong += some[k] != (k % M < 5 ? work[k] : 0);
+  ok(tap, some && !wrong, "in a window it is the same, and elsewhere 0");
+  request = request_of("roberts", M, N);
+  request.work = 1;
+  ok(tap, hsr_draw(scene, &request, &lines, NULL) == HSR_E_USAGE && !lines,
+     "lines have no work at samples");
+  hsr_free(answer);
+  hsr_free(part);
+}
+
 static void test_no_trace(struct tap *tap, const struct hsr_scene *scene) {
   static const char *const untold[] = {"oracle", "null", "zbuffer:filter=box"};
   struct hsr_answer *answer = NULL;
@@ -598,7 +635,7 @@ static void test_life(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(71);
+  struct tap tap = plan(74);
   struct hsr_scene *scene = open_scene("house");
   test_usage(&tap, scene);
   test_refused(&tap, scene);
@@ -613,6 +650,7 @@ int main(void) {
   test_channels(&tap);
   test_others(&tap, scene);
   test_trace(&tap, scene);
+  test_work(&tap, scene);
   test_no_trace(&tap, scene);
   test_files(&tap, scene);
   test_line_style(&tap, scene);

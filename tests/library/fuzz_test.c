@@ -315,6 +315,7 @@ static struct hsr_request random_request(struct fuzz *f,
                           .n = whole(f, MOST),
                           .threads = one_in(f, 6) ? whole(f, 3) : 0,
                           .counts = (int)below(f, 2),
+                          .work = one_in(f, 4),
                           .progress = one_in(f, 3) ? tell : NULL,
                           .context = f,
                           .offset = {one_in(f, 8) ? real(f) / 16 : 0,
@@ -411,6 +412,7 @@ static void read_answer(struct fuzz *f) {
   const double *bounds;
   const uint16_t *rgba;
   const uint64_t *count;
+  const float *work;
   size_t n = places(a) + (one_in(f, 20) ? 1 : 0);
   int channels;
   bool no = one_in(f, 40);
@@ -428,6 +430,7 @@ static void read_answer(struct fuzz *f) {
   CALL(hsr_get_rgba, a, no ? NULL : &rgba, &channels);
   CALL(hsr_get_voxels, a, no ? NULL : &voxels.its);
   CALL(hsr_get_counts, a, no ? NULL : &count, &n);
+  CALL(hsr_get_work, a, no ? NULL : &work);
 }
 
 static void judge(struct fuzz *f) {

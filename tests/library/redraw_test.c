@@ -170,6 +170,15 @@ static void test_window(struct tap *tap) {
   ok(tap, drawn && same_ids(answer, once), "all of it, drawn over the window");
   ok(tap, drawn && n && !memcmp(some, all, n * sizeof *all),
      "its counts are its own");
+  const float *work = NULL;
+  request.work = 1;
+  drawn = !hsr_redraw(drawer, &request, &answer, NULL) &&
+          !hsr_get_work(answer, &work, NULL);
+  ok(tap, drawn && work, "its work is there when it is asked for");
+  request.work = 0;
+  drawn = !hsr_redraw(drawer, &request, &answer, NULL);
+  ok(tap, drawn && hsr_get_work(answer, &work, NULL) == HSR_E_USAGE,
+     "and then no more");
   hsr_free(answer);
   hsr_free(once);
   hsr_release(drawer);
@@ -287,7 +296,7 @@ static void test_threads(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * N_SUBJECTS + 16);
+  struct tap tap = plan(2 * N_SUBJECTS + 18);
   for (int k = 0; k < N_SUBJECTS; k++)
     test_subject(&tap, &subjects[k]);
   test_sizes(&tap, "watkins");

@@ -81,6 +81,10 @@ same([drawn.kind, drawn.m, drawn.n, drawn.ids.length, drawn.rgba.length,
 "an answer has ids, colours and counts");
 ok(drawn.ids.some((id) => id < scene.nFaces) && /^[0-9a-f]{16}$/.test(drawn.hash),
   "with faces, and a hash");
+const worked = core.draw(scene, { algorithm: "zbuffer", ...view, work: true });
+same([worked.work.length, worked.work.reduce((a, b) => a + b, 0), drawn.work],
+  [3072, worked.counts[0], undefined],
+  "the work at the samples adds up, if it is asked for");
 same(core.draw(scene, { algorithm: "newell", ...view }).hash, drawn.hash,
   "newell's answer is the same");
 const part = core.draw(scene, { algorithm: "zbuffer", ...view, window: [8, 8, 24, 16] });

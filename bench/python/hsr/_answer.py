@@ -274,6 +274,13 @@ class Answer:
         names = [counter.name for counter in self.algorithm.counters]
         return dict(zip(names, self.count.tolist()))
 
+    @property
+    def work(self) -> NDArray[np.float32]:
+        """(n, m) how often the algorithm looked at each sample. Of an answer that
+        was drawn with work=True."""
+        pointer = self._pointer(lib.hsr_get_work, "float")
+        return self._array(pointer, self._shape(), np.float32)
+
     # Arrays that are made
 
     @cached_property

@@ -283,6 +283,7 @@ class Scene:
         offset: tuple[float, float] = (0.0, 0.0),
         threads: int = 1,
         counts: bool = False,
+        work: bool = False,
         progress: Progress | None = None,
     ) -> Answer:
         """Draws.
@@ -297,6 +298,7 @@ class Scene:
                    place, in samples, above -1/2 and below 1/2
         threads    that draw, 1 to 64
         counts     the build that counts draws, for Answer.counts. It is slower
+        work       that build draws, for Answer.work too
         progress   called with the share that is drawn, 0 to 1, now and then, not
                    always in the caller's thread. If it returns False the drawing
                    stops: StoppedError. What it raises stops it too
@@ -305,7 +307,8 @@ class Scene:
         request = _request(
             size, camera, view, window,
             algorithm=string("algorithm", algorithm), offset=offset,
-            threads=threads, counts=bool(counts), progress=caller.progress,
+            threads=threads, counts=bool(counts), work=bool(work),
+            progress=caller.progress,
         )  # fmt: skip
         answer = ffi.new("struct hsr_answer **")
         caller.call(lib.hsr_draw, self._handle, request, answer)

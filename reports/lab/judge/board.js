@@ -6,7 +6,8 @@ import { projection } from "../../lesson/data/projection.js";
 import { h } from "../../page/parts/dom.js";
 import { M, N } from "./over.js";
 
-const HUES = 8;
+// The name of the k-th of sixteen colours: those of the page, and paler ones (lab.css).
+const HUES = 16;
 export const hue = (k) => `--hue-${k % HUES}`;
 
 // polygons: of each face the corners in the world.

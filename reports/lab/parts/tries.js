@@ -12,9 +12,9 @@ const TRIES = [
     note: "Two triangles penetrate. Press › for the next division. Which plane " +
       "divides which piece?" }],
   ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",
-    note: "Warnock divides each window that is not simple yet. Write down how many " +
-      "subdivisions there are. Then edit the house, add to it, come nearer, or choose " +
-      "another size, until there are twice as many." }],
+    note: "Warnock divides each window that is not simple yet. Press “Hold these " +
+      "counts”. Then edit the house, add to it, come nearer, or choose another size, " +
+      "until it subdivides twice as often: now / held is 2." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
     mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of " +
       "the two shows fewer spans? Then count all comparisons: which makes fewer? In " +

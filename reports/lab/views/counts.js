@@ -5,33 +5,61 @@ import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { formula } from "../../page/parts/symbols.js";
 
-export function countTable({ name, counters }) {
-  const cells = counters.map(() => h("td", { class: "number" }));
+// held: Map from the name of an algorithm to counts that the reader holds, to see how
+// those of other pictures compare with them.
+export function countTable({ name, counters }, held) {
+  const cells = counters.map(rowOfCells), all = rowOfCells();
   const rows = counters.map((c, k) => {
     const { sign, hue } = kindLook(c.step);
     return h("tr", { title: c.meaning, hidden: true }, h("th", { scope: "row" },
       h("span", { class: "sign", "aria-hidden": "true",
         style: `color: var(--hue-${hue})` }, sign), c.name), cells[k]);
   });
-  const all = h("td", { class: "number" });
+  const head = h("thead", {}, h("tr", {}, ["", "now", "held", "now / held"].map((text) =>
+    h("th", { scope: "col", class: "number" }, text))));
   const predicted = h("div", { class: "predicted" });
   const table = h("table", { class: "counters", hidden: true,
-    "aria-label": `What ${name} has counted` },
+    "aria-label": `What ${name} has counted` }, head,
   h("tbody", {}, rows),
   h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, "all comparisons"), all)));
+  const holder = h("button", { type: "button", class: "quiet hold", hidden: true,
+    onclick: () => {
+      if (held.has(name)) held.delete(name);
+      else held.set(name, now);
+      show(now);
+    } });
+  let now = null;
 
   const show = (counts) => {
-    table.hidden = false;
+    const old = held.get(name);
+    now = counts;
+    table.hidden = holder.hidden = false;
+    head.hidden = !old;
+    holder.textContent = old ? "Hold them no more" : "Hold these counts";
+    holder.title = old ? "" : "See beside them what the next pictures count";
     counts.forEach((x, k) => {
-      rows[k].hidden = !x;
-      cells[k].textContent = whole(x);
+      rows[k].hidden = !x && !old?.[k];
+      fill(cells[k], x, old?.[k]);
     });
-    all.textContent = whole(comparisons(counters, counts));
+    fill(all, comparisons(counters, counts), old && comparisons(counters, old));
   };
-  return { element: h("div", { class: "counted" }, table, predicted), show,
-    clear: () => { table.hidden = true; predicted.replaceChildren(); },
+  return { element: h("div", { class: "counted" }, table, holder, predicted), show,
+    clear: () => {
+      table.hidden = holder.hidden = true;
+      predicted.replaceChildren();
+    },
     predict: (costs) => predicted.replaceChildren(costs?.some((c) =>
       c.predicted !== null) ? costTable(costs) : "") };
+}
+
+const rowOfCells = () => [0, 1, 2].map(() => h("td", { class: "number" }));
+
+// A count, the one that is held, and their ratio; undefined: none is held.
+function fill([now, held, ratio], x, old) {
+  now.textContent = whole(x);
+  held.hidden = ratio.hidden = old === undefined;
+  held.textContent = old === undefined ? "" : whole(old);
+  ratio.textContent = old ? (x / old).toFixed(2) : "";
 }
 
 const comparisons = (counters, counts) => counters.reduce((sum, c, k) =>

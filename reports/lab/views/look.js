@@ -21,6 +21,7 @@ export function look(lab, core, source, over) {
   const verdict = verdictLine(lab, core, source, () => shown());
   let stages = []; // as of stage(), with { pace, answer, drawn, heat }
   let stamp = 0; // of what is wanted; a stage has it as `drawn` when it is there
+  const held = new Map(); // counts, as of countTable
   let camera = null, isMoving = false, isOpen = false, still = () => {};
 
   // --- The stages ---
@@ -33,7 +34,7 @@ export function look(lab, core, source, over) {
   function build() {
     const open = stages.map((s) => s.areOptionsOpen() && plainName(s.text));
     stages = state.a.map((text, p) => Object.assign(stage(core.algorithms, text,
-      { choose: choose(p), remove: remove(p) }), { pace: pacer(), answer: null,
+      { choose: choose(p), remove: remove(p) }, held), { pace: pacer(), answer: null,
       drawn: -1 }));
     stages.forEach((s, p) => {
       if (open[p] === plainName(s.text)) s.openOptions();

@@ -7,8 +7,8 @@ import { algorithmSelect, optionFields, plainName } from "./algorithms.js";
 import { countTable } from "./counts.js";
 import { painter } from "./paint.js";
 
-// act: { choose(text), remove: a function or null }
-export function stage(algorithms, text, act) {
+// act: { choose(text), remove: a function or null }; held: as of countTable
+export function stage(algorithms, text, act, held) {
   const algorithm = algorithms.find((a) => a.name === plainName(text)) ??
     algorithms[0];
   const canvas = h("canvas", { class: "view", tabindex: 0, role: "application",
@@ -16,7 +16,7 @@ export function stage(algorithms, text, act) {
   const brush = painter(canvas);
   const facts = h("p", { class: "facts-of" });
   const refusal = h("p", { class: "refusal", role: "status", hidden: true });
-  const table = countTable(algorithm);
+  const table = countTable(algorithm, held);
   const label = h("p", { class: "blink-name", hidden: true });
   const fields = optionFields(algorithm, text, act.choose);
   const options = fields.length ? h("details", { class: "options" },
