@@ -708,12 +708,9 @@ static double predict_priority(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_step steps[] = {
-    {"intra-cluster priority",
-     INTRA_CLUSTER,
-     HSR_KIND_CLUSTER,
-     "100 F_c^2 C_t, not per frame",
-     predict_intra_cluster,
-     {{CLOSE_PAIRS, HSR_KIND_CLUSTER}}},
+    {"intra-cluster priority", INTRA_CLUSTER, HSR_KIND_CLUSTER,
+     "100 F_c^2 C_t, not per frame", predict_intra_cluster},
+    {"moving clusters", CLOSE_PAIRS, HSR_KIND_CLUSTER},
     {.part = &hsr_cluster_order_part},
     {"back-face cull", BACK_FACES, HSR_KIND_CULL, "F_r", predict_back_faces},
     {"Y cull", Y_CULL, HSR_KIND_LINE, "n E_s", predict_y_cull},
