@@ -396,9 +396,8 @@ static bool has_turn(const struct group *g, int n) {
 }
 
 /* Runs the algorithm in a new process, and returns that; -1: it cannot be made.
- */
-static pid_t start(const struct group *g, int number,
-                   const struct wanted *wanted) {
+ * The new process frees its own copy of what is wanted. */
+static pid_t start(const struct group *g, int number, struct wanted *wanted) {
   fflush(NULL);
   pid_t parent = getpid(), child = fork();
   if (child == 0) {
@@ -414,6 +413,7 @@ static pid_t start(const struct group *g, int number,
       status = judge(g, &counting, wanted, &setup);
     if (setup.algorithm)
       hsr_setup_free(&setup);
+    free_wanted(g, wanted);
     end_process((int)status);
   }
   return child;
@@ -488,8 +488,7 @@ static enum hsr_status ask_in_time(const struct group *g,
 }
 
 /* Runs each algorithm in a process of its own. */
-static enum hsr_status judge_all(const struct group *g,
-                                 const struct wanted *wanted) {
+static enum hsr_status judge_all(const struct group *g, struct wanted *wanted) {
   struct runner *runner = calloc((size_t)g->n_algorithms, sizeof *runner);
   int n = 0;
   if (!runner)
