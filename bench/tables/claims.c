@@ -47,9 +47,6 @@ struct claim {
    * add a remark. NULL: the claim is about the exponent of a growth. */
   double (*number)(const struct tables *t, const struct claim *claim,
                    const char *algorithm, int scene, struct text remark);
-  /* The same, where the number is known no better than from `number` to this. */
-  double (*at_most)(const struct tables *t, const struct claim *claim,
-                    const char *algorithm, int scene, struct text remark);
   /* Whether a scene is what the claim speaks of. Adds why not, and what is known
    * of it. NULL: every scene is. */
   bool (*premise)(const struct tables *t, int scene, struct text remark);
@@ -409,23 +406,14 @@ NUMBER(spans_a_visible_segment) {
   return tables_count(t, "watkins", "span", scene) / (m->n * m->S_v);
 }
 
-/* The part of the pairs of segments that need no division, if each of the others
- * is divided so often. Every division leads to another comparison of its pair. */
-static double undivided(const struct tables *t, int scene, double divisions) {
-  double n = tables_count(t, "watkins", "depth-division", scene);
-  double pairs = tables_count(t, "watkins", "depth-search", scene) - n;
-  double part = 1 - n / divisions / pairs;
-  return part < 0 ? 0 : part;
-}
-
-NUMBER(undivided_at_least) {
+/* Pairs are searched once in a span. Every division leads to another comparison of its
+ * pair, and so do second halves. */
+NUMBER(undivided) {
   UNUSED;
-  return undivided(t, scene, 1);
-}
-
-NUMBER(undivided_at_most) {
-  UNUSED;
-  return undivided(t, scene, ceil(log2(t->scene[scene].measured.m)));
+  double pairs = tables_count(t, "watkins", "depth-search", scene) -
+                 tables_count(t, "watkins", "depth-division", scene) -
+                 tables_count(t, "watkins", "second-half", scene);
+  return 1 - tables_count(t, "watkins", "pair-divided", scene) / pairs;
 }
 
 /* --- Judging -------------------------------------------------------------- */
@@ -547,17 +535,12 @@ static enum finding judge_number(const struct tables *t,
   char remark[300] = "";
   double x = claim->number(t, claim, algorithm, scene,
                            (struct text){remark, sizeof remark});
-  double y = claim->at_most ? claim->at_most(t, claim, algorithm, scene,
-                                             (struct text){(char[1]){""}, 1})
-                            : x;
   if (algorithm)
     tell(c, "%s ", algorithm);
   tell(c, "%s", isnan(x) ? "not measured" : short_number(x).text);
-  if (!isnan(x) && claim->at_most)
-    tell(c, " to %s", short_number(y).text);
   if (!isnan(x) && remark[0])
     tell(c, " (%s)", remark);
-  return within(claim, x, y);
+  return within(claim, x, x);
 }
 
 static enum finding judge_environment(const struct tables *t,

@@ -214,7 +214,7 @@ enum order { UNDECIDED, FARTHER, NEARER };
 
 /* The logarithmic search (figure 28). Is f nearer than g at the first sample of
  * [l, r)? The answer holds for [l, *end). pf and pg are stretches of f and g
- * that hold all these samples.
+ * that hold all these samples; `is_whole`: they are the segments.
  *
  * If the farthest end of one stretch is nearer than the nearest end of the
  * other, that decides. Otherwise the longer stretch is divided at its midpoint,
@@ -225,7 +225,8 @@ static bool is_first_nearer(struct hsr_watkins *s,
                             const struct hsr_watkins_segment *f,
                             struct stretch pf,
                             const struct hsr_watkins_segment *g,
-                            struct stretch pg, int l, int r, int j, int *end) {
+                            struct stretch pg, bool is_whole, int l, int r,
+                            int j, int *end) {
   const struct hsr_depth_plane *plane = s->edges.screen.plane;
   double margin = 2 * (plane[f->face].error + plane[g->face].error);
   for (;;) {
@@ -242,6 +243,10 @@ static bool is_first_nearer(struct hsr_watkins *s,
              HSR_ON(l, r, j), (int)order);
     if (order != UNDECIDED)
       return order == NEARER;
+    if (is_whole)
+      HSR_STEP(s->tally, HSR_DEPTH_DIVIDED, HSR_FACE(f->face),
+               HSR_FACE(g->face), HSR_ON(l, r, j), 0);
+    is_whole = false;
     bool f_is_longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0;
     HSR_STEP(s->tally, HSR_DEPTH_DIVISIONS,
              HSR_FACE((f_is_longer ? f : g)->face),
@@ -254,11 +259,13 @@ static bool is_first_nearer(struct hsr_watkins *s,
   /* Divide the samples where the longer stretch is divided. */
   struct stretch longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0 ? pf : pg;
   int middle = (int)floor((longer.x0 + longer.x1) / 2) + 1;
-  bool nearer = is_first_nearer(s, f, pf, g, pg, l, middle, j, end);
+  bool nearer = is_first_nearer(s, f, pf, g, pg, false, l, middle, j, end);
   if (*end < middle)
     return nearer;
   int further;
-  if (is_first_nearer(s, f, pf, g, pg, middle, r, j, &further) == nearer)
+  HSR_STEP(s->tally, HSR_DEPTH_HALVES, HSR_FACE(f->face), HSR_FACE(g->face),
+           HSR_ON(middle, r, j), 0);
+  if (is_first_nearer(s, f, pf, g, pg, false, middle, r, j, &further) == nearer)
     *end = further;
   return nearer;
 }
@@ -301,7 +308,7 @@ static inline bool segment_is_nearer(struct hsr_watkins *s,
       return order == NEARER;
   }
   return is_first_nearer(s, f, whole_segment(s, f, j), g,
-                         whole_segment(s, g, j), l, r, j, end);
+                         whole_segment(s, g, j), true, l, r, j, end);
 }
 
 /* The same for two runs, by the segments that they have at sample l. If the
@@ -714,16 +721,22 @@ static const struct hsr_counter search_counters[] = {
      .key = "depth-search"},
     {"depth divisions", "segments divided at their midpoint", HSR_SUBDIVIDE,
      HSR_OF_FACE, HSR_OF_FACE, .key = "depth-division"},
+    {"pairs divided", "pairs of segments that were divided, once or more",
+     HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE, .key = "pair-divided"},
+    {"second halves", "searches of the right part of samples that were divided",
+     HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE, .key = "second-half"},
     {NULL}};
 
 static const struct hsr_step search_steps[] = {
-    /* A division leads to another comparison of the same two segments. */
+    /* A division leads to another comparison of the same two segments, and if
+     * their samples are divided, to one more. */
     {"depth search",
      HSR_DEPTH_SEARCH,
      HSR_KIND_SPAN,
      "30 n D_c min(m, 2 S_v)",
      hsr_predict_depth_search,
-     {{HSR_DEPTH_DIVISIONS, HSR_KIND_SPAN, .less = true}}},
+     {{HSR_DEPTH_DIVISIONS, HSR_KIND_SPAN, .less = true},
+      {HSR_DEPTH_HALVES, HSR_KIND_SPAN, .less = true}}},
     {NULL}};
 
 static const struct hsr_sort search_sorts[] = {
@@ -733,7 +746,9 @@ static const struct hsr_line search_lines[] = {
     {"    search the segments inside for the nearest one: compare two",
      HSR_RAISES(HSR_DEPTH_SEARCH)},
     {"      if their ends do not tell, divide one at its midpoint",
-     HSR_RAISES(HSR_DEPTH_DIVISIONS)},
+     HSR_RAISES(HSR_DEPTH_DIVIDED, HSR_DEPTH_DIVISIONS)},
+    {"        if both parts have samples of the span, search both",
+     HSR_RAISES(HSR_DEPTH_HALVES)},
     {NULL}};
 
 const struct hsr_part hsr_depth_search_part = {HSR_PART_DEPTH_SEARCH,

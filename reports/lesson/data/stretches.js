@@ -11,17 +11,19 @@ export function searchAt(run, k) {
   const search = run.counterOf("depth-search");
   const divide = run.counterOf("depth-division");
   const { counter, a0, b0 } = run.trace;
-  const isOf = (e) => (counter[e] === search || counter[e] === divide) &&
+  const notes = ["pair-divided", "second-half"].map(run.counterOf);
+  const isOf = (e) => [search, divide, ...notes].includes(counter[e]) &&
     ((a0[e] === a0[k] && b0[e] === b0[k]) || (a0[e] === b0[k] && b0[e] === a0[k]));
   if (divide < 0 || !isOf(k)) return null;
   let first = k;
   while (first > 0 && isOf(first - 1)) first -= 1;
-  return new Replay(run, search, first, k).found;
+  return new Replay(run, search, notes, first, k).found;
 }
 
 class Replay {
-  constructor(run, search, first, wanted) {
-    Object.assign(this, { run, search, at: first, wanted, found: null,
+  // notes: the counters whose events tell of a search, and are no step of it.
+  constructor(run, search, notes, first, wanted) {
+    Object.assign(this, { run, search, notes, at: first, wanted, found: null,
       comparisons: 0, divisions: 0 });
     while (this.at <= wanted && !this.found) {
       const before = this.at;
@@ -45,6 +47,7 @@ class Replay {
   // Takes the next event, of the samples [l, r), and notes the stretches if it is the
   // wanted one.
   take(f, g, l, r) {
+    while (this.notes.includes(this.run.trace.counter[this.at])) this.at += 1;
     const isDivision = this.run.trace.counter[this.at] !== this.search;
     if (isDivision) this.divisions += 1;
     else this.comparisons += 1;

@@ -136,11 +136,11 @@ function* oneDivision(run) {
   const near = closeness(run);
   const { counter, width } = run.trace;
   const search = run.counterOf("depth-search");
-  const divide = run.counterOf("depth-division");
-  for (let k = 1; k + 2 < run.trace.kept; k++) {
-    if (counter[k] !== search || counter[k + 1] !== divide || width[k] < 6 ||
-        counter[k + 2] !== search || counter[k - 1] === divide) continue;
-    const [e, next] = [run.event(k), run.event(k + 2)];
+  const order = [search, run.counterOf("pair-divided"),
+    run.counterOf("depth-division"), search];
+  for (let k = 1; k + 3 < run.trace.kept; k++) {
+    if (width[k] < 6 || order.some((c, p) => counter[k + p] !== c)) continue;
+    const [e, next] = [run.event(k), run.event(k + 3)];
     const faces = [e.a.ids[0], e.b.ids[0]];
     if (next.outcome === "undecided" || faces[0] < 0 || faces[1] < 0) continue;
     const { x, y } = e.window;
@@ -158,7 +158,7 @@ function* oneDivision(run) {
       Math.max(range[0][0], range[1][0]);
     const all = Math.max(range[0][1], range[1][1]) -
       Math.min(range[0][0], range[1][0]);
-    yield { two, divided: faces.indexOf(run.event(k + 1).a.ids[0]), x, row: y,
+    yield { two, divided: faces.indexOf(run.event(k + 2).a.ids[0]), x, row: y,
       width: width[k], overlap: both / (all || 1) };
   }
 }

@@ -208,8 +208,10 @@ function endsSpan(run, e) {
   return w && w.x + w.width === e.window.x && w.width > WIDE * run.width;
 }
 
+// Whether the comparison after step k is of a half.
 const isDivision = (run, k) => k >= 0 && k < run.trace.kept &&
-  run.event(k).counter.key === "depth-division";
+  ["depth-division", "second-half"].includes(run.event(k).counter.key);
+
 // Whether the span that begins where these segments are compared shows the first one.
 function showsNext(run, e) {
   const c = run.counterOf("span"), { trace } = run;

@@ -95,7 +95,11 @@ static const struct hand_count of_deck[] = {{"Y sort", 6},
  *   9-10                              nearer, by the exact comparison
  *   10-12    7.5-11            7.5-11 no: halve S
  *            9.25-11: 13.75 .. 15.5   nearer
- * These are 6 comparisons, and 4 divisions. S is visible up to 12. */
+ * These are 6 comparisons, and 4 divisions. S is visible up to 12.
+ *
+ * Both pairs are divided. The right part of divided samples is searched at 8 and at 9,
+ * and in the second span at 10: 3 second halves. So 17 comparisons less 12 divisions
+ * less 3 are 2 pairs. */
 static const struct hand_count of_crossing[] = {
     {"Y sort", 4},
     {"X merge", 5},
@@ -107,6 +111,8 @@ static const struct hand_count of_crossing[] = {
     {"depth search", 2, "farther"},
     {"depth search", 1 + 2, "nearer"},
     {"depth divisions", 8 + 4},
+    {"pairs divided", 1 + 1},
+    {"second halves", 2 + 1},
     {NULL}};
 
 /* --- Regions that are carried --------------------------------------------- */
