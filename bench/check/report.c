@@ -368,8 +368,15 @@ static void print_what(const struct check_options *o) {
   for (int a = 0; a < o->n_algorithms && o->n_algorithms <= MOST_NAMES; a++)
     length += snprintf(text + length, sizeof text - (size_t)length, "%s%.500s",
                        a ? ", " : "", o->algorithm[a].name);
+  int variants = 0;
+  for (int a = 0; a < o->n_algorithms && o->all_algorithms; a++)
+    variants += strchr(o->algorithm[a].name, ':') != NULL;
   if (!length)
-    length = snprintf(text, sizeof text, "%d algorithms", o->n_algorithms);
+    length = snprintf(text, sizeof text, "%d algorithms",
+                      o->n_algorithms - variants);
+  if (variants)
+    length += snprintf(text + length, sizeof text - (size_t)length,
+                       " and %d variants", variants);
   snprintf(text + length, sizeof text - (size_t)length, "; %s of each scene",
            terminal_number((uint64_t)o->n_views, o->frames ? "frames" : "views",
                            number));
