@@ -82,6 +82,22 @@ static void print_demands(void) {
   terminal_wrap(stdout, printf("demands: "), 9, text);
 }
 
+/* So many as hsr check counts are algorithms that draw and are no judges. */
+static void print_how_many(void) {
+  int n = 0, judges = 0, empty = 0;
+  for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++, n++) {
+    judges += (a->plain->flags & HSR_JUDGE) != 0;
+    empty += !(a->plain->flags & HSR_JUDGE) && a->plain->flags & HSR_NO_PICTURE;
+  }
+  char text[160];
+  snprintf(text, sizeof text,
+           "%d names: %d algorithms, %d oracles that judge them, and %d that "
+           "draws nothing",
+           n, n - judges - empty, judges, empty);
+  putchar('\n');
+  terminal_wrap(stdout, 0, 2, text);
+}
+
 /* One word of an option, or an option of numbers. */
 void list_print_meaning(const char *what, const char *meaning) {
   int used = printf("    %-22s  ", what);
@@ -232,6 +248,7 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
          "taxonomy; restrictions");
   for (const struct hsr_listed *a = hsr_algorithms(); a->plain; a++)
     print_algorithm(a->plain, sorts);
+  print_how_many();
   print_demands();
   print_options();
   print_palettes();

@@ -260,6 +260,16 @@ static bool is_only_written(const char *name) {
   return has_suffix(name, ".vtu");
 }
 
+/* Curved solids, of which some other program has to make polygons. */
+static bool is_curved(const char *name) {
+  static const char *const ending[] = {".step", ".stp",  ".iges",
+                                       ".igs",  ".brep", ".3dm"};
+  bool found = false;
+  for (int k = 0; k < (int)(sizeof ending / sizeof *ending); k++)
+    found |= has_suffix(name, ending[k]);
+  return found;
+}
+
 static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   char word[64], hint[256] = "";
   snprintf(word, sizeof word, "%.*s", (int)strcspn(name, ":"), name);
@@ -273,10 +283,14 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   if (strpbrk(name, "./"))
     return hsr_fail(
         err, HSR_E_INPUT,
-        "%.200s: not a scene: files end in .scene.json, .off, "
+        "%.200s: not a scene: %sfiles end in .scene.json, .off, "
         ".obj, .ply, .stl, .vtp, .gltf or .glb; volumes in .nii, .nii.gz, "
         ".mhd, .mha, .nrrd, .nhdr, .vtk, .vti or .vtr",
-        name);
+        name,
+        is_curved(name) ? "such a file holds curved surfaces, and hsr draws "
+                          "polygons: export a mesh of it, as .obj, from the "
+                          "program that made it; "
+                        : "");
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
                   hint);
 }

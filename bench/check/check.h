@@ -71,6 +71,11 @@ kind_of(const struct check_options *options, int algorithm) {
   return options->algorithm[algorithm].choice.form.type;
 }
 
+/* Whether the algorithm keeps something from one view to the next. */
+static inline bool keeps_state(const struct hsr_variant *v) {
+  return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;
+}
+
 /* Whether it is known that the algorithm draws wrong pictures at times. */
 static inline bool is_known_wrong(const struct check_options *options,
                                   int algorithm) {

@@ -227,9 +227,10 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
          "judge these, patterns allowed; a name with a slash is a program in "
-         "any language (standard: all that draw, and those "
-         "that draw transparent faces or shadows once more with mix=linear or "
-         "shadows=cast)",
+         "any language (standard: all that draw, but for the oracles; those "
+         "that "
+         "draw transparent faces or shadows once more, as variants with "
+         "mix=linear or shadows=cast)",
          0},
         {"size", 's', "MxN,...", 0, "samples (standard: 97x61)", 0},
         {"views", 'n', "N", 0,

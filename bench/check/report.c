@@ -69,7 +69,7 @@ static int say_cell(const struct scene_run *run, int size, int view, int a,
                   view_word(o), o->view[view] + 1, o->m[size], o->n[size]);
 }
 
-enum { LINE = 3000 };
+enum { LINE = 12000 };
 
 static void print_wrong(const struct scene_run *run, int size, int view,
                         int a) {
@@ -106,18 +106,42 @@ static void say_modules(char *text, size_t n) {
   }
 }
 
+/* The views or frames that lead to a cell: " --order 3". Frames are judged
+ * together, and so are the views of whoever keeps a state from one to the next:
+ * the process ended in one of them, and all are repeated. */
+static void say_views(const struct check_options *o, int view, int a,
+                      char *text, size_t n) {
+  size_t length = 0;
+  bool all = keeps_state(&o->algorithm[a]);
+  if (o->frames) {
+    length += (size_t)snprintf(text, n, " --frames %ld-%ld", o->first_frame,
+                               o->last_frame);
+    if (o->first_views)
+      snprintf(text + length, n - length, " --views %ld", o->first_views);
+    return;
+  }
+  for (int k = all ? 0 : view; k < (all ? o->n_views : view + 1) && length < n;
+       k++)
+    length += (size_t)snprintf(text + length, n - length, "%s%d",
+                               length ? "," : " --order ", o->view[k] + 1);
+}
+
 /* The command that judges one cell again. */
 static void say_again(const struct scene_run *run, int size, int view, int a,
                       char *text, size_t n) {
   const struct check_options *o = run->options;
-  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], modules[TERMINAL_NAME];
+  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], modules[TERMINAL_NAME],
+      views[6 * MOST_VIEWS], samples[32] = "";
   say_modules(modules, sizeof modules);
+  say_views(o, view, a, views, sizeof views);
+  if (o->samples)
+    snprintf(samples, sizeof samples, " --samples %ld", o->samples);
   snprintf(text, n,
-           "again: hsr%s check %s -a %s --%s %d --size %dx%d --timeout %ld%s%s",
+           "again: hsr%s check %s -a %s%s --size %dx%d%s --timeout %ld%s%s",
            modules, terminal_word(run->name, scene, sizeof scene),
            terminal_word(o->algorithm[a].name, algorithm, sizeof algorithm),
-           o->frames ? "frames" : "order", o->view[view] + 1, o->m[size],
-           o->n[size], o->timeout, o->import.strict ? " --strict" : "",
+           views, o->m[size], o->n[size], samples, o->timeout,
+           o->import.strict ? " --strict" : "",
            o->import.two_sided ? " --two-sided" : "");
 }
 
@@ -344,10 +368,18 @@ static void print_what(const struct check_options *o) {
   for (int a = 0; a < o->n_algorithms && o->n_algorithms <= MOST_NAMES; a++)
     length += snprintf(text + length, sizeof text - (size_t)length, "%s%.500s",
                        a ? ", " : "", o->algorithm[a].name);
+  int variants = 0;
+  for (int a = 0; a < o->n_algorithms && o->all_algorithms; a++)
+    variants += strchr(o->algorithm[a].name, ':') != NULL;
   if (!length)
-    length = snprintf(text, sizeof text, "%d algorithms", o->n_algorithms);
+    length = snprintf(text, sizeof text, "%d algorithms",
+                      o->n_algorithms - variants);
+  if (variants)
+    length += snprintf(text + length, sizeof text - (size_t)length,
+                       " and %d variants", variants);
   snprintf(text + length, sizeof text - (size_t)length, "; %s of each scene",
-           terminal_number((uint64_t)o->n_views, "views", number));
+           terminal_number((uint64_t)o->n_views, o->frames ? "frames" : "views",
+                           number));
   terminal_wrap(stdout, 0, 2, text);
 }
 

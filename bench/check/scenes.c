@@ -49,10 +49,6 @@ struct scenes {
 
 /* --- All groups of a scene ------------------------------------------------ */
 
-static bool keeps_state(const struct hsr_variant *v) {
-  return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;
-}
-
 /* Whether algorithm k is the first of those that are judged together. These
  * have one form, and either all of them keep a state or none does. */
 static bool is_first(const struct check_options *o, int k) {

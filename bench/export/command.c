@@ -125,7 +125,9 @@ static const struct argp_option entries[] = {
      "written as they are, here and in all other files):",
      3},
     {"unit", UNIT, "mm|cm|m|in", 0,
-     "the scene is in mm, cm, m (standard) or in", 3},
+     "one unit of the scene is one mm, cm, m (standard) or in: coordinates are "
+     "written in metres",
+     3},
     {"z-up", Z_UP, NULL, 0, "z is up in the scene", 3},
     {0}};
 

@@ -37,7 +37,8 @@ enum {
        PAGE_UNIT,                                                              \
        "LENGTH",                                                               \
        0,                                                                      \
-       "how long a unit of the scene is, as 1m (standard: 1mm)",               \
+       "how long one unit of the scene is, for --scale, as 1m or 25.4mm "      \
+       "(standard: 1mm)",                                                      \
        group},                                                                 \
       {"crop", PAGE_CROP, NULL, 0, "the page is as large as what is drawn",    \
        group},                                                                 \

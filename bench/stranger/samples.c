@@ -229,6 +229,19 @@ static void count_against(struct looking *l, const struct case_ *c,
     l->against[STRANGER_FIRST - FIRST_KIND] += samples;
 }
 
+/* Counts a sample that shows a hidden face against the faults of the whole
+ * picture that would have shown another: the first face, the last, the farthest.
+ */
+static void count_hidden_against(struct looking *l, unsigned kinds,
+                                 uint64_t samples) {
+  static const enum stranger_kind whole[] = {STRANGER_FARTHEST, STRANGER_LAST,
+                                             STRANGER_FIRST};
+  if (kinds & KIND(HIDDEN) && !(kinds & (KIND(EDGE) | KIND(TIE) | KIND(DEPTH))))
+    for (int k = 0; k < 3; k++)
+      if (!(kinds & 1u << (whole[k] - FIRST_KIND)))
+        l->against[whole[k] - FIRST_KIND] += samples;
+}
+
 static enum hsr_status look_at_row(struct looking *l, int j,
                                    struct hsr_error *err) {
   const struct supposed *now = l->now;
@@ -246,9 +259,11 @@ static enum hsr_status look_at_row(struct looking *l, int j,
     c.over = overlook_sample(&l->over, i, j, &c.n);
     if (c.over && right)
       count_against(l, &c, step);
-    else if (c.over)
-      l->kinds[k] = (uint16_t)(kinds_of(l, &c, now->wanted[k]) |
-                               (l->is_empty ? KIND(EMPTY) : 0));
+    else if (c.over) {
+      unsigned kinds = kinds_of(l, &c, now->wanted[k]);
+      count_hidden_against(l, kinds, step);
+      l->kinds[k] = (uint16_t)(kinds | (l->is_empty ? KIND(EMPTY) : 0));
+    }
     if (!c.over || l->over.tally.out_of_memory)
       status = hsr_fail_nomem(err);
   }

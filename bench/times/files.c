@@ -31,7 +31,7 @@ static void put_numbers(const double *x, int n) {
 void rows_print_csv(const struct rows *rows) {
   puts("scene,view,walk,width,height,algorithm,threads,kind,status,mismatches,"
        "compared,median,median_low,median_high,least,ratio,ratio_low,"
-       "ratio_high,memory_kb,depths,run");
+       "ratio_high,memory_kb,depths,run,why_empty");
   for (size_t k = 0; k < rows->n; k++) {
     const struct row *row = &rows->row[k];
     const json_t *c = row->cell;
@@ -52,7 +52,9 @@ void rows_print_csv(const struct rows *rows) {
     else
       fputs(",,", stdout);
     printf("%ld,", results_number(json_object_get(c, "depths"), "compared"));
-    puts(results_text(c, "run"));
+    printf("%s,", results_text(c, "run"));
+    put_text(rows_why_empty(rows, row));
+    putchar('\n');
   }
 }
 

@@ -100,12 +100,15 @@ void rows_print_latex(const struct rows *rows) {
        "\\toprule\n"
        "algorithm & median, ms & 95\\,\\% interval & ratio & 99\\,\\% interval "
        "\\\\");
+  bool marked = false;
   for (size_t k = 0; k < rows->n; k++) {
+    marked |= rows->row[k].timed && rows_is_alike(rows, &rows->row[k]);
     if (!k || !rows_same_place(&rows->row[k - 1], &rows->row[k]))
       put_heading(&rows->row[k]);
     put_row(rows, &rows->row[k]);
   }
   fputs("\\bottomrule\n\\end{tabular}\n% Ratios are to the time of ", stdout);
   puts(rows->reference);
-  puts("% An asterisk: not distinguishable from it.");
+  if (marked)
+    puts("% An asterisk: not distinguishable from it.");
 }

@@ -110,6 +110,18 @@ bool rows_has_few_starts(const struct rows *rows, const struct row *row) {
          !figure_has_interval(&row->ratio);
 }
 
+const char *rows_why_empty(const struct rows *rows, const struct row *row) {
+  if (!row->timed)
+    return "not timed";
+  if (!figure_has_interval(&row->median))
+    return "too few samples for an interval";
+  if (!row->has_ratio)
+    return "no time of the reference";
+  if (rows_has_few_starts(rows, row))
+    return "too few starts for an interval";
+  return "";
+}
+
 void rows_say_status(const struct row *row, char text[ROWS_STATUS]) {
   const char *status = results_text(row->cell, "status"),
              *reason = results_text(row->cell, "reason");

@@ -42,6 +42,9 @@ bool rows_is_reference(const struct rows *rows, const struct row *row);
  * reference's. */
 bool rows_is_alike(const struct rows *rows, const struct row *row);
 
+/* Why a row lacks a figure or an interval, in a few words; "" if it lacks none. */
+const char *rows_why_empty(const struct rows *rows, const struct row *row);
+
 /* Whether a row has a ratio whose interval is not known for lack of starts. */
 bool rows_has_few_starts(const struct rows *rows, const struct row *row);
 
