@@ -192,6 +192,7 @@ tap_scripts = \
   %D%/lab/lab.test \
   %D%/lab/links.test \
   %D%/lesson/lesson.test \
+  %D%/lesson/slides.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
@@ -440,6 +441,7 @@ EXTRA_DIST += \
   %D%/lab/links.mjs \
   %D%/lab/visit.mjs \
   %D%/lesson/figures.mjs \
+  %D%/lesson/slides.mjs \
   %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \
   %D%/module \
