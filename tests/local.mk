@@ -193,6 +193,7 @@ tap_scripts = \
   %D%/lab/links.test \
   %D%/lesson/lesson.test \
   %D%/lesson/slides.test \
+  %D%/lesson/wrong.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
@@ -444,6 +445,7 @@ EXTRA_DIST += \
   %D%/lesson/slides.mjs \
   %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \
+  %D%/lesson/wrong.mjs \
   %D%/module \
   %D%/mutants \
   %D%/report/browse.mjs \
