@@ -154,11 +154,12 @@ static void mark(struct frames *f, const struct hsr_event *event,
   mark_vertices(f, subject, colour, dashed);
 }
 
-/* Whether the step is about whole bodies: its words say so. */
-static bool is_of_body(const struct hsr_counter *c, int outcome) {
+bool frames_is_of_body(const struct frames *f, const struct hsr_event *event) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
   static const char *const words[] = {"body", "bodies", "collections"};
   char said[96];
-  frames_say_outcome(c, outcome, said, sizeof said);
+  frames_say_outcome(c, event->outcome, said, sizeof said);
   for (int k = 0; k < 3; k++)
     if (strstr(c->name, words[k]) || strstr(said, words[k]))
       return true;
@@ -168,9 +169,7 @@ static bool is_of_body(const struct hsr_counter *c, int outcome) {
 const json_t *frames_faces_of_volume(const struct frames *f,
                                      const struct hsr_event *event,
                                      const struct hsr_subject *volume) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
+  const char *list = frames_is_of_body(f, event) ? "bodies" : "volumes";
   return json_array_get(json_object_get(f->structure, list), volume->id[0]);
 }
 
@@ -178,13 +177,11 @@ const json_t *frames_faces_of_volume(const struct frames *f,
 static const json_t *sides_of(const struct frames *f,
                               const struct hsr_event *event,
                               const struct hsr_subject *volume) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
   size_t k;
   const json_t *part;
   json_array_foreach(json_object_get(f->structure, "parts"), k, part) {
     if (json_integer_value(json_array_get(part, 0)) == volume->id[0] &&
-        !is_of_body(c, event->outcome))
+        !frames_is_of_body(f, event))
       return json_array_get(part, 1);
   }
   return NULL;

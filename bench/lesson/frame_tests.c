@@ -118,21 +118,34 @@ void frames_mark_test(struct frames *f, const struct hsr_event *event) {
 
 /* --- Markers -------------------------------------------------------------- */
 
+/* Another list begins, or a piece was painted or divided. */
+static void forget_markers(struct frames *f, uint32_t head) {
+  f->marked.n = 0;
+  f->head = head;
+}
+
 bool frames_follow_markers(struct frames *f, const struct hsr_event *event) {
   const struct hsr_counter *c =
       &f->run->setup.algorithm->counters[event->counter];
-  if (json_integer_value(
-          json_object_get(json_array_get(f->lists, f->list), "from")) ==
-          (json_int_t)event->number &&
-      f->list < json_array_size(f->lists)) {
-    f->list++; /* another list begins, without markers */
-    f->marked.n = 0;
+  const json_t *next = json_array_get(f->lists, f->list);
+  if (next && json_integer_value(json_object_get(next, "from")) ==
+                  (json_int_t)event->number) {
+    f->list++;
+    forget_markers(f, HSR_NO_ID);
   }
+  bool is_test = hsr_has_key(c, "list-test") || hsr_has_key(c, "list-minimax");
+  if (is_test && f->head == HSR_NO_ID)
+    f->head = event->a.id[1];
+  if (hsr_has_key(c, "list-division"))
+    forget_markers(f, HSR_NO_ID);
+  else if (is_test && f->head != event->a.id[1])
+    forget_markers(f, event->a.id[1]);
   if (!hsr_has_key(c, "list-move"))
     return true;
+  f->head = event->b.id[1];
   if (!hsr_arena_grow(&f->arena, &f->marked, sizeof(uint32_t)))
     return false;
-  ((uint32_t *)f->marked.items)[f->marked.n - 1] = event->b.id[1];
+  ((uint32_t *)f->marked.items)[f->marked.n - 1] = f->head;
   return true;
 }
 

@@ -93,7 +93,9 @@ struct frames {
   struct lesson_bytes notes; /* of them */
   json_t *voxels;            /* what the answer says of them; NULL: none */
   size_t list;               /* lists that have begun */
-  struct hsr_growing marked; /* pieces of the last one: uint32_t */
+  struct hsr_growing
+      marked;    /* pieces of the last one with a marker: uint32_t */
+  uint32_t head; /* its P; HSR_NO_ID: not known */
   bool has_third[HSR_MAX_COUNTERS][2]; /* a counter's a, b: cells with a third
                                           number, which cubes have not */
   struct hsr_growing textures;         /* as frame_cells.c has them */
@@ -134,6 +136,10 @@ const json_t *frames_outline(const struct frames *f,
 const json_t *frames_faces_of_volume(const struct frames *f,
                                      const struct hsr_event *event,
                                      const struct hsr_subject *volume);
+
+/* Whether the step is about whole bodies, by its words: its volumes are numbers of
+ * these. */
+bool frames_is_of_body(const struct frames *f, const struct hsr_event *event);
 
 /* Borrowed: the pieces of the priority list that is at hand; NULL: there is none. */
 const json_t *frames_list_at(const struct frames *f,

@@ -30,7 +30,7 @@ function shown([name, most]) {
     return [...seen.keys()].filter((k) => k < run.n).sort((p, q) => p - q).map((k) => {
       const e = run.event(k - 1);
       const { a, b, where } = lesson.looks(run, e);
-      return { k, what: `${e.counter.name}${e.outcome ? `: ${e.outcome}` : ""}`,
+      return { k, flags: lesson.markers(run, e).length, what: `${e.counter.name}${e.outcome ? `: ${e.outcome}` : ""}`,
         shapes: [...a, ...b, ...where, ...lesson.markers(run, e)].filter((x) =>
           (x.width || x.fill) && !x.ring && !x.isSmall).map((x) => ({ points: x.points,
           dash: !x.width ? "none" : x.dotted ? "dotted" : x.dashed ? "dashed" : "solid",
@@ -70,6 +70,11 @@ function has(paths, shape, [width, height]) {
       Math.hypot(x - u, y - v) < NEAR)));
 }
 
+// How many flags of markers a slide has: five corners, filled with ink.
+const flagsOn = (file) => (readFileSync(file, "utf8").match(/<path [^>]*>/g) ?? [])
+  .filter((text) => /fill:rgb\(11\.37[^;]*;fill-opacity:1;/.test(text) &&
+    / d="M( [^ML]* L){4}[^ML]*Z/.test(text)).length;
+
 const numberOf = (name) => Number(/(\d+)\.svg/.exec(name)[1]);
 
 // What the slides of a run lack, in words.
@@ -77,7 +82,9 @@ function lackingOn(slides, steps) {
   const [width, height] = size.split("x").map(Number);
   const files = readdirSync(slides).sort((p, q) => numberOf(p) - numberOf(q));
   assert.deepEqual(files.map(numberOf), steps.map(({ k }) => k));
-  return steps.flatMap(({ k, what, shapes }, n) => {
+  return steps.flatMap(({ k, what, shapes, flags }, n) => {
+    const drawn = flagsOn(join(slides, files[n]));
+    if (drawn !== flags) return [`step ${k}, ${what}: ${drawn} flags, not ${flags}`];
     const paths = drawnOn(join(slides, files[n]), 448 / Math.max(width, height));
     return shapes.filter((shape) => !has(paths, shape, [width, height]))
       .map(({ dash, isInk, points }) => `step ${k}, ${what}: a ${dash}${

@@ -6,17 +6,18 @@ import { faceShapes } from "./faces.js";
 
 const BODY = /body|bodies|collections/;
 
+// Whether the step is about whole bodies: its volumes are numbers of these.
+export const isOfBody = (e) => BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
+
 // The faces of a volume; of a body, where the step is about bodies. null: they are
 // not known.
 export function facesOfVolume(run, e, v) {
   const { bodies, volumes } = run.trace.structure;
-  const isBody = BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
-  return (isBody ? bodies : volumes)?.[v] ?? null;
+  return (isOfBody(e) ? bodies : volumes)?.[v] ?? null;
 }
 
 export function volumeLook(run, e, { ids: [v] }) {
-  const ofBody = BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
-  const part = !ofBody && isPart(run, v) ? partShapes(run, v) : [];
+  const part = !isOfBody(e) && isPart(run, v) ? partShapes(run, v) : [];
   if (part.length) return part;
   const faces = facesOfVolume(run, e, v) ?? [];
   return faces.flatMap((f) => faceShapes(run, f, 0.1, 1.4));
