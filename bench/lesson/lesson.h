@@ -14,6 +14,7 @@
  * page.c       the file
  * survey.c     the lessons through the survey
  * survivors.c  what the ten have left after each cull and sort
+ * tree.c       the ten in the survey's tree, as a drawing
  * frames.h     steps as pictures
  * command.c    the options
  *
@@ -265,6 +266,14 @@ struct lesson_page {
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err);
+
+/* The survey's ten algorithms, by name, in the order of its figure 13. */
+enum { LESSON_TEN = 10 };
+extern const char *const lesson_ten[LESSON_TEN];
+
+/* Draws the tree of that figure with those of the ten that the program has, as SVG.
+ * HSR_E_INPUT if the file cannot be written. */
+enum hsr_status lesson_tree(const char *path, struct hsr_error *err);
 
 /* What the survey's ten algorithms have left after each cull and sort, of one
  * scene: {"scene": name, "letters": ..., "algorithms": [{"name", "title",

@@ -24,4 +24,5 @@ libbench_a_SOURCES += \
   %D%/survey.c \
   %D%/survey.def \
   %D%/survivors.c \
+  %D%/tree.c \
   %D%/volumes.c
