@@ -27,7 +27,7 @@ export const yzx = {
   "The survey proposes this on one page, as an order that had not been tried. How the " +
     "place in the list is found is this testbed’s own."],
   source: "The survey, chapter IV, an untried sorting order",
-  needs: [{ of: "divisions", instead: "cyclic-overlap",
+  needs: [{ of: "face-division", instead: "cyclic-overlap",
     why: "No faces of this scene overlap in a circle or penetrate, so that none is divided." }],
   moments: [
     ["Each face goes into the bucket of the line where it begins",
