@@ -192,6 +192,8 @@ tap_scripts = \
   %D%/lab/lab.test \
   %D%/lab/links.test \
   %D%/lesson/lesson.test \
+  %D%/lesson/slides.test \
+  %D%/lesson/wrong.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
@@ -440,8 +442,10 @@ EXTRA_DIST += \
   %D%/lab/links.mjs \
   %D%/lab/visit.mjs \
   %D%/lesson/figures.mjs \
+  %D%/lesson/slides.mjs \
   %D%/lesson/telling.mjs \
   %D%/lesson/watch.mjs \
+  %D%/lesson/wrong.mjs \
   %D%/module \
   %D%/mutants \
   %D%/report/browse.mjs \

@@ -65,8 +65,13 @@ static bool is_no_page(const char *name) {
          hsr_ends_in(name, ".png");
 }
 
+/* Whether the survey's tree is wanted, not its lessons. */
+static bool is_tree(const struct options *o) {
+  return o->survey && o->output && hsr_ends_in(o->output, ".svg");
+}
+
 static error_t check_output(struct options *o) {
-  if (o->output && is_no_page(o->output))
+  if (o->output && is_no_page(o->output) && !is_tree(o))
     return option_fail(&o->base,
                        "lesson: -o %s: a page is .html; --frames FILE.pdf or "
                        "--frames DIR makes slides",
@@ -180,7 +185,8 @@ static const struct argp argp = {
          0},
         {"survey", SURVEY, NULL, 0,
          "instead of SCENE and -a: lessons through the survey, each algorithm "
-         "on a scene that shows its idea",
+         "on a scene that shows its idea. -o FILE.svg: the tree of its figure "
+         "13 with its ten algorithms, as a drawing",
          0},
         {"lab", LAB, "ADDRESS", 0,
          "where the laboratory is: each lesson leads to its scene there. For a "
@@ -214,6 +220,7 @@ static const struct argp argp = {
     "  hsr lesson house -a watkins --frames slides.pdf\n"
     "  hsr lesson house -a roberts --frames slides --steps 36,16428,16651\n"
     "  hsr lesson --survey --lab lab.html -o lessons.html\n"
+    "  hsr lesson --survey -o figure13.svg\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,
     NULL,
@@ -272,11 +279,13 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
   o->events = LESSON_STANDARD_EVENTS;
   parse_size(STANDARD_SIZE, &o->view.m, &o->view.n);
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
-  if (!status && !HSR_HAVE_REPORT)
+  if (!status && !HSR_HAVE_REPORT && !is_tree(o))
     status = hsr_fail(err, HSR_E_USAGE,
                       "lesson: built without its page (configure needs node "
                       "and npm)");
-  if (!status && o->survey)
+  if (!status && is_tree(o))
+    status = lesson_tree(o->output, err);
+  else if (!status && o->survey)
     status = lesson_survey(o->output, o->events, o->lab, err);
   else if (!status)
     status = aim_scene(&o->scene, &o->view, err);

@@ -60,6 +60,12 @@ static json_t *points_json(const struct trace_run *run) {
   return points;
 }
 
+/* Whether the algorithm, as chosen, is known to be wrong sometimes. */
+static bool is_known_wrong(const struct trace_run *run) {
+  return hsr_choice_flags(run->setup.algorithm, &run->setup.choice) &
+         HSR_KNOWN_WRONG;
+}
+
 json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table) {
@@ -69,8 +75,8 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
   return json_pack(
-      "{ss so sI sI so sO so so so ss? ss? so so so}", "schema", "hsr-lesson/2",
-      "header", trace_header_json(&header), "events",
+      "{ss so sI sI so sO so so so ss? ss? so so so sb}", "schema",
+      "hsr-lesson/2", "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
       "counts", lesson_counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
@@ -78,5 +84,5 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
       "order", a->sort_order, "coherence", a->coherence, "lists",
       lesson_lists_json(recorder->run, &recorder->notes), "structure",
       lesson_structure_json(recorder->run), "points",
-      points_json(recorder->run));
+      points_json(recorder->run), "knownWrong", is_known_wrong(recorder->run));
 }

@@ -197,19 +197,13 @@ static void add_part(struct frames *f, const struct hsr_event *event,
   uint32_t p = event->a.id[0], q = event->a.id[1];
   const double a[3] = {mesh->x[p], mesh->y[p], mesh->z[p]},
                b[3] = {mesh->x[q], mesh->y[q], mesh->z[q]};
-  double in[2][3], out[4][3];
+  double at[2][3];
   if (to - from < NEAR)
     return;
-  for (int k = 0; k < 2; k++) {
-    double t = k ? to : from;
-    hsr_view_project(&f->run->view,
-                     (const double[3]){a[0] + t * (b[0] - a[0]),
-                                       a[1] + t * (b[1] - a[1]),
-                                       a[2] + t * (b[2] - a[2])},
-                     in[k]);
-  }
-  json_t *line =
-      trace_polygon_json(&f->run->view, (const double(*)[3])in, 2, out);
+  for (int k = 0; k < 2; k++)
+    for (int c = 0; c < 3; c++)
+      at[k][c] = a[c] + (k ? to : from) * (b[c] - a[c]);
+  json_t *line = lesson_image_json(&f->run->view, (const double(*)[3])at, 2);
   frames_add_line(f, json_array_get(line, 0), json_array_get(line, 1));
   json_decref(line);
 }

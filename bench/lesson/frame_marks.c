@@ -2,6 +2,7 @@
 /* What a step is about, over the picture: as looks/ of the page draws it. */
 #include "bench/lesson/frames.h"
 
+#include <math.h>
 #include <string.h>
 
 /* --- Colours and paths ---------------------------------------------------- */
@@ -50,17 +51,6 @@ const json_t *frames_image(const struct frames *f, uint32_t face) {
 
 void frames_add_face(struct frames *f, uint32_t face) {
   frames_add_polygon(f, frames_image(f, face));
-}
-
-/* The edges of a box, by the images of its corners; some may have none. */
-static void add_wires(struct frames *f, const json_t *corners) {
-  for (size_t c = 0; c < 8; c++)
-    for (size_t axis = 1; axis < 8; axis *= 2) {
-      const json_t *p = json_array_get(corners, c),
-                   *q = json_array_get(corners, c | axis);
-      if (!(c & axis))
-        frames_add_line(f, p, q);
-    }
 }
 
 void frames_stroke(struct frames *f, unsigned colour, double width,
@@ -141,23 +131,6 @@ const json_t *frames_outline(const struct frames *f,
              : NULL;
 }
 
-/* The box of a node, if it is known. */
-static void mark_cube(struct frames *f, const struct hsr_subject *subject,
-                      unsigned colour, bool dashed) {
-  json_int_t instance =
-      subject->id[1] == HSR_NO_ID ? -1 : (json_int_t)subject->id[1];
-  size_t k;
-  const json_t *cube;
-  if (subject->kind != HSR_OF_CELL)
-    return;
-  json_array_foreach(json_object_get(f->structure, "cubes"), k, cube) {
-    if (json_integer_value(json_array_get(cube, 0)) == subject->id[0] &&
-        json_integer_value(json_array_get(cube, 1)) == instance)
-      add_wires(f, json_array_get(cube, 2));
-  }
-  stroke(f, colour, 2, dashed);
-}
-
 /* The faces of a subject, and its edge or vertex. */
 static void mark(struct frames *f, const struct hsr_event *event,
                  const struct hsr_subject *subject, unsigned colour,
@@ -181,35 +154,57 @@ static void mark(struct frames *f, const struct hsr_event *event,
   mark_vertices(f, subject, colour, dashed);
 }
 
-/* Whether a step of an algorithm with volumes is about a whole body. */
-static bool is_of_body(const struct hsr_counter *c, int outcome) {
-  return hsr_has_key(c, "body-rejected") || hsr_has_key(c, "body-apart") ||
-         (hsr_has_key(c, "minimax") && outcome < 2);
+bool frames_is_of_body(const struct frames *f, const struct hsr_event *event) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
+  static const char *const words[] = {"body", "bodies", "collections"};
+  char said[96];
+  frames_say_outcome(c, event->outcome, said, sizeof said);
+  for (int k = 0; k < 3; k++)
+    if (strstr(c->name, words[k]) || strstr(said, words[k]))
+      return true;
+  return false;
 }
 
 const json_t *frames_faces_of_volume(const struct frames *f,
                                      const struct hsr_event *event,
                                      const struct hsr_subject *volume) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  const char *list = is_of_body(c, event->outcome) ? "bodies" : "volumes";
+  const char *list = frames_is_of_body(f, event) ? "bodies" : "volumes";
   return json_array_get(json_object_get(f->structure, list), volume->id[0]);
 }
 
-/* The faces of a volume, or of a body. */
+/* Borrowed: the sides of a part of a concave solid; NULL: it is none. */
+static const json_t *sides_of(const struct frames *f,
+                              const struct hsr_event *event,
+                              const struct hsr_subject *volume) {
+  size_t k;
+  const json_t *part;
+  json_array_foreach(json_object_get(f->structure, "parts"), k, part) {
+    if (json_integer_value(json_array_get(part, 0)) == volume->id[0] &&
+        !frames_is_of_body(f, event))
+      return json_array_get(part, 1);
+  }
+  return NULL;
+}
+
+/* The faces of a volume, or of a body; the sides of a part. */
 static void mark_volume(struct frames *f, const struct hsr_event *event,
-                        unsigned colour) {
-  const struct hsr_subject *s =
-      event->a.kind == HSR_OF_VOLUME ? &event->a : &event->b;
-  if (s->kind != HSR_OF_VOLUME)
-    return;
+                        const struct hsr_subject *s, unsigned colour,
+                        bool dashed) {
   size_t k;
   const json_t *face;
-  json_array_foreach(frames_faces_of_volume(f, event, s), k, face) {
-    frames_add_face(f, (uint32_t)json_integer_value(face));
+  if (s->kind != HSR_OF_VOLUME)
+    return;
+  const json_t *sides = sides_of(f, event, s);
+  json_array_foreach(sides ? sides : frames_faces_of_volume(f, event, s), k,
+                     face) {
+    if (sides)
+      frames_add_polygon(f, face);
+    else
+      frames_add_face(f, (uint32_t)json_integer_value(face));
     frames_set_colour(f->cairo, colour, .1);
     cairo_fill_preserve(f->cairo);
-    stroke(f, colour, 1.4, true);
+    stroke(f, colour, 1.4, dashed);
   }
 }
 
@@ -234,30 +229,75 @@ static void add_sign(struct frames *f, const struct hsr_window *w,
   }
 }
 
-/* The window; of a part of a row, all of the row, pale. Of what is put into a
- * bucket, the row of that. */
+/* Whether the step puts something into a bucket of scan lines. */
+static bool is_bucket(const struct frames *f, const struct hsr_event *event) {
+  const struct hsr_counter *c =
+      &f->run->setup.algorithm->counters[event->counter];
+  return c->kind == HSR_SORT && strstr(c->name, "Y sort");
+}
+
+/* The row where an edge or a face begins, by its image; n: it has none. */
+static double first_row(const struct frames *f, const struct hsr_subject *s) {
+  const json_t *vertices = json_object_get(f->header, "vertices");
+  const json_t *image =
+      s->kind == HSR_OF_EDGE ? NULL : frames_image(f, s->id[0]);
+  size_t n = image ? json_array_size(image) : 2;
+  double top = INFINITY;
+  for (size_t k = 0; k < n; k++) {
+    const json_t *p =
+        image ? json_array_get(image, k) : json_array_get(vertices, s->id[k]);
+    if (json_is_array(p))
+      top = fmin(top, json_number_value(json_array_get(p, 1)));
+  }
+  return ceil(top - .5);
+}
+
+/* The bucket that a thing is put into: the scan line where it begins. */
+static void mark_bucket(struct frames *f, const struct hsr_event *event,
+                        unsigned colour) {
+  const struct hsr_window *w = &event->window;
+  const struct hsr_view *view = &f->run->view;
+  double row = w->y0 < w->y1 ? w->y0 : first_row(f, &event->a);
+  if (!isfinite(row))
+    return;
+  cairo_rectangle(f->cairo, 0, fmax(0, fmin(view->n - 1, row)), view->m, 1);
+  frames_set_colour(f->cairo, colour, .4);
+  cairo_fill_preserve(f->cairo);
+  stroke(f, colour, 1, false);
+}
+
+/* The window; of a part of a row, all of the row, pale. */
 static void mark_window(struct frames *f, const struct hsr_event *event,
                         enum hsr_step_kind kind) {
   unsigned colour = frames_colour[kind];
   const struct hsr_window *w = &event->window;
   int m = f->run->view.m;
-  bool is_bucket =
-      kind == HSR_SORT &&
-      strstr(f->run->setup.algorithm->counters[event->counter].name, "Y sort");
   bool is_row = w->y1 - w->y0 == 1 && w->x1 - w->x0 < m;
-  if (is_bucket || is_row) {
+  if (is_row) {
     cairo_rectangle(f->cairo, 0, w->y0, m, 1);
-    frames_set_colour(f->cairo, colour, is_bucket ? .4 : .13);
+    frames_set_colour(f->cairo, colour, .13);
     cairo_fill(f->cairo);
   }
-  if (is_bucket)
-    return;
   bool is_sample = is_row && w->x1 - w->x0 == 1;
   double more = is_sample ? 2 / f->scale : 0;
   cairo_rectangle(f->cairo, w->x0 - more, w->y0 - more,
                   w->x1 - w->x0 + 2 * more, w->y1 - w->y0 + 2 * more);
   add_sign(f, w, kind);
   stroke(f, colour, kind == HSR_ACCEPT ? 3 : 2, kind == HSR_RETIRE);
+}
+
+/* What an accepted step adds to a line drawing, also if it is hidden. */
+static void mark_part(struct frames *f, const struct hsr_event *event,
+                      unsigned colour) {
+  const struct hsr_answer_type *type = f->run->answer.painted.form.type;
+  if (!event->part || !type->lines || !type->part_json)
+    return;
+  enum { INVISIBILITY = 1, FROM = 6, TO = 7 };
+  json_t *part = type->part_json(event->part, &f->run->view);
+  frames_add_line(f, json_array_get(part, FROM), json_array_get(part, TO));
+  stroke(f, colour, 3.5,
+         json_integer_value(json_array_get(part, INVISIBILITY)) > 0);
+  json_decref(part);
 }
 
 /* The two faces that penetrate. */
@@ -275,20 +315,27 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   unsigned colour = frames_colour[kind];
   const struct hsr_window *w = &event->window;
   const struct hsr_subject *both[] = {&event->b, &event->a};
-  mark_volume(f, event, colour);
   for (int k = 0; k < 2; k++) {
+    mark_volume(f, event, both[k], colour, k == 0);
     if (!k || !frames_mark_fragment(f, event, colour))
       mark(f, event, both[k], colour, k == 0);
-    mark_cube(f, both[k], colour, k == 0);
+    frames_mark_cell(f, event, both[k], colour,
+                     k == 0 ? FRAME_DASHED : FRAME_SOLID);
     mark_implied(f, both[k], colour);
   }
   bool is_of_window =
       event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;
-  if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
+  if (is_bucket(f, event))
+    mark_bucket(f, event, colour);
+  else if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
   frames_mark_planes(f, event, colour);
   frames_mark_boxes(f, event);
+  frames_mark_test(f, event);
   if (kind == HSR_SPLIT)
     frames_mark_halves(f, event, colour);
+  else
+    frames_mark_markers(f, event);
   frames_mark_midpoint(f);
+  mark_part(f, event, colour);
 }

@@ -24,8 +24,8 @@ static void put(struct frames *f, double x, double y, double size, bool bold,
 }
 
 /* A subject in words: at most `size` bytes. */
-static void say(const struct frames *f, const struct hsr_subject *subject,
-                char *text, size_t size) {
+static void say(const struct frames *f, const struct hsr_event *event,
+                const struct hsr_subject *subject, char *text, size_t size) {
   uint32_t p = subject->id[0], q = subject->id[1];
   *text = '\0';
   if (subject->kind == HSR_OF_NOTHING)
@@ -43,6 +43,8 @@ static void say(const struct frames *f, const struct hsr_subject *subject,
     snprintf(text, size, "edge %u-%u", p, q);
   else if (subject->kind == HSR_OF_WINDOW || p == HSR_NO_ID)
     snprintf(text, size, "the %s", hsr_subject_kind_name[subject->kind]);
+  else if (subject->kind == HSR_OF_VOLUME && frames_is_of_body(f, event))
+    snprintf(text, size, "body %u", p);
   else
     snprintf(text, size, "%s %u", hsr_subject_kind_name[subject->kind], p);
 }
@@ -141,14 +143,18 @@ static const char *place_word(const struct hsr_window *w) {
 }
 
 /* Between the two subjects. */
-static const char *between(const struct hsr_event *event,
+static const char *between(const struct frames *f,
+                           const struct hsr_event *event,
                            enum hsr_step_kind kind) {
+  const char *name = f->run->setup.algorithm->counters[event->counter].name;
   if (kind == HSR_COMPARE)
     return " against ";
   if (kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE)
     return " is divided by the plane of ";
   if (event->b.kind == HSR_OF_WINDOW)
     return place_word(&event->window);
+  if (!strcmp(name, "one face") || !strcmp(name, "one in front"))
+    return ", behind "; /* the face that is before it comes next */
   return kind == HSR_ACCEPT ? ", not " : ", with ";
 }
 
@@ -159,8 +165,8 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
   const struct hsr_window *w = &event->window;
   enum hsr_step_kind kind = counter->kind;
   char a[96], b[96], outcome[96], where[96];
-  say(f, &event->a, a, sizeof a);
-  say(f, &event->b, b, sizeof b);
+  say(f, event, &event->a, a, sizeof a);
+  say(f, event, &event->b, b, sizeof b);
   frames_say_outcome(counter, event->outcome, outcome, sizeof outcome);
   say_window(f, w, where, sizeof where);
   bool of_window =
@@ -178,7 +184,7 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
   if (!*outcome && kind != HSR_COMPARE && !is_divided)
     append_words(text, size, " is ", done, "");
   if (*a && *b && !is_shown)
-    append_words(text, size, between(event, kind), b, "");
+    append_words(text, size, between(f, event, kind), b, "");
   if (*outcome)
     append_words(text, size, ": ", outcome, "");
   if (f->search.is_shown && f->search.keeps && f->search.is_other)

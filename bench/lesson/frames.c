@@ -195,6 +195,9 @@ static void count_step(void *context, const struct hsr_event *event) {
   f->steps++;
   if (event->counter < HSR_MAX_COUNTERS)
     f->total[event->counter]++;
+  frames_note_cells(f, event);
+  if (!f->status && !frames_note_texel(f, event))
+    f->status = hsr_fail_nomem(f->err);
   if (f->has_list && event->counter < trace_n_counters(f->run->setup.algorithm))
     lesson_note_list(&f->notes,
                      &f->run->setup.algorithm->counters[event->counter], event);
@@ -277,6 +280,10 @@ static void listen(void *context, const struct hsr_event *event) {
   f->count[event->counter]++;
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
+  if (!frames_follow_markers(f, event)) {
+    f->status = hsr_fail_nomem(f->err);
+    return;
+  }
   sketch(f, event, a->counters[event->counter].kind);
   bool wanted = false;
   for (; f->done < f->n && event->number + 1 >= step_of(f, f->done);
@@ -297,6 +304,7 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   f->has_list = lesson_has_list(&run->setup);
   enum hsr_status status =
       trace_answer_draw(&run->answer, &run->setup, &tally, err);
+  status = status ? status : f->status;
   if (!status && f->step && f->step[f->n - 1] > f->steps)
     status = hsr_fail(err, HSR_E_USAGE, "lesson: --steps: %s has %llu steps",
                       run->variant->name, (unsigned long long)f->steps);
@@ -311,6 +319,9 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   f->lists = lesson_lists_json(run, &f->notes);
   if (!f->header || !f->structure || !f->lists || !f->colour || !f->touches)
     return hsr_fail_nomem(err);
+  const struct hsr_answer *drawn = &run->answer.drawn;
+  if (drawn->form.type == &hsr_answer_voxels)
+    f->voxels = drawn->form.type->json(drawn, &run->view);
   trace_answer_free(&run->answer);
   status = trace_answer_init(&run->answer, &run->setup, &run->view, err);
   tally = (struct hsr_tally){.trace = &draws};
@@ -342,6 +353,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
   json_decref(f.header);
   json_decref(f.structure);
   json_decref(f.lists);
+  json_decref(f.voxels);
   lesson_bytes_free(&f.notes);
   free(f.colour);
   free(f.touches);

@@ -3,7 +3,10 @@
  *
  * frames.c           the run, the picture, the files
  * frame_marks.c      what a step is about, over the picture
- * frame_shapes.c     boxes that are compared, and planes
+ * frame_boxes.c      boxes that are compared
+ * frame_cells.c      cubes and other cells
+ * frame_planes.c     planes
+ * frame_tests.c      what the tests of a priority list ask about, and markers
  * frame_fragments.c  what a volume hides of an edge
  * frame_halves.c     what a step divides in two
  * frame_words.c      the outline, the step in words, the counters */
@@ -88,6 +91,14 @@ struct frames {
   bool has_list;             /* the algorithm makes lists of priority */
   json_t *lists;             /* as of lesson_lists_json */
   struct lesson_bytes notes; /* of them */
+  json_t *voxels;            /* what the answer says of them; NULL: none */
+  size_t list;               /* lists that have begun */
+  struct hsr_growing
+      marked;    /* pieces of the last one with a marker: uint32_t */
+  uint32_t head; /* its P; HSR_NO_ID: not known */
+  bool has_third[HSR_MAX_COUNTERS][2]; /* a counter's a, b: cells with a third
+                                          number, which cubes have not */
+  struct hsr_growing textures;         /* as frame_cells.c has them */
   struct frame_fragments fragments;
   struct frame_search search;
   uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
@@ -126,6 +137,10 @@ const json_t *frames_faces_of_volume(const struct frames *f,
                                      const struct hsr_event *event,
                                      const struct hsr_subject *volume);
 
+/* Whether the step is about whole bodies, by its words: its volumes are numbers of
+ * these. */
+bool frames_is_of_body(const struct frames *f, const struct hsr_event *event);
+
 /* Borrowed: the pieces of the priority list that is at hand; NULL: there is none. */
 const json_t *frames_list_at(const struct frames *f,
                              const struct hsr_event *event);
@@ -138,6 +153,23 @@ json_int_t frames_place_of_piece(const struct frames *f,
 void frames_mark_boxes(struct frames *f, const struct hsr_event *event);
 void frames_mark_planes(struct frames *f, const struct hsr_event *event,
                         unsigned colour);
+void frames_mark_plane_of(struct frames *f, json_int_t face,
+                          const struct frame_look *look);
+
+/* Marks a subject that is a cell. frames_note_cells and frames_note_texel are to be
+ * called for each event, before any is drawn. False: memory ran out. */
+void frames_mark_cell(struct frames *f, const struct hsr_event *event,
+                      const struct hsr_subject *subject, unsigned colour,
+                      enum frame_dash dash);
+void frames_note_cells(struct frames *f, const struct hsr_event *event);
+bool frames_note_texel(struct frames *f, const struct hsr_event *event);
+
+/* Mark what a test of the list asks about; and the pieces of the step that bear a
+ * marker. frames_follow_markers notes who bears one: to be called for each event in
+ * order. False: memory ran out. */
+void frames_mark_test(struct frames *f, const struct hsr_event *event);
+void frames_mark_markers(struct frames *f, const struct hsr_event *event);
+bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
 
 /* Notes a step of an edge and a volume: to be called for each event in order.
  * frames_mark_fragment marks the fragment of the last one, and what the volume

@@ -8,11 +8,13 @@
  * structure.c  trees of planes, and cubes, as the algorithm has them
  * grids.c      the cells of a grid
  * volumes.c    the bodies and volumes of Roberts
+ * planes.c     planes, as far as the scene goes
  * describe.c   what the columns mean: header, answer, predictions
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
  * survey.c     the lessons through the survey
  * survivors.c  what the ten have left after each cull and sort
+ * tree.c       the ten in the survey's tree, as a drawing
  * frames.h     steps as pictures
  * command.c    the options
  *
@@ -129,6 +131,9 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *
  *   bodies      of an algorithm that puts edges to volumes: the faces of each
  *   volumes     likewise: the faces in whose planes each one is
+ *   sides       of these, on which side of each plane the volume is: 1 before it
+ *   parts       [volume, images of its sides], ..., of volumes that are parts of a
+ *               concave solid; a side need not be a face
  *
  * NULL: HSR_E_NOMEM. */
 json_t *lesson_structure_json(const struct trace_run *run);
@@ -142,6 +147,30 @@ bool lesson_add_cells(json_t *structure, const struct trace_run *run);
 /* Whether the algorithm puts edges to volumes, and these. False: HSR_E_NOMEM. */
 bool lesson_has_volumes(const struct hsr_setup *setup);
 bool lesson_add_volumes(json_t *structure, const struct trace_run *run);
+
+/* --- Planes --------------------------------------------------------------- */
+
+struct lesson_plane {
+  double normal[3], offset; /* normal . x = offset */
+};
+
+struct lesson_plane lesson_plane_of_face(const struct hsr_mesh *mesh,
+                                         uint32_t face);
+
+/* Corners of a plane's part in the box of a scene, at most: rounding aside there
+ * are six, and a plane through corners of the box finds each of these three times.
+ * And corners of any polygon below. */
+enum { LESSON_MOST_CORNERS = 12, LESSON_MOST_POINTS = 64 };
+
+/* The part of a plane in the box of the scene, in order around its middle. Returns how
+ * many corners it has. */
+int lesson_plane_in_box(const struct hsr_mesh *mesh,
+                        const struct lesson_plane *plane, double (*at)[3]);
+
+/* The image of a polygon, or of a line, of n <= LESSON_MOST_POINTS points of the
+ * world, as trace_polygon_json. */
+json_t *lesson_image_json(const struct hsr_view *view, const double (*at)[3],
+                          int n);
 
 /* --- What it means -------------------------------------------------------- */
 
@@ -237,6 +266,14 @@ struct lesson_page {
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err);
+
+/* The survey's ten algorithms, by name, in the order of its figure 13. */
+enum { LESSON_TEN = 10 };
+extern const char *const lesson_ten[LESSON_TEN];
+
+/* Draws the tree of that figure with those of the ten that the program has, as SVG.
+ * HSR_E_INPUT if the file cannot be written. */
+enum hsr_status lesson_tree(const char *path, struct hsr_error *err);
 
 /* What the survey's ten algorithms have left after each cull and sort, of one
  * scene: {"scene": name, "letters": ..., "algorithms": [{"name", "title",

@@ -5,10 +5,10 @@
 #include "bench/run/table1.h"
 #include "common/files/json/json.h"
 
-static const char *const the_ten[] = {
+const char *const lesson_ten[LESSON_TEN] = {
     "roberts", "appel",   "loutrel", "galimberti", "schumacker",
     "newell",  "warnock", "romney",  "bouknight",  "watkins"};
-enum { N_TEN = sizeof the_ten / sizeof *the_ten, SIDE = 128 };
+enum { SIDE = 128 };
 #define SCENE "house"
 
 /* Draws once, and adds what was counted to the lists. */
@@ -56,8 +56,8 @@ static enum hsr_status add(const char *name, json_t **algorithms,
 enum hsr_status lesson_survivors(json_t **survivors, struct hsr_error *err) {
   json_t *algorithms = json_array(), *letters = NULL;
   enum hsr_status status = HSR_OK;
-  for (int k = 0; k < N_TEN && !status; k++)
-    status = add(the_ten[k], &algorithms, &letters, err);
+  for (int k = 0; k < LESSON_TEN && !status; k++)
+    status = add(lesson_ten[k], &algorithms, &letters, err);
   if (status) {
     json_decref(algorithms);
     json_decref(letters);

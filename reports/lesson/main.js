@@ -15,7 +15,7 @@ import { looksOf, unseen } from "./looks/all.js";
 import { markerLooks } from "./looks/tests.js";
 import { keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { courseIndex } from "./parts/course.js";
-import { ideaOf, lessonText, wayThrough } from "./parts/lesson.js";
+import { ideaOf, knownWrong, lessonText, wayThrough } from "./parts/lesson.js";
 import { player, playerState } from "./parts/player.js";
 import { whenLooksChange } from "./parts/redraw.js";
 import { stepDrawing } from "./parts/save_step.js";
@@ -151,7 +151,8 @@ async function begin() {
   main.replaceChildren(
     h("div", { class: "top" }, h("div", { class: "title" },
       wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
-      h("p", { class: "kicker" }, sceneWords(first), tryIt())), chooser()),
+      h("p", { class: "kicker" }, sceneWords(first), tryIt()),
+      knownWrong(first, goTo)), chooser()),
     h("div", { class: "at-work" }, bar, note, question, panels),
     lessonText(first, goTo, () => showSlides(first)), legend,
     figures(first, (name) =>

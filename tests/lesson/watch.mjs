@@ -315,7 +315,12 @@ async function asAReader(file, names) {
   const { page, faults, go, close } = await open(file);
   const some = names.slice(0, 3).join(",");
   const known = ["bouknight", "watkins", "newell"].filter((a) => names.includes(a));
-  const three = known.length === 3 ? known : names.slice(0, 3);
+  await go("");
+  // At the end of those that are known to be wrong, crosses lie over the picture.
+  const sound = await page.evaluate(async (all) => (await Promise.all(all.map((name) =>
+    globalThis.lesson.run(name)))).filter((run) => !run.trace.knownWrong)
+    .map((run) => run.name), names);
+  const three = known.length === 3 ? known : sound.slice(0, 3);
   const words = () => page.textContent(".panel .words");
 
   await test("keys step, forward and back", async () => {

@@ -4,7 +4,7 @@ import { above } from "./run.js";
 
 // { title, ofPieces, at(k): { painted, order, marked, sorting } }: the items
 // that are done, and those that wait, the next first. marked: those of them that
-// bear a marker. An item is a piece or a face.
+// bear a marker, which all lose when a piece is done or divided. An item is a piece or a face.
 export function listOf(run) {
   if (run.trace.lists.length) return priorityList(run);
   const pieces = run.counterOf("piece");
@@ -80,11 +80,13 @@ function apply(state, { what, list, p, at, order }) {
     Object.assign(state, { order: order.slice(), sorting: false });
   } else if (what === "paint") {
     state.painted.push(state.order.shift());
+    state.marked.clear();
   } else if (what === "move") {
     state.order = [p, ...state.order.filter((x) => x !== p)];
     state.marked.add(p);
   } else if (what === "out") {
     state.order = state.order.filter((x) => x !== p);
+    state.marked.clear();
   } else if (what === "in") {
     state.order.splice(at, 0, p);
   }

@@ -36,18 +36,10 @@ function frontOf(run, f) {
   return { normal: unit, offset: unit.reduce((sum, x, c) => sum + x * points[0][c], 0) };
 }
 
-// Whether volume v is a part of a solid that was divided.
-export function isPart(run, v) {
-  run.partsOfSolids ??= partsOf(run.trace.structure);
-  return run.partsOfSolids.has(v);
+// The images of the sides of volume v, if it is a part of a solid that was divided.
+export function partOf(run, v) {
+  run.partsOfSolids ??= new Map(run.trace.structure.parts);
+  return run.partsOfSolids.get(v) ?? [];
 }
 
-function partsOf({ bodies, volumes }) {
-  const solid = (volumes ?? []).map((faces, v) => [faces ?? [], v])
-    .filter(([faces]) => faces.length > 3);
-  return new Set((bodies ?? []).flatMap((body) => {
-    const of = new Set(body);
-    const own = solid.filter(([faces]) => faces.every((f) => of.has(f)));
-    return own.length > 1 ? own.map(([, v]) => v) : [];
-  }));
-}
+export const isPart = (run, v) => partOf(run, v).length > 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An event in words.
 import { kindLook } from "./kinds.js";
-import { isRegion, planeOfCell } from "../looks/solids.js";
+import { isOfBody, isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
 import { searchAt } from "./stretches.js";
 
@@ -21,7 +21,7 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "implied edge":
       return `the edge where faces ${p} and ${q} penetrate`;
     case "vertex": return `vertex ${p}`;
-    case "volume": return `volume ${p}`;
+    case "volume": return `${e && isOfBody(e) ? "body" : "volume"} ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
       : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
       : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
@@ -123,7 +123,7 @@ export function eventWords(run, e) {
   else if (e.kind === "accept")
     text += ` is ${run.kind.verb ?? verb}${
       second && e.b.kind !== "window"
-        ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
+        ? `, ${e.b.kind === "cell" ? "in" : isBehind(e) ? "behind" : "not"} ${second}` : ""}`;
   else if (e.b.kind === "window" && second)
     text += ` is ${verb} ${placeWord(e.window)} ${second}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
@@ -137,6 +137,9 @@ export function eventWords(run, e) {
     text += ` (${where})`;
   return capital(text);
 }
+
+// Whether the face is shown around another one, which is before it and comes next.
+const isBehind = ({ counter: { name } }) => /^one (face|in front)$/.test(name);
 
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 

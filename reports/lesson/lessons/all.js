@@ -16,10 +16,11 @@ import { hzbuffer, tiling } from "./later.js";
 import { newell, schumacker } from "./lists.js";
 import { appel, galimberti, loutrel, roberts } from "./object.js";
 import { sortStages } from "./stages.js";
+import { yzx } from "./untried.js";
 
 export const LESSONS = { painter, zbuffer, raycast, "bsp-painter": bspPainter,
   roberts, appel, galimberti, loutrel, schumacker, newell, warnock, romney, bouknight,
-  watkins, hzbuffer, tiling, "sort-stages": sortStages };
+  watkins, hzbuffer, tiling, yzx, "sort-stages": sortStages };
 
 // Algorithms that work as another one does, for the most part.
 const LIKE = { "zbuffer-fast": "zbuffer", "bsp-front": "bsp-painter",

@@ -88,11 +88,14 @@ export const newell = {
     "The cheap tests come first, and the first that says no ends them. A test can prove " +
     "that P does not obscure Q, but never that it does. If none says no, Q is moved to " +
     "the place before P in the list: it will be painted first. It gets a marker, and is " +
-    "the new P.",
+    "the new P. When a piece is painted or divided, all markers are taken away.",
   "Three bars, each over the next, have no order. The list notices it when a piece " +
     "that has a marker is to be moved again. Then that piece is divided by the plane " +
     "of the other, and the halves find their places in the list. Two faces that " +
     "penetrate each other have no order either, and are divided in the same way.",
+  "The six tests: is all of Q nearer than all of P; are they apart in X; are they apart in " +
+    "Y; is P wholly beyond the plane of Q; is Q wholly before the plane of P; are their " +
+    "images apart?",
   "A piece that is in order is painted row by row: on each row it overwrites what was " +
     "there before. The picture here shows in pale colours what has been painted so. " +
     "The rows are shown when all pieces are done."],

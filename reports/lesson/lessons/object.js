@@ -26,7 +26,9 @@ export const roberts = {
     "what lies before it, and each edge of its contour what lies beside it, until all " +
     "have been asked or nothing is left: a linear programme, as the survey says. Its two " +
     "unknowns are a place along the edge and a place along the line of sight.",
-  "Boxes come first: if the box of an edge’s image and that of a volume are apart, or " +
+  "An edge is left out at once if all its faces look away from the eye, or if it lies " +
+    "outside of the picture.",
+  "Boxes come before volumes: if the box of an edge’s image and that of a volume are apart, or " +
     "the edge is nearer, the volume cannot hide it. Whole bodies are left out so, first of " +
     "all from the edges of another body. Even so that takes as many box tests as " +
     "there are pairs of bodies."],
@@ -36,7 +38,12 @@ export const roberts = {
       { of: "edge-volume", outcome: "two pieces left", pick: "largest", among: EARLY,
         id: "two" },
       VOLUME],
-    ["The edge starts as one fragment", { name: "fragments", before: "two" }],
+    ["The volume hides nothing of the fragment",
+      { of: "edge-volume", outcome: "untouched", pick: "largest", among: EARLY,
+        id: "none" },
+      VOLUME],
+    ["The edge starts as one fragment: none of it is known to be hidden",
+      { name: "fragments", before: "none", or: { name: "fragments", before: "two" } }],
     ["Its boxes and those of a body are apart: the body is left out",
       { of: "minimax", outcome: "body out of the way", with: ["two", "a"],
         pick: "apart" }, "Solid: the edge. Dashed: the body. Can it hide the edge?",
@@ -49,10 +56,6 @@ export const roberts = {
       { name: "two pieces left", after: "two" }],
     ["What all volumes left is drawn", { of: "interval-drawn", with: ["two", "a"],
       where: (run, e) => e.part?.[1] === 0 }],
-    ["The volume hides nothing of the fragment",
-      { of: "edge-volume", outcome: "untouched", pick: "largest", among: EARLY,
-        id: "none" },
-      VOLUME],
     ["All of the fragment is beside this edge of the contour: nothing may be hidden",
       { name: "conditions", outcome: "contour: nothing left", before: "none" }],
     ["The volume hides the whole fragment: nothing of it is left to draw",

@@ -1,49 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
 import { projection } from "../data/projection.js";
-import { isPart, planesOf } from "../data/volumes.js";
+import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
 
 const BODY = /body|bodies|collections/;
+
+// Whether the step is about whole bodies: its volumes are numbers of these.
+export const isOfBody = (e) => BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
 
 // The faces of a volume; of a body, where the step is about bodies. null: they are
 // not known.
 export function facesOfVolume(run, e, v) {
   const { bodies, volumes } = run.trace.structure;
-  const isBody = BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
-  return (isBody ? bodies : volumes)?.[v] ?? null;
+  return (isOfBody(e) ? bodies : volumes)?.[v] ?? null;
 }
 
 export function volumeLook(run, e, { ids: [v] }) {
-  const ofBody = BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
-  const part = !ofBody && isPart(run, v) ? partShapes(run, v) : [];
+  const part = !isOfBody(e) && isPart(run, v) ? partShapes(run, v) : [];
   if (part.length) return part;
   const faces = facesOfVolume(run, e, v) ?? [];
   return faces.flatMap((f) => faceShapes(run, f, 0.1, 1.4));
 }
 
-// The sides of a part of a divided solid, also those that no face bounds: each plane,
-// as far as it lies behind the others.
-function partShapes(run, v) {
-  const planes = planesOf(run, v) ?? [];
-  return planes.map((plane, k) => planes.reduce((polygon, other, n) => n === k ? polygon
-    : behind(polygon, other), planeInBox(run, plane))).map((polygon) =>
-    imageOf(run, polygon)).filter((points) => points.length > 2)
-    .map((points) => ({ points, closed: true, fill: 0.1, width: 1.4 }));
-}
-
-// What of a polygon of the world lies behind a plane.
-function behind(polygon, { normal, offset }) {
-  const out = [];
-  polygon.forEach((p, n) => {
-    const q = polygon[(n + 1) % polygon.length];
-    const [s, t] = [dot(normal, p) - offset, dot(normal, q) - offset];
-    if (s <= 0) out.push(p);
-    if ((s < 0 && t > 0) || (s > 0 && t < 0))
-      out.push(p.map((x, c) => x + (q[c] - x) * s / (s - t)));
-  });
-  return out;
-}
+// The sides of a part of a divided solid, also those that no face bounds.
+const partShapes = (run, v) => partOf(run, v).filter((points) => points.length > 2)
+  .map((points) => ({ points, closed: true, fill: 0.1, width: 1.4 }));
 
 export function cubeLook(run, e, { ids: [node, instance] }) {
   return wires(run.cubes.get(`${node},${instance}`) ?? []);

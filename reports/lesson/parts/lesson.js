@@ -3,11 +3,13 @@
 // and something to find out.
 import { firstLine } from "../data/branches.js";
 import { href } from "../../page/data/address.js";
+import { whole } from "../../page/data/format.js";
 import { h, link } from "../../page/parts/dom.js";
 import { figureCount } from "../figures/all.js";
 import { lessonOf, LESSONS } from "../lessons/all.js";
 import { GLOSSARY } from "../telling/glossary.js";
 import { lacks, momentsOf } from "../telling/moments.js";
+import { tellsWrong, wrongSamples } from "../telling/wrong.js";
 
 const to = (name) => href("", "", { a: name });
 
@@ -28,6 +30,21 @@ export function ideaOf(run) {
   const lesson = lessonOf(run);
   return lesson ? `${run.name}: ${lesson.idea.charAt(0).toLowerCase()}${
     lesson.idea.slice(1)}` : `${run.name}: ${run.title}`;
+}
+
+// Of an algorithm that is known to be wrong: that it is, how much of this answer, and
+// where to look; null of all others.
+export function knownWrong(run, go) {
+  if (!run.trace.knownWrong) return null;
+  const known = "This algorithm is known to be wrong sometimes";
+  const many = tellsWrong(run) ? wrongSamples(run).size : null;
+  return h("p", { class: "known-wrong" }, many === null ? [`${known}: `,
+    h("code", {}, `hsr check ${run.header.scene} -a ${run.name}`), " counts how often."]
+    : many === 0 ? `${known}, but not in this view.`
+      : [`${known}. Here ${many === 1 ? "one sample is" : `${whole(many)} samples are`
+      } wrong: at the end, crosses mark ${many === 1 ? "it" : "them"}. `,
+      h("button", { type: "button", class: "plain", onclick: () => go(run.n) },
+        "Show")]);
 }
 
 // The text of a lesson, folded. go(k) shows a step, slides() all key moments.

@@ -45,7 +45,8 @@ export const GLOSSARY = [
     "each on one side of a plane", /linear programme/],
   ["logarithmic search", "halves a thing again and again, and keeps the half with what is " +
     "looked for", /logarithmic/],
-  ["marker", "a sign that a piece was moved; to move it again would be a circle",
+  ["marker", "a sign that a piece was moved since a piece was last painted or divided; to " +
+    "move it again would be a circle",
     /\bmarker\b/],
   ["mask", "64 bits, one for each cell of 8 × 8", /\bmasks?\b/],
   ["W, A, Cv, Pc, Pv, Cc", "masks of cells. Cv: vacant so far. Cc: covered so far. Pc: " +

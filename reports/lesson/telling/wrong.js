@@ -9,12 +9,15 @@ export function wrongSamples(run) {
   return run.wrong;
 }
 
-const MORE = 1 + 1e-7; // nearer by more than the error of doubles
+// Whether the wrong samples of a run can be told.
+export const tellsWrong = ({ kind, header }) => kind.name === "ids" &&
+  header.faces.every((f) => f[3].length);
+
+const MORE = 1e-7; // nearer by more than the error of doubles
 
 function found(run) {
   const wrong = new Map();
-  if (run.kind.name !== "ids" || !run.header.faces.every((f) => f[3].length))
-    return wrong;
+  if (!tellsWrong(run)) return wrong;
   const { trace, width: m, accepts } = run;
   const near = closeness(run);
   const nearest = new Map(); // of all that were painted at a sample: how close
@@ -22,11 +25,11 @@ function found(run) {
     const [f, j] = [trace.a0[k], trace.y[k]];
     if (f < 0 || trace.height[k] !== 1) continue;
     for (let i = trace.x[k]; i < trace.x[k] + trace.width[k]; i++) {
-      const c = near(f)?.(i + 0.5, j + 0.5) ?? 0, at = j * m + i;
+      const c = near(f)?.(i + 0.5, j + 0.5) ?? null, at = j * m + i;
       const best = nearest.get(at) ?? -Infinity;
-      if (best > c * MORE && best > 0) wrong.set(at, k);
-      else wrong.delete(at);
-      nearest.set(at, Math.max(best, c));
+      if (c !== null && best - c > MORE * Math.abs(best)) wrong.set(at, k);
+      else wrong.delete(at); // a face seen from its edge has no depth to be told
+      nearest.set(at, Math.max(best, c ?? -Infinity));
     }
   }
   return wrong;

@@ -47,8 +47,10 @@ function figure13(report) {
   const of = (name) => report.algorithms.find((a) => a.name === name);
   const said = (name) => [of(name)?.title, of(name)?.sort_order &&
     `sorts ${of(name).sort_order}`].filter(Boolean).join(" · ");
+  const lesson = (name) => report.lessonPages.find(({ names }) => names.includes(name));
   return [
     taxonomyTree(report.algorithms, { to: (name) => href("algorithm", name), said,
+      watch: (name) => lesson(name) && `${lesson(name).file}${href("", "", { a: name })}`,
       end: "Choose one to see what it did." }),
     h("p", {}, "All algorithms of the testbed in the same tree; the ten are framed."),
     tree(report)];

@@ -23,8 +23,9 @@ export const TEN = new Set(TREE[1].flatMap(([, branches]) =>
 const ROW = 30, X = [8, 150, 280, 470], WIDTH = 860;
 
 // known: the algorithms of the page; to(name): where a leaf leads; said(name): what
-// stands below it; end: what a reader can do with it.
-export function taxonomyTree(known, { to, said, end }) {
+// stands below it; watch(name): where it can be watched at work, null: nowhere; end: what a
+// reader can do with it.
+export function taxonomyTree(known, { to, said, watch, end }) {
   const shapes = [];
   let row = 0;
 
@@ -35,7 +36,11 @@ export function taxonomyTree(known, { to, said, end }) {
       { "text-anchor": "start", "font-size": 13, fill: a ? "var(--link)" : null });
     const idea = text(X[3], y + 16, said(name), { "text-anchor": "start",
       "font-size": 10, fill: "var(--faint)" });
-    shapes.push(a ? s("a", { href: to(name) }, label) : label, idea);
+    const lesson = a && watch?.(name);
+    shapes.push(a ? s("a", { href: to(name) }, label) : label, idea,
+      ...lesson ? [s("a", { class: "watch", href: lesson, "aria-label":
+        `Watch ${a.authors} at work` }, text(WIDTH - 8, y + 4, "watch it", {
+        "text-anchor": "end", "font-size": 13, fill: "var(--link)" }))] : []);
     return y;
   };
 

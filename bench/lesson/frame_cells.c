@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cells over the picture, as looks/solids.js of the page draws them: a cube of a tree,
+ * a cell of a pyramid of voxels or of samples, a texel. */
+#include "bench/lesson/frames.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- Boxes of the world --------------------------------------------------- */
+
+/* The edges of a box, by the images of its corners; some may have none. */
+static void add_wires(struct frames *f, const json_t *corners) {
+  for (size_t c = 0; c < 8; c++)
+    for (size_t axis = 1; axis < 8; axis *= 2) {
+      const json_t *p = json_array_get(corners, c),
+                   *q = json_array_get(corners, c | axis);
+      if (!(c & axis))
+        frames_add_line(f, p, q);
+    }
+}
+
+/* The box of a node. False: it has none. */
+static bool mark_cube(struct frames *f, const struct hsr_subject *subject,
+                      unsigned colour, enum frame_dash dash) {
+  json_int_t instance =
+      subject->id[1] == HSR_NO_ID ? -1 : (json_int_t)subject->id[1];
+  size_t k;
+  const json_t *cube;
+  bool found = false;
+  json_array_foreach(json_object_get(f->structure, "cubes"), k, cube) {
+    if (json_integer_value(json_array_get(cube, 0)) != subject->id[0] ||
+        json_integer_value(json_array_get(cube, 1)) != instance)
+      continue;
+    add_wires(f, json_array_get(cube, 2));
+    found = true;
+  }
+  if (found)
+    frames_stroke(f, colour, 2, dash);
+  return found;
+}
+
+/* The end of the edge of cell number `at` along an axis of n voxels. */
+static double end_of(double lo, double size, json_int_t n, json_int_t at,
+                     json_int_t side) {
+  json_int_t end = at * side < n ? at * side : n;
+  return lo + size * (double)end;
+}
+
+/* Cell number id[1] of level id[0] of a pyramid of voxels, four a side in each level;
+ * below the last level, a voxel. */
+static void mark_voxels(struct frames *f, const struct hsr_subject *subject,
+                        unsigned colour, enum frame_dash dash) {
+  json_int_t n[3], across[3], at[3], side = 1, k = subject->id[1];
+  double size = json_number_value(json_object_get(f->voxels, "size"));
+  long levels = 1;
+  for (int axis = 0; axis < 3; axis++) {
+    n[axis] = json_integer_value(
+        json_array_get(json_object_get(f->voxels, "n"), (size_t)axis));
+    long own = 0;
+    for (json_int_t x = 1; x < n[axis]; x *= 4)
+      own++;
+    levels = own > levels ? own : levels;
+  }
+  for (long l = subject->id[0]; l < levels; l++)
+    side *= 4;
+  for (int axis = 0; axis < 3; axis++) {
+    across[axis] = (n[axis] + side - 1) / side;
+    at[axis] = axis < 2 ? k % across[axis] : k;
+    k /= across[axis];
+  }
+  json_t *corners = json_array();
+  for (int c = 0; c < 8; c++) {
+    double corner[1][3];
+    for (int axis = 0; axis < 3; axis++)
+      corner[0][axis] =
+          end_of(json_number_value(json_array_get(
+                     json_object_get(f->voxels, "lo"), (size_t)axis)),
+                 size, n[axis], at[axis] + (c >> axis & 1), side);
+    json_t *image =
+        lesson_image_json(&f->run->view, (const double(*)[3])corner, 1);
+    hsr_json_append(&corners, json_incref(json_array_get(image, 0)));
+    json_decref(image);
+  }
+  add_wires(f, corners);
+  frames_stroke(f, colour, 2, dash);
+  json_decref(corners);
+}
+
+/* --- Textures ------------------------------------------------------------- */
+
+/* The texels of a level that the steps of a counter are about. */
+struct texture {
+  int counter;
+  uint32_t level, lo[2], hi[2];
+};
+
+static struct texture *texture_of(const struct frames *f,
+                                  const struct hsr_event *event) {
+  struct texture *t = f->textures.items;
+  for (size_t k = 0; k < f->textures.n; k++)
+    if (t[k].counter == event->counter && t[k].level == event->a.id[0])
+      return &t[k];
+  return NULL;
+}
+
+static bool has_window(const struct hsr_event *event) {
+  return event->window.x0 < event->window.x1 &&
+         event->window.y0 < event->window.y1;
+}
+
+static bool is_texel(const struct frames *f, const struct hsr_event *event) {
+  return event->a.kind == HSR_OF_CELL && !has_window(event) &&
+         f->run->answer.drawn.form.type == &hsr_answer_composited;
+}
+
+void frames_note_cells(struct frames *f, const struct hsr_event *event) {
+  if (event->counter >= HSR_MAX_COUNTERS)
+    return;
+  f->has_third[event->counter][0] |= event->a.id[2] != 0;
+  f->has_third[event->counter][1] |= event->b.id[2] != 0;
+}
+
+bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
+  if (!is_texel(f, event))
+    return true;
+  struct texture *t = texture_of(f, event);
+  const uint32_t *at = event->a.id + 1;
+  if (!t) {
+    if (!hsr_arena_grow(&f->arena, &f->textures, sizeof *t))
+      return false;
+    t = (struct texture *)f->textures.items + f->textures.n - 1;
+    *t = (struct texture){
+        event->counter, event->a.id[0], {at[0], at[1]}, {at[0], at[1]}};
+  }
+  for (int k = 0; k < 2; k++) {
+    t->lo[k] = at[k] < t->lo[k] ? at[k] : t->lo[k];
+    t->hi[k] = at[k] > t->hi[k] ? at[k] : t->hi[k];
+  }
+  return true;
+}
+
+/* A texel that is not on the screen yet: in a small map of its level. */
+static void mark_texel(struct frames *f, const struct hsr_event *event,
+                       unsigned colour) {
+  const struct texture *t = texture_of(f, event);
+  if (!t)
+    return;
+  double across = t->hi[0] - t->lo[0] + 1., down = t->hi[1] - t->lo[1] + 1.,
+         unit = .32 * f->run->view.m / fmax(across, down);
+  cairo_rectangle(f->cairo, 1, 1, unit * across, unit * down);
+  frames_stroke(f, FRAME_INK, 1.2, FRAME_SOLID);
+  cairo_rectangle(f->cairo, 1 + unit * (event->a.id[1] - t->lo[0]),
+                  1 + unit * (event->a.id[2] - t->lo[1]), unit, unit);
+  frames_set_colour(f->cairo, colour, .7);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 2, FRAME_SOLID);
+}
+
+/* --- Cells ---------------------------------------------------------------- */
+
+void frames_mark_cell(struct frames *f, const struct hsr_event *event,
+                      const struct hsr_subject *subject, unsigned colour,
+                      enum frame_dash dash) {
+  const struct hsr_window *w = &event->window;
+  bool has_third = f->has_third[event->counter][subject == &event->b];
+  if (subject->kind != HSR_OF_CELL)
+    return;
+  if (f->voxels)
+    mark_voxels(f, subject, colour, dash);
+  else if (!has_third && mark_cube(f, subject, colour, dash))
+    return;
+  else if (json_object_get(f->structure, "separators") ||
+           (json_object_get(f->structure, "nodes") && !has_third))
+    return;
+  else if (is_texel(f, event))
+    mark_texel(f, event, colour);
+  else if (has_window(event)) {
+    cairo_rectangle(f->cairo, w->x0, w->y0, w->x1 - w->x0, w->y1 - w->y0);
+    frames_set_colour(f->cairo, colour, dash == FRAME_SOLID ? .15 : .09);
+    cairo_fill_preserve(f->cairo);
+    frames_stroke(f, colour, 1.5, dash);
+  }
+}
