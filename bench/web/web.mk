@@ -27,7 +27,7 @@ export NODE_OPTIONS := --no-experimental-fetch
 # libraries. bench/web/left_out.c stands for it.
 left_out = common/files/vtk/% common/paper/plot_cairo.c common/paper/plot_dxf.cc \
   bench/%/command.c bench/trace/output.c bench/trace/tracer.c bench/lesson/frame% \
-  bench/lesson/page.c bench/lesson/survey.c \
+  bench/lesson/page.c bench/lesson/survey.c bench/lesson/tree.c \
   bench/modules/outside.c bench/results/figures.c bench/results/results.c \
   bench/results/times.c bench/run/serve.c bench/run/stage.c bench/run/worker.c
 # The rooms of bench/ that serve the library and the lessons. What nothing calls,
