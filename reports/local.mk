@@ -77,11 +77,16 @@ lesson_sources = \
   %D%/lesson/kinds/shared/parts.js \
   %D%/lesson/kinds/shared/samples.js \
   %D%/lesson/lessons/all.js \
+  %D%/lesson/lessons/areas.js \
+  %D%/lesson/lessons/culling.js \
   %D%/lesson/lessons/first.js \
   %D%/lesson/lessons/image.js \
   %D%/lesson/lessons/later.js \
   %D%/lesson/lessons/lists.js \
   %D%/lesson/lessons/object.js \
+  %D%/lesson/lessons/stages.js \
+  %D%/lesson/lessons/untried.js \
+  %D%/lesson/lessons/volumes.js \
   %D%/lesson/looks/all.js \
   %D%/lesson/looks/boxes.js \
   %D%/lesson/looks/faces.js \

@@ -141,7 +141,7 @@ await test("what lies under the pointer is named, and why", async () => {
 
 await test("pictures blink, and show where the work went", async () => {
   await go("#/?s=house&a=warnock,watkins&overlay=work&blink=1");
-  await page.waitForFunction(() => /the work at/.test(
+  await page.waitForFunction(() => /looked .* times at a sample/.test(
     document.querySelector(".facts-of").textContent));
   assert.equal(await page.locator(".easel:visible").count(), 1);
   assert.equal(await page.locator(".blink-name:visible").count(), 1);
