@@ -39,7 +39,7 @@ const orderLesson = ([idea, how]) => ({
     ["The first cell of the order that is drawn", { name: "cells", outcome: "drawn" }],
     ["A side of it that faces the eye is drawn", { name: "sides", nth: 1 }],
     ["A cell that comes later covers it", { name: "writes", covers: true }],
-    ["This cell is out of sight", { name: "cells", outcome: "out of sight" }],
+    ["A cell is out of sight", { name: "cells", outcome: "out of sight" }],
     ["Half of the sides are drawn", { name: "sides", at: 0.5 }],
     ["The last side of the order, the nearest to the eye", { name: "sides", nth: -1 }],
   ],
@@ -57,9 +57,9 @@ const SPLATS = "Each sample of the grid is thrown at the picture like a ball of 
 const SPLAT_MOMENTS = [
   ["A row of samples is in the picture", { name: "rows", pick: "largest" }],
   ["A sample of the grid is visited", { name: "samples", nth: 1 }],
-  ["Its splat is put into the picture", { name: "splats", outcome: "drawn",
+  ["A splat is put into the picture", { name: "splats", outcome: "drawn",
     pick: "largest" }],
-  ["A pixel gets its part of it, by the distance from the middle", { name: "updates",
+  ["A pixel gets its part of a splat, by the distance from the middle", { name: "updates",
     nth: 1 }],
   ["A quarter of the splats", { name: "splats", at: 0.25 }],
   ["Half of the splats", { name: "splats", at: 0.5 }],
@@ -99,7 +99,7 @@ const textureLesson = (idea, how, source) => ({ idea, text: [how, TEXTURES], sou
     ["The ray of a pixel is met with the layer", { name: "rays", nth: 1 }],
     ["What is made before the picture", { name: "built", nth: 1 }],
     ["A texel is read", { name: "texels", nth: 1 }],
-    ["The pixel gets its color", { name: "writes", nth: 1 }],
+    ["A pixel gets its color", { name: "writes", nth: 1 }],
     ["A pixel that is far away: its texels", { name: "texels", at: 0.1 }],
     ["A pixel that is near: its texels", { name: "texels", nth: -1 }],
   ],
@@ -141,7 +141,7 @@ export const tilingSolids = {
     ["A cell of voxels is visited", { name: "finest cells", pick: "largest" }],
     ["A voxel’s middle is too close to a plane for doubles: exact numbers decide",
       { name: "exact decisions", pick: "largest" }],
-    ["All of these are in the solid", { name: "covered", pick: "largest" }],
+    ["What is in the solid is written", { name: "covered", pick: "largest" }],
   ],
   find: ["How many masks of planes are made for each cell?", (run) => {
     const cells = countOf(run, "cells") + countOf(run, "finest cells");
