@@ -38,7 +38,7 @@ const orderLesson = ([idea, how]) => ({
     ["A row of cells is come to", { name: "runs", pick: "largest" }],
     ["The first cell of the order that is drawn", { name: "cells", outcome: "drawn" }],
     ["A side of it that faces the eye is drawn", { name: "sides", nth: 1 }],
-    ["A cell that comes later covers it", { name: "writes", covers: true }],
+    ["A cell that comes later covers what was there", { name: "writes", covers: true }],
     ["A cell is out of sight", { name: "cells", outcome: "out of sight" }],
     ["Half of the sides are drawn", { name: "sides", at: 0.5 }],
     ["The last side of the order, the nearest to the eye", { name: "sides", nth: -1 }],
