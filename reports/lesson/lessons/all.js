@@ -7,7 +7,7 @@
 //            any order. telling/moments.js says what a rule is. The question can be
 //            answered from the picture before the step; answers: other words for
 //            outcomes
-// needs      [{ of, why, instead }]: what a scene has to make happen to show the
+// needs      [{ of or name, why, instead }]: what a scene has to make happen to show the
 //            idea; if it does not, why, and a scene that does
 // find       [question, answer(run)]: something to find out, and what the run says
 import { aBuffer, errorBounded, warnockEdges, weilerAtherton, zzBuffer } from "./areas.js";

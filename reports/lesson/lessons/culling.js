@@ -16,7 +16,7 @@ export const clark = {
   "Nothing is asked about what hides what. A face that is in view is drawn, also if " +
     "others hide it. The hierarchical z-buffer asks that, too."],
   source: `J. H. Clark, Communications of the ACM 19, 1976; ${THESIS}`,
-  needs: [{ of: "nodes out", instead: "rooms:4",
+  needs: [{ name: "nodes out", instead: "rooms:4",
     why: "All of this scene is in view, so that no group of faces is left out." }],
   moments: [
     ["A node of the octree is come to", { name: "nodes visited", pick: "largest" }],
@@ -75,7 +75,7 @@ export const pvs = {
   "The faces that were met are the potentially visible set. It holds all that is visible, and " +
     "some more. A z-buffer draws it."],
   source: `D. Luebke and C. Georges, Portals and mirrors, 1995; ${THESIS}`,
-  needs: [{ of: "portals", instead: "rooms:4",
+  needs: [{ name: "portals", instead: "rooms:4",
     why: "This scene has no rooms with openings between them." }],
   moments: [
     ["The eye is in this cell", { name: "start cells", pick: "largest" }],

@@ -200,7 +200,7 @@ export function boxOf(run, shapes) {
 // --- What the scene lacks ---
 
 // Why the scene cannot show some of the idea, and which one does: [{ why, instead }].
-export const lacks = (run) => (lessonOf(run)?.needs ?? []).filter(({ of }) => {
-  const c = counterNamed(run, of);
+export const lacks = (run) => (lessonOf(run)?.needs ?? []).filter(({ of, name }) => {
+  const c = counterNamed(run, of ?? name);
   return c >= 0 && !run.trace.counts[c];
 });
