@@ -35,7 +35,7 @@ export const yzx = {
     ["A corner of one face is before the plane of the other",
       { name: "Z sort", outcome: "in front", pick: "largest", id: "plane" },
       "Is the corner in front of the dashed face’s plane, or behind it?"],
-    ["A face enters. Its bounds and an active one’s are apart in X: no more is asked",
+    ["A face enters. It and an active one are apart in X: no more is asked",
       { name: "minimax tests", outcome: "test 2: apart in X", pick: "apart",
         where: isOfTwo }, PLACE],
     ["They overlap in X: the next question is asked", { name: "minimax tests",

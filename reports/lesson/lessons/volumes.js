@@ -78,7 +78,7 @@ export const splat = splatLesson("Throw the samples at the picture, one after th
 export const splatSheet = splatLesson("Add the splats of a slice, then put slices over one another", [
   "The slices of the grid that face the eye most are taken one by one. The splats of a slice are added " +
   "in a buffer of its own, the sheet. Then the sheet is put over the picture.",
-  "Within a sheet nothing hides anything, so its order does not matter. When the view turns past 45 degrees, another axis " +
+  "Within a sheet nothing hides anything, so its order does not matter. When the view turns far enough, another axis " +
   "has the sheets, and the picture changes at once: it pops."],
 [["The sheet is complete: it is put over the picture", { name: "folds", nth: 1 }],
   ["The last sheet", { name: "folds", nth: -1 }]]);
