@@ -368,6 +368,10 @@ def test_counts():
     ok(list(p.counts) == names and p.counts["X merge"] > 0, f"{p.counts}")
     ok(p.count.tolist() == list(p.counts.values()), "by number")
     raises(hsr.UsageError, "counts", lambda: draw().counts)
+    p = hsr.scene("house").render("zbuffer", (40, 30), work=True)
+    ok(p.work.shape == (30, 40) and p.work.sum() == p.counts["depth tests"],
+       "the work at the samples")
+    raises(hsr.UsageError, "request.work", lambda: draw().work)
 
 
 # --- Memory -------------------------------------------------------------------
