@@ -62,7 +62,7 @@ static bool is_pdf(const struct options *o) {
 /* Whether a name is that of slides or of a picture, which a page is not. */
 static bool is_no_page(const char *name) {
   return hsr_ends_in(name, ".pdf") || hsr_ends_in(name, ".svg") ||
-         hsr_ends_in(name, ".png");
+         hsr_ends_in(name, ".png") || hsr_ends_in(name, ".pptx");
 }
 
 /* Whether the survey's tree is wanted, not its lessons. */

@@ -46,9 +46,9 @@
  *             Coherence", bouknight_list.c).
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h: Table III has one column for Watkins and
- *             Bouknight, though the latter's spans are up to 2 S_l a line. Each of
- *             the two limits is searched at 30 a face, where the formula has 30
- *             for the span */
+ *             Bouknight, though the latter's spans are up to 2 S_l a line. A
+ *             face that is compared at both limits costs 30 twice; the formula
+ *             charges it once a span */
 #include "algorithms/image_space/point/bouknight.h"
 #include "common/answers/kinds/shadowed.h"
 #include "common/answers/kinds/transparent.h"

@@ -21,7 +21,7 @@ export function searchAt(run, k) {
 }
 
 class Replay {
-  // notes: the counters whose events tell of a search, and are no step of it.
+  // notes: counters whose events only tell about a search. The replay skips them.
   constructor(run, search, notes, first, wanted) {
     Object.assign(this, { run, search, notes, at: first, wanted, found: null,
       comparisons: 0, divisions: 0 });
