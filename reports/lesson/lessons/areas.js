@@ -64,8 +64,8 @@ export const weilerAtherton = {
 export const aBuffer = {
   idea: "Keep small masks of what faces cover of a pixel",
   text: ["An edge of a face crosses pixels. Such a pixel should have a mixture of colors. " +
-    "The A-buffer keeps for each pixel what faces cover of it: fragments. A fragment has a mask of 32 bits, " +
-    "one for each place in the pixel.",
+    "The A-buffer keeps for each pixel what faces cover of it: fragments. A fragment has a mask: " +
+    "a bit for each of some places in the pixel.",
   "Most pixels are simple. A face covers all of them, and fragments behind it are thrown away as " +
     "they come. Only complex pixels keep a list.",
   "At the end a pixel is packed: its fragments are gone through from front to back, and each takes " +

@@ -126,9 +126,9 @@ export const textureConvolve = textureLesson("Read every texel that the filter r
 
 export const tilingSolids = {
   idea: "Which solid is each voxel in?",
-  text: ["A convex solid is what lies behind all of its planes. A cell of space is divided into 4 × 4 " +
-    "× 4. For each plane a mask of 64 bits tells which of these are behind it, which are not, and " +
-    "which it crosses. The masks of all planes together tell it of the solid.",
+  text: ["A convex solid is what lies behind all of its planes. A cell of space is divided into " +
+    "smaller cells, four along each axis. For each plane a mask of a bit a cell tells which of these " +
+    "are behind it, which are not, and which it crosses. The masks of all planes together tell it of the solid.",
   "What is inside is written with all that is in it. What is outside is left. Only " +
     "what a plane crosses is divided again.",
   "So it is hierarchical tiling in three dimensions instead of two. Greene thought it possible " +
