@@ -18,8 +18,8 @@ static int greater(int a, int b) {
   return a > b ? a : b;
 }
 
-/* Is there a pyramid, and is it in use? It is not in the first pass of
- * coherence. */
+/* Is there a pyramid or a masked buffer, and is it in use? It is not in the
+ * first pass of coherence. */
 static bool uses_pyramid(const struct hsr_hz_walk *w) {
   return w->choice.pyramid != HSR_HZ_PYRAMID_OFF && !w->plain;
 }
@@ -82,18 +82,29 @@ static void count_tested(const struct hsr_hz_walk *w, uint32_t id,
              window_of(box), 0);
 }
 
-/* Which of n faces does the pyramid hide, by their boxes and nearest corners?
- * Basic or fast test. */
+static bool is_masked(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_MASKED;
+}
+
+/* Is a face hidden, by its box and its nearest corner? The masked buffer has one
+ * test; the pyramid has the basic and the fast one. */
+static bool is_hidden(struct hsr_hz_walk *w, struct hsr_bounds box, float q,
+                      uint32_t id) {
+  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(id));
+  return w->choice.polygons == HSR_HZ_POLYGONS_BASIC && !is_masked(w)
+             ? hsr_pyramid_basic(&w->pyramid, box, q)
+             : hsr_hz_hides(w, box, q);
+}
+
+/* Which of n faces are hidden? The pyramid's fast test takes them together. */
 static void find_hidden(struct hsr_hz_walk *w, int n,
                         const struct hsr_corners *r, int *hidden) {
+  bool together = w->choice.polygons != HSR_HZ_POLYGONS_BASIC && !is_masked(w);
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
-  if (w->choice.polygons != HSR_HZ_POLYGONS_BASIC)
+  if (together)
     hsr_pyramid_hides_triangles(&w->pyramid, n, r, hidden);
-  for (int k = 0; k < n && w->choice.polygons == HSR_HZ_POLYGONS_BASIC; k++) {
-    hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(r->id[k]));
-    hidden[k] =
-        hsr_pyramid_basic(&w->pyramid, box_of(r, k), hsr_nearest_corner(r, k));
-  }
+  for (int k = 0; k < n && !together; k++)
+    hidden[k] = is_hidden(w, box_of(r, k), hsr_nearest_corner(r, k), r->id[k]);
   for (int k = 0; HSR_COUNTING && k < n; k++)
     count_tested(w, r->id[k], box_of(r, k), hidden[k]);
 }
@@ -156,10 +167,7 @@ static bool is_out(struct hsr_hz_walk *w, uint32_t f) {
     return true;
   if (!tests_faces(w))
     return false;
-  hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(id_of(t, f)));
-  bool hidden = w->choice.polygons == HSR_HZ_POLYGONS_BASIC
-                    ? hsr_pyramid_basic(&w->pyramid, box, q)
-                    : hsr_pyramid_hides(&w->pyramid, box, q);
+  bool hidden = is_hidden(w, box, q, id_of(t, f));
   count_tested(w, id_of(t, f), box, hidden);
   return hidden;
 }
@@ -207,7 +215,9 @@ void hsr_hz_tile_face(struct hsr_hz_walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(id_of(t, f)), HSR_THE_WINDOW,
            window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
-  if (uses_pyramid(w))
+  if (is_masked(w))
+    hsr_masked_put_shown(&w->masked, t, id_of(t, f), t->screen.bounds[f]);
+  else if (uses_pyramid(w))
     make_stale(w, t->screen.bounds[f]);
 }
 
@@ -227,8 +237,9 @@ static void leave_out_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
     bool hidden = b->good[k];
     for (int l = k; l < end && hidden; l++) {
       struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, l);
-      hidden =
-          hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle);
+      hidden = is_masked(w) ? hsr_masked_hides_triangle(&w->masked, &triangle)
+                            : hsr_pyramid_hides_triangle(
+                                  &w->pyramid, &w->frame.tiler, &triangle);
     }
     if (!hidden)
       continue;
@@ -239,14 +250,17 @@ static void leave_out_definitively(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
+static float farthest_corner(const struct hsr_corners *r, int k) {
+  float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
+  return r->qc[k] < q ? r->qc[k] : q;
+}
+
 /* Are all triangles of a run nearer than the nearest depth of the entry around
  * their box? */
 static bool is_before(struct hsr_hz_walk *w, const struct hsr_corners *r, int k,
                       int end) {
   for (; k < end; k++) {
-    float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
-    q = r->qc[k] < q ? r->qc[k] : q;
-    if (!hsr_pyramid_before(&w->pyramid, box_of(r, k), q))
+    if (!hsr_pyramid_before(&w->pyramid, box_of(r, k), farthest_corner(r, k)))
       return false;
   }
   return true;
@@ -275,6 +289,13 @@ static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
+/* Puts the fast triangle k, which has been tiled, into the masked buffer. */
+static void put_into_masked(struct hsr_hz_walk *w, const struct hsr_batch *b,
+                            int k) {
+  struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
+  hsr_masked_put(&w->masked, &triangle, farthest_corner(&b->corners, k));
+}
+
 /* Tiles what is left of a batch: fast triangles together, then the others. */
 static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
@@ -290,7 +311,9 @@ static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
     if (!k || r->id[k] != r->id[k - 1])
       HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
                window_of(box_of(r, k)), 0);
-    if (tests)
+    if (is_masked(w))
+      put_into_masked(w, b, k);
+    else if (tests)
       make_stale(w, box_of(r, k));
   }
   for (int k = 0; k < b->n && b->general; k++)

@@ -95,7 +95,7 @@ static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
       w->choice.cubes != HSR_HZ_CUBES_SIDES &&
       hsr_pyramid_before(&w->pyramid, box, q))
     return false;
-  return hsr_pyramid_hides(&w->pyramid, box, q);
+  return hsr_hz_hides(w, box, q);
 }
 
 /* May a front side be visible? False: it is hidden. */

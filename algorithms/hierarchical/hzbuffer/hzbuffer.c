@@ -5,7 +5,7 @@
  *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
  *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
  *             Santa Cruz, 1995, chapter 3 ("the thesis"). Of coherence=chc:
- *             coherence.c
+ *             coherence.c; of pyramid=masked: algorithms/engines/pyramid/masked.h
  * Notation    octree cube -> node. Primitive, polygon -> face. z -> q = 1/t:
  *             greater is nearer. z-pyramid -> pyramid.far[]; znear pyramid ->
  *             pyramid.near[]. ProcessOctreeNode -> process_node (octrees.c);
@@ -58,6 +58,10 @@ static const struct hsr_word pyramids[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
     {"dual", "with it, and a second one of the nearest depths", 0},
+    {"masked",
+     "a masked depth buffer instead: for tiles of 8 x 8 samples two depths and "
+     "a mask, as Hasselgren and others have it (2016)",
+     0},
     {NULL}};
 static const struct hsr_word placements[] = {
     {"pushed",
@@ -90,7 +94,7 @@ static const struct hsr_option options[] = {
                    PLACEMENT_PUSHED},
     [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
                100000, HSR_HZ_LEAST},
-    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 2,
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 3,
                  HSR_HZ_PYRAMID_ON},
     [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1,
                  HSR_HZ_VOLUMES_CUBES},

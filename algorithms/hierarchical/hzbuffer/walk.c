@@ -56,6 +56,14 @@ static enum hsr_status begin_depths(struct hsr_hz_walk *w,
       (struct hsr_pyramid_count){.tally = job->tally,
                                  .work = job->tally->work,
                                  .work_stride = job->tally->work_stride};
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_MASKED &&
+      hsr_masked_init(&w->masked, window, job->scratch))
+    return HSR_E_NOMEM;
+  w->masked.count =
+      (struct hsr_masked_count){.tally = job->tally,
+                                .updates = HSR_HZ_TILES_MASKED,
+                                .work = job->tally->work,
+                                .work_stride = job->tally->work_stride};
   t->z = w->pyramid.far[0];
   t->ids_stride = (size_t)job->answer->m;
   t->ids = hsr_job_row(job, window->y0) + window->x0;
@@ -114,8 +122,9 @@ static const struct hsr_counter counters[] = {
      HSR_OF_NOTHING, .key = "cube-culled"},
     {"cubes visible", "not known to be hidden", HSR_ACTIVATE, HSR_OF_CELL,
      HSR_OF_NOTHING, .key = "cube-visible"},
-    {"cube reads", "pyramid entries read to test cubes", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES, .key = "cube-read"},
+    {"cube reads", "pyramid entries or masked tiles read to test cubes",
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES,
+     .key = "cube-read"},
     {"sides scanned", "sides of cubes scan-converted", HSR_COMPARE, HSR_OF_CELL,
      HSR_OF_WINDOW, "hidden|visible"},
     {"side samples", "samples looked at for that", HSR_SAMPLE, HSR_OF_CELL,
@@ -130,8 +139,9 @@ static const struct hsr_counter counters[] = {
      HSR_OF_WINDOW},
     {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW,
      .key = "face-tiled"},
-    {"face reads", "pyramid entries read to test faces", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES, .key = "face-read"},
+    {"face reads", "pyramid entries or masked tiles read to test faces",
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES,
+     .key = "face-read"},
     {"faces before", "nearer than anything: tiled without comparisons",
      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     {"cubes again",
@@ -143,6 +153,10 @@ static const struct hsr_counter counters[] = {
      HSR_OF_CELL},
     {"instances down", "that do not move, handed down to an octant then",
      HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
+    {"tiles masked",
+     "of the masked buffer, updated for a face that covers them", HSR_COMPARE,
+     HSR_OF_CELL, HSR_OF_FACE, HSR_MASKED_UPDATE_OUTCOMES,
+     .key = "tile-masked"},
     {NULL}};
 
 static const struct hsr_line last_lines[] = {
@@ -180,6 +194,8 @@ static const struct hsr_line polygon_lines[] = {
      HSR_RAISES(HSR_HZ_FACES_BEFORE)},
     {"      ", .part = &hsr_tiler_part},
     {"    update the z-pyramid"},
+    {"    or the masked buffer: merge its samples of a tile, or drop others",
+     HSR_RAISES(HSR_HZ_TILES_MASKED)},
     {"  ProcessOctreeNode for each octant"},
     {NULL}};
 

@@ -22,6 +22,7 @@
 #include "algorithms/engines/cubes/cube_frame.h"
 #include "algorithms/engines/cubes/cube_list.h"
 #include "algorithms/engines/cubes/cube_octants.h"
+#include "algorithms/engines/pyramid/masked.h"
 #include "algorithms/engines/pyramid/pyramid.h"
 
 #ifdef __cplusplus
@@ -51,7 +52,8 @@ enum {
   HSR_HZ_CUBES_AGAIN,
   HSR_HZ_CUBES_DIVIDED,
   HSR_HZ_FACES_DOWN,
-  HSR_HZ_INSTANCES_DOWN
+  HSR_HZ_INSTANCES_DOWN,
+  HSR_HZ_TILES_MASKED
 };
 /* Groups of lines of its outline: the cubes of the last frame; a node up to its
  * visibility test; its polygons and octants. */
@@ -62,7 +64,12 @@ enum { HSR_HZ_LAST_LINES, HSR_HZ_NODE_LINES, HSR_HZ_POLYGON_LINES };
 /* The words of hzbuffer's options, in the order of the option's words in
  * hzbuffer.c; and one choice of each. */
 enum { HSR_HZ_OCTREE_OFF, HSR_HZ_OCTREE_ON, HSR_HZ_OCTREE_LAZY };
-enum { HSR_HZ_PYRAMID_OFF, HSR_HZ_PYRAMID_ON, HSR_HZ_PYRAMID_DUAL };
+enum {
+  HSR_HZ_PYRAMID_OFF,
+  HSR_HZ_PYRAMID_ON,
+  HSR_HZ_PYRAMID_DUAL,
+  HSR_HZ_PYRAMID_MASKED
+};
 enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT };
 enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE };
 enum {
@@ -125,6 +132,9 @@ struct hsr_hz_walk {
                               above them was brought up to date; or empty */
   bool plain; /* the first pass of coherence: faces are not tested, and the
                  pyramid is not kept up to date */
+  struct hsr_masked
+      masked; /* pyramid=masked: it is asked instead of the pyramid,
+                               of which only level 0, the z-buffer, is kept */
 
   /* Face f of the current instance has been met already if met[f] == visit.
    * Each instance gets another `visit`, so met[] is never cleared. */
@@ -154,14 +164,24 @@ enum hsr_status hsr_hz_begin(struct hsr_hz_walk *walk,
 /* Ends the frame. HSR_E_NOMEM if memory ran out in it. */
 enum hsr_status hsr_hz_end(struct hsr_hz_walk *walk);
 
-/* From now on each entry that is read of the pyramid is a step of `counter`, on
- * behalf of the cube or the face `whom`. */
+/* From now on each entry that is read of the pyramid, or tile of the masked
+ * buffer, is a step of `counter`, on behalf of the cube or the face `whom`. */
 static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
                                    struct hsr_subject whom) {
   if (!HSR_COUNTING)
     return;
-  w->pyramid.count.reads = counter;
-  w->pyramid.count.whom = whom;
+  w->pyramid.count.reads = w->masked.count.reads = counter;
+  w->pyramid.count.whom = w->masked.count.whom = whom;
+}
+
+/* Is what is within a box of samples, and nowhere nearer than depth q, certainly
+ * hidden? By the pyramid's fast test, or by the masked buffer. There must be one of
+ * them. */
+static inline bool hsr_hz_hides(struct hsr_hz_walk *w, struct hsr_bounds box,
+                                float q) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_MASKED
+             ? hsr_masked_hides(&w->masked, box, q)
+             : hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
 /* --- The octrees, from front to back -------------------------------------- */
@@ -243,7 +263,7 @@ void hsr_hz_tile_face(struct hsr_hz_walk *walk, struct hsr_tiler *tiler,
                       uint32_t f);
 
 /* Brings the pyramid up to date above walk->stale. To be called before anything
- * is tested. */
+ * is tested. The masked buffer always is up to date. */
 void hsr_hz_refresh(struct hsr_hz_walk *walk);
 
 /* --- Temporal coherence --------------------------------------------------- */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes: the orders in which the cells of a grid are visited, splats, textures that
 // they are compared with, and solids as voxels. all.js says what a lesson is.
-import { countOf, perEach } from "../telling/figures.js";
+import { perEach } from "../telling/figures.js";
 
 const THESIS = "J. E. Swan II, Object-Order Rendering of Discrete Objects, thesis 1998";
 const ORDERS = {
@@ -143,9 +143,7 @@ export const tilingSolids = {
       { name: "exact decisions", pick: "largest" }],
     ["What is in the solid is written", { name: "covered", pick: "largest" }],
   ],
-  find: ["How many masks of planes are made for each cell?", (run) => {
-    const cells = countOf(run, "cells") + countOf(run, "finest cells");
-    return perEach(run, "masks of planes", cells, "cells");
-  }],
+  find: ["How many finest cells are visited for each larger one?", (run) =>
+    perEach(run, "finest cells", "cells")],
 };
 

@@ -217,6 +217,9 @@ static const char *const choices[] = {
     "hzbuffer:least=2:cubes=sides:coherence=list",
     "hzbuffer:least=2:cubes=sides:coherence=chc",
     "hzbuffer:least=1:pyramid=dual",
+    "hzbuffer:least=2:pyramid=masked",
+    "hzbuffer:least=1:cubes=sides:pyramid=masked:polygons=definitive",
+    "hzbuffer:least=2:pyramid=masked:coherence=passes",
     "clark"};
 
 /* The number of wrong samples with all of these choices. */
@@ -405,10 +408,11 @@ static void test_windows(struct tap *tap, const char *name) {
   static const int sizes[] = {1, 7, 32, 64};
   static const char *const in_windows[] = {
       "hzbuffer", "hzbuffer:cubes=sides:pyramid=dual:polygons=definitive",
-      "hzbuffer:pyramid=off:placement=enclosing", "clark"};
+      "hzbuffer:pyramid=off:placement=enclosing", "hzbuffer:pyramid=masked",
+      "clark"};
   struct known *k = open_known(name);
   long wrong = 0;
-  for (int c = 0; c < 4; c++) {
+  for (int c = 0; c < 5; c++) {
     struct hsr_variant variant;
     struct hsr_setup setup;
     struct hsr_error err = {.text = "out of memory"};

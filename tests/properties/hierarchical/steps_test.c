@@ -665,6 +665,8 @@ static const char *const variants[] = {
     "hzbuffer:cubes=whole:volumes=tight:least=4",
     "hzbuffer:pyramid=dual",
     "hzbuffer:pyramid=dual:cubes=sides",
+    "hzbuffer:pyramid=masked",
+    "hzbuffer:pyramid=masked:polygons=definitive:coherence=list",
     "hzbuffer:polygons=basic",
     "hzbuffer:polygons=definitive",
     "hzbuffer:polygons=none:placement=enclosing:least=2",
