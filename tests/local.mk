@@ -85,6 +85,7 @@ tap_programs = \
   %D%/trace/file_test \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
+  %D%/unit/algorithms/maps_test \
   %D%/unit/algorithms/masked_test \
   %D%/unit/algorithms/masks_test \
   %D%/unit/algorithms/octants_test \
@@ -222,6 +223,7 @@ quick_units = \
   %D%/conformance/trace_test \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
+  %D%/unit/algorithms/maps_test \
   %D%/unit/algorithms/masked_test \
   %D%/unit/algorithms/masks_test \
   %D%/unit/algorithms/octants_test \
@@ -348,6 +350,7 @@ LDADD = libtests.a $(HSR_LIBS)
 %D%/properties/hierarchical/movers_test.$(OBJEXT) \
 %D%/properties/tiling/voxels_test.$(OBJEXT) \
 %D%/unit/algorithms/cubes_test.$(OBJEXT) \
+%D%/unit/algorithms/maps_test.$(OBJEXT) \
 %D%/unit/algorithms/masked_test.$(OBJEXT) \
 %D%/unit/algorithms/pyramid_test.$(OBJEXT): algorithms/counting-names.h
 

@@ -17,6 +17,8 @@ algorithm_files += \
   %D%/tiler/tiler_avx2.h \
   %D%/tiler/tiler_avx512.h \
   %D%/tiler/tiler_twin.h \
+  %D%/pyramid/maps.c \
+  %D%/pyramid/maps.h \
   %D%/pyramid/masked.c \
   %D%/pyramid/masked.h \
   %D%/pyramid/pyramid.c \

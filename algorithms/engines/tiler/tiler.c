@@ -518,10 +518,11 @@ static void samples_within(int lo, int hi, int first, int *from, int *to) {
 }
 
 bool hsr_tiler_bound(const struct hsr_tiler *t, uint32_t f,
-                     struct hsr_bounds *box, float *nearest) {
+                     struct hsr_bounds *box, float *nearest, float *farthest) {
   const struct hsr_mesh *mesh = &t->screen.world->mesh;
   int x0 = INT_MAX, y0 = INT_MAX, x1 = INT_MIN, y1 = INT_MIN;
   *nearest = 0;
+  *farthest = HUGE_VALF;
   for (uint32_t c = mesh->start[f]; c < mesh->start[f + 1]; c++) {
     const struct hsr_corner *v = &t->corner[mesh->vertex[c]];
     if (v->x == UNSAFE || !t->on_grid)
@@ -531,6 +532,7 @@ bool hsr_tiler_bound(const struct hsr_tiler *t, uint32_t f,
     y0 = v->y < y0 ? v->y : y0;
     y1 = v->y > y1 ? v->y : y1;
     *nearest = v->q > *nearest ? v->q : *nearest;
+    *farthest = v->q < *farthest ? v->q : *farthest;
   }
   *box = (struct hsr_bounds){t->window.x0, t->window.y0, t->window.x1,
                              t->window.y1};

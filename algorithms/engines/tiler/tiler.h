@@ -281,10 +281,10 @@ void hsr_tiler_tile_before(struct hsr_tiler *tiler,
                            const struct hsr_triangle *triangle);
 
 /* The box of the samples that face f of the tiler's world may cover, which may be
- * empty, and its nearest depth, from its snapped corners. False if they do not
- * tell. corner[] must be that of the world. */
+ * empty, and its nearest and its farthest depth, from its snapped corners. False if
+ * they do not tell. corner[] must be that of the world. */
 bool hsr_tiler_bound(const struct hsr_tiler *tiler, uint32_t f,
-                     struct hsr_bounds *box, float *nearest);
+                     struct hsr_bounds *box, float *nearest, float *farthest);
 
 /* The general way, for face f of the tiler's world. hsr_tiler_place: finds its
  * plane and its box; false if it does not exist in this view or has no sample

@@ -18,10 +18,23 @@ static int greater(int a, int b) {
   return a > b ? a : b;
 }
 
-/* Is there a pyramid or a masked buffer, and is it in use? It is not in the
- * first pass of coherence. */
-static bool uses_pyramid(const struct hsr_hz_walk *w) {
-  return w->choice.pyramid != HSR_HZ_PYRAMID_OFF && !w->plain;
+/* Can a face be tested? In the first pass of coherence none is. */
+static bool can_test(const struct hsr_hz_walk *w) {
+  return hsr_hz_can_hide(w) && !w->plain;
+}
+
+static bool is_masked(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_MASKED;
+}
+
+static bool has_maps(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_MAPS;
+}
+
+/* Is there a pyramid? */
+static bool has_pyramid(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_ON ||
+         w->choice.pyramid == HSR_HZ_PYRAMID_DUAL;
 }
 
 /* The scene's id of face f of a tiler's world: a cell, or the loose faces. */
@@ -82,16 +95,12 @@ static void count_tested(const struct hsr_hz_walk *w, uint32_t id,
              window_of(box), 0);
 }
 
-static bool is_masked(const struct hsr_hz_walk *w) {
-  return w->choice.pyramid == HSR_HZ_PYRAMID_MASKED;
-}
-
-/* Is a face hidden, by its box and its nearest corner? The masked buffer has one
- * test; the pyramid has the basic and the fast one. */
+/* Is a face hidden, by its box and its nearest corner? The pyramid has a basic
+ * test, too. */
 static bool is_hidden(struct hsr_hz_walk *w, struct hsr_bounds box, float q,
                       uint32_t id) {
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(id));
-  return w->choice.polygons == HSR_HZ_POLYGONS_BASIC && !is_masked(w)
+  return w->choice.polygons == HSR_HZ_POLYGONS_BASIC && has_pyramid(w)
              ? hsr_pyramid_basic(&w->pyramid, box, q)
              : hsr_hz_hides(w, box, q);
 }
@@ -99,7 +108,7 @@ static bool is_hidden(struct hsr_hz_walk *w, struct hsr_bounds box, float q,
 /* Which of n faces are hidden? The pyramid's fast test takes them together. */
 static void find_hidden(struct hsr_hz_walk *w, int n,
                         const struct hsr_corners *r, int *hidden) {
-  bool together = w->choice.polygons != HSR_HZ_POLYGONS_BASIC && !is_masked(w);
+  bool together = w->choice.polygons != HSR_HZ_POLYGONS_BASIC && has_pyramid(w);
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
   if (together)
     hsr_pyramid_hides_triangles(&w->pyramid, n, r, hidden);
@@ -152,7 +161,7 @@ static void leave_out_repeated(struct hsr_hz_walk *w, struct hsr_batch *b) {
 }
 
 static bool tests_faces(const struct hsr_hz_walk *w) {
-  return uses_pyramid(w) && w->choice.polygons != HSR_HZ_POLYGONS_NONE;
+  return can_test(w) && w->choice.polygons != HSR_HZ_POLYGONS_NONE;
 }
 
 /* Has face f of the current cell, which goes the general way, no sample, or does
@@ -160,8 +169,8 @@ static bool tests_faces(const struct hsr_hz_walk *w) {
 static bool is_out(struct hsr_hz_walk *w, uint32_t f) {
   const struct hsr_tiler *t = &w->frame.tiler;
   struct hsr_bounds box;
-  float q;
-  if (!hsr_tiler_bound(t, f, &box, &q))
+  float q, farthest;
+  if (!hsr_tiler_bound(t, f, &box, &q, &farthest))
     return false;
   if (box.x0 >= box.x1 || box.y0 >= box.y1)
     return true;
@@ -187,6 +196,8 @@ static void leave_out_hidden(struct hsr_hz_walk *w, struct hsr_batch *b) {
 }
 
 void hsr_hz_refresh(struct hsr_hz_walk *w) {
+  if (has_maps(w) && !w->maps.made && w->occluders >= w->choice.occluders)
+    hsr_maps_make(&w->maps, &w->frame.tiler);
   if (w->stale.x0 < w->stale.x1)
     hsr_pyramid_update(&w->pyramid, w->stale);
   w->stale = (struct hsr_bounds){0, 0, 0, 0};
@@ -199,11 +210,13 @@ static long area_of_box(const struct hsr_bounds *b) {
 /* Something was tiled in a box, so the pyramid above it is not up to date. To
  * save updates, boxes are gathered in one box around them, as long as that has
  * no more samples than they have. Otherwise the pyramid is updated for those
- * gathered so far. */
+ * gathered so far. In the first pass of coherence it is not updated. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
                             greater(s->x1, box.x1), greater(s->y1, box.y1)};
+  if (!has_pyramid(w) || w->plain)
+    return;
   if (area_of_box(&both) > area_of_box(s) + area_of_box(&box)) {
     hsr_hz_refresh(w);
     both = box;
@@ -211,14 +224,39 @@ static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   w->stale = both;
 }
 
+/* Face `id` is tiled. Until the maps are made, it is an occluder. */
+static void count_tiled(struct hsr_hz_walk *w, uint32_t id,
+                        struct hsr_bounds box) {
+  HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(id), HSR_THE_WINDOW,
+           window_of(box), 0);
+  if (!has_maps(w) || w->maps.made)
+    return;
+  w->occluders++;
+  HSR_STEP(w->tally, HSR_HZ_OCCLUDERS, HSR_FACE(id), HSR_THE_WINDOW,
+           window_of(box), 0);
+}
+
+/* Nothing of face f is farther than that. 0: its corners do not tell, or it is
+ * not of the current cell. */
+static float farthest_of(const struct hsr_hz_walk *w, const struct hsr_tiler *t,
+                         uint32_t f) {
+  struct hsr_bounds box;
+  float nearest, farthest;
+  return t == &w->frame.tiler &&
+                 hsr_tiler_bound(t, f, &box, &nearest, &farthest)
+             ? farthest
+             : 0;
+}
+
 void hsr_hz_tile_face(struct hsr_hz_walk *w, struct hsr_tiler *t, uint32_t f) {
-  HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(id_of(t, f)), HSR_THE_WINDOW,
-           window_of(t->screen.bounds[f]), 0);
+  struct hsr_bounds box = t->screen.bounds[f];
+  count_tiled(w, id_of(t, f), box);
   hsr_tiler_tile_generally(t, f);
   if (is_masked(w))
-    hsr_masked_put_shown(&w->masked, t, id_of(t, f), t->screen.bounds[f]);
-  else if (uses_pyramid(w))
-    make_stale(w, t->screen.bounds[f]);
+    hsr_masked_put_shown(&w->masked, t, id_of(t, f), box);
+  if (has_maps(w) && !w->maps.made)
+    hsr_maps_note(&w->maps, box, farthest_of(w, t, f));
+  make_stale(w, box);
 }
 
 /* Tiles face f of the current cell the general way, if it has a sample. */
@@ -289,18 +327,24 @@ static void tile_before_all(struct hsr_hz_walk *w, struct hsr_batch *b) {
   }
 }
 
-/* Puts the fast triangle k, which has been tiled, into the masked buffer. */
-static void put_into_masked(struct hsr_hz_walk *w, const struct hsr_batch *b,
-                            int k) {
-  struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
-  hsr_masked_put(&w->masked, &triangle, farthest_corner(&b->corners, k));
+/* The fast triangle k has been tiled. Whatever tests what follows hears of it. */
+static void note_tiled(struct hsr_hz_walk *w, const struct hsr_batch *b,
+                       int k) {
+  const struct hsr_corners *r = &b->corners;
+  if (is_masked(w)) {
+    struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
+    hsr_masked_put(&w->masked, &triangle, farthest_corner(r, k));
+  }
+  if (has_maps(w) && !w->maps.made)
+    hsr_maps_note(&w->maps, box_of(r, k), farthest_corner(r, k));
+  make_stale(w, box_of(r, k));
 }
 
 /* Tiles what is left of a batch: fast triangles together, then the others. */
 static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
-  bool tests = uses_pyramid(w);
-  if (tests && w->choice.polygons == HSR_HZ_POLYGONS_DEFINITIVE)
+  bool tests = can_test(w);
+  if (tests && w->choice.polygons == HSR_HZ_POLYGONS_DEFINITIVE && !has_maps(w))
     leave_out_definitively(w, b);
   if (tests && w->choice.pyramid == HSR_HZ_PYRAMID_DUAL)
     tile_before_all(w, b);
@@ -309,12 +353,8 @@ static void tile_batch(struct hsr_hz_walk *w, struct hsr_batch *b) {
     if (!b->good[k])
       continue;
     if (!k || r->id[k] != r->id[k - 1])
-      HSR_STEP(w->tally, HSR_HZ_FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
-               window_of(box_of(r, k)), 0);
-    if (is_masked(w))
-      put_into_masked(w, b, k);
-    else if (tests)
-      make_stale(w, box_of(r, k));
+      count_tiled(w, r->id[k], box_of(r, k));
+    note_tiled(w, b, k);
   }
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)

@@ -37,8 +37,11 @@ enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
     }
   }
   w->plain = false;
-  hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){window->x0, window->y0,
-                                                      window->x1, window->y1});
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_ON ||
+      w->choice.pyramid == HSR_HZ_PYRAMID_DUAL)
+    w->stale =
+        (struct hsr_bounds){window->x0, window->y0, window->x1, window->y1};
+  hsr_hz_refresh(w);
   return hsr_cube_marks_init(&w->rendered, w->last, w->frame.cubes,
                              w->frame.job->scratch);
 }

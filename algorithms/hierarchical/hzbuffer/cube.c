@@ -153,6 +153,8 @@ bool hsr_hz_passes_pyramid(struct hsr_hz_walk *w,
                            struct hsr_octree_box cube,
                            struct hsr_subject subject) {
   struct tested c = {.placing = placing, .box = cube, .subject = subject};
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_MAPS && !hsr_hz_can_hide(w))
+    return true; /* occluders are being tiled */
   if (!hsr_cube_project(&w->frame, placing, &cube, &c.image))
     return true; /* the eye may be inside, or the near plane meet it */
   hsr_hz_read_for(w, HSR_HZ_CUBE_READS, subject);

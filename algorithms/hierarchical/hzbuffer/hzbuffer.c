@@ -5,7 +5,8 @@
  *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
  *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
  *             Santa Cruz, 1995, chapter 3 ("the thesis"). Of coherence=chc:
- *             coherence.c; of pyramid=masked: algorithms/engines/pyramid/masked.h
+ *             coherence.c; of pyramid=masked and pyramid=maps:
+ *             algorithms/engines/pyramid/masked.h and maps.h
  * Notation    octree cube -> node. Primitive, polygon -> face. z -> q = 1/t:
  *             greater is nearer. z-pyramid -> pyramid.far[]; znear pyramid ->
  *             pyramid.near[]. ProcessOctreeNode -> process_node (octrees.c);
@@ -29,6 +30,10 @@
  *             The root of the instance's own octree is tested instead.
  *             - The fast test begins at the finest level where the rectangle
  *             meets at most 2 x 2 entries, not at the one entry around it.
+ *             - pyramid=maps: the occluders are the faces that come first, from
+ *             front to back, until there are `occluders` of them. Cubes and
+ *             faces are tested from then on. The paper chooses them by size and
+ *             nearness from a database, and renders them before the rest.
  *             - octree=lazy keeps for later frames what it has divided (thesis,
  *             3.4).
  *             - The build that is timed projects the octants of a cube
@@ -62,6 +67,10 @@ static const struct hsr_word pyramids[] = {
      "a masked depth buffer instead: for tiles of 8 x 8 samples two depths and "
      "a mask, as Hasselgren and others have it (2016)",
      0},
+    {"maps",
+     "hierarchical occlusion maps instead, of the occluders that are tiled "
+     "first, as Zhang and others have it (1997)",
+     0},
     {NULL}};
 static const struct hsr_word placements[] = {
     {"pushed",
@@ -85,7 +94,17 @@ static const struct hsr_word polygon_tests[] = {
     {"definitive", "recursion into what the face covers", 0},
     {"none", "no test", 0},
     {NULL}};
-enum { OCTREE, PLACEMENT, LEAST, PYRAMID, VOLUMES, CUBES, POLYGONS, COHERENCE };
+enum {
+  OCTREE,
+  PLACEMENT,
+  LEAST,
+  PYRAMID,
+  OCCLUDERS,
+  VOLUMES,
+  CUBES,
+  POLYGONS,
+  COHERENCE
+};
 enum { PLACEMENT_PUSHED, PLACEMENT_ENCLOSING };
 
 static const struct hsr_option options[] = {
@@ -94,8 +113,12 @@ static const struct hsr_option options[] = {
                    PLACEMENT_PUSHED},
     [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
                100000, HSR_HZ_LEAST},
-    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 3,
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 4,
                  HSR_HZ_PYRAMID_ON},
+    [OCCLUDERS] =
+        {"occluders",
+         "pyramid=maps: the faces to be tiled before the maps are made", NULL,
+         1, 1000000, 2000},
     [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1,
                  HSR_HZ_VOLUMES_CUBES},
     [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2,
@@ -109,6 +132,7 @@ static const struct hsr_option options[] = {
 static struct hsr_hz_choice choice_of(const long *option) {
   return (struct hsr_hz_choice){.octree = option[OCTREE],
                                 .pyramid = option[PYRAMID],
+                                .occluders = option[OCCLUDERS],
                                 .volumes = option[VOLUMES],
                                 .cubes = option[CUBES],
                                 .polygons = option[POLYGONS],

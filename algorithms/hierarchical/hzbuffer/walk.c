@@ -56,14 +56,20 @@ static enum hsr_status begin_depths(struct hsr_hz_walk *w,
       (struct hsr_pyramid_count){.tally = job->tally,
                                  .work = job->tally->work,
                                  .work_stride = job->tally->work_stride};
-  if (w->choice.pyramid == HSR_HZ_PYRAMID_MASKED &&
-      hsr_masked_init(&w->masked, window, job->scratch))
+  if ((w->choice.pyramid == HSR_HZ_PYRAMID_MASKED &&
+       hsr_masked_init(&w->masked, window, job->scratch)) ||
+      (w->choice.pyramid == HSR_HZ_PYRAMID_MAPS &&
+       hsr_maps_init(&w->maps, window, job->scratch)))
     return HSR_E_NOMEM;
   w->masked.count =
       (struct hsr_masked_count){.tally = job->tally,
                                 .updates = HSR_HZ_TILES_MASKED,
                                 .work = job->tally->work,
                                 .work_stride = job->tally->work_stride};
+  w->maps.count =
+      (struct hsr_maps_count){.tally = job->tally,
+                              .work = job->tally->work,
+                              .work_stride = job->tally->work_stride};
   t->z = w->pyramid.far[0];
   t->ids_stride = (size_t)job->answer->m;
   t->ids = hsr_job_row(job, window->y0) + window->x0;
@@ -122,7 +128,8 @@ static const struct hsr_counter counters[] = {
      HSR_OF_NOTHING, .key = "cube-culled"},
     {"cubes visible", "not known to be hidden", HSR_ACTIVATE, HSR_OF_CELL,
      HSR_OF_NOTHING, .key = "cube-visible"},
-    {"cube reads", "pyramid entries or masked tiles read to test cubes",
+    {"cube reads",
+     "entries of the pyramid or the maps, or masked tiles, read to test cubes",
      HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES,
      .key = "cube-read"},
     {"sides scanned", "sides of cubes scan-converted", HSR_COMPARE, HSR_OF_CELL,
@@ -139,7 +146,8 @@ static const struct hsr_counter counters[] = {
      HSR_OF_WINDOW},
     {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW,
      .key = "face-tiled"},
-    {"face reads", "pyramid entries or masked tiles read to test faces",
+    {"face reads",
+     "entries of the pyramid or the maps, or masked tiles, read to test faces",
      HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES,
      .key = "face-read"},
     {"faces before", "nearer than anything: tiled without comparisons",
@@ -157,6 +165,8 @@ static const struct hsr_counter counters[] = {
      "of the masked buffer, updated for a face that covers them", HSR_COMPARE,
      HSR_OF_CELL, HSR_OF_FACE, HSR_MASKED_UPDATE_OUTCOMES,
      .key = "tile-masked"},
+    {"occluders", "faces tiled before the occlusion maps are made",
+     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW, .key = "occluder"},
     {NULL}};
 
 static const struct hsr_line last_lines[] = {
@@ -196,6 +206,8 @@ static const struct hsr_line polygon_lines[] = {
     {"    update the z-pyramid"},
     {"    or the masked buffer: merge its samples of a tile, or drop others",
      HSR_RAISES(HSR_HZ_TILES_MASKED)},
+    {"    or it is an occluder: with enough of them, make the occlusion maps",
+     HSR_RAISES(HSR_HZ_OCCLUDERS)},
     {"  ProcessOctreeNode for each octant"},
     {NULL}};
 

@@ -22,6 +22,7 @@
 #include "algorithms/engines/cubes/cube_frame.h"
 #include "algorithms/engines/cubes/cube_list.h"
 #include "algorithms/engines/cubes/cube_octants.h"
+#include "algorithms/engines/pyramid/maps.h"
 #include "algorithms/engines/pyramid/masked.h"
 #include "algorithms/engines/pyramid/pyramid.h"
 
@@ -53,7 +54,8 @@ enum {
   HSR_HZ_CUBES_DIVIDED,
   HSR_HZ_FACES_DOWN,
   HSR_HZ_INSTANCES_DOWN,
-  HSR_HZ_TILES_MASKED
+  HSR_HZ_TILES_MASKED,
+  HSR_HZ_OCCLUDERS
 };
 /* Groups of lines of its outline: the cubes of the last frame; a node up to its
  * visibility test; its polygons and octants. */
@@ -68,7 +70,8 @@ enum {
   HSR_HZ_PYRAMID_OFF,
   HSR_HZ_PYRAMID_ON,
   HSR_HZ_PYRAMID_DUAL,
-  HSR_HZ_PYRAMID_MASKED
+  HSR_HZ_PYRAMID_MASKED,
+  HSR_HZ_PYRAMID_MAPS
 };
 enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT };
 enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE };
@@ -86,6 +89,7 @@ enum {
 };
 struct hsr_hz_choice {
   long octree, pyramid, volumes, cubes, polygons, coherence;
+  long occluders; /* pyramid=maps: so many faces, or a few more */
 };
 
 /* The words of the option coherence=, which both modules have. */
@@ -128,13 +132,16 @@ struct hsr_hz_walk {
   bool out_of_memory;
 
   struct hsr_pyramid pyramid;
+
+  /* pyramid=masked or maps: these are asked instead of the pyramid, of which only
+   * level 0, the z-buffer, is kept. */
+  struct hsr_masked masked;
+  struct hsr_maps maps;
+  long occluders; /* faces that have been tiled, until the maps are made */
   struct hsr_bounds stale; /* samples that have been written since the pyramid
                               above them was brought up to date; or empty */
   bool plain; /* the first pass of coherence: faces are not tested, and the
                  pyramid is not kept up to date */
-  struct hsr_masked
-      masked; /* pyramid=masked: it is asked instead of the pyramid,
-                               of which only level 0, the z-buffer, is kept */
 
   /* Face f of the current instance has been met already if met[f] == visit.
    * Each instance gets another `visit`, so met[] is never cleared. */
@@ -164,24 +171,35 @@ enum hsr_status hsr_hz_begin(struct hsr_hz_walk *walk,
 /* Ends the frame. HSR_E_NOMEM if memory ran out in it. */
 enum hsr_status hsr_hz_end(struct hsr_hz_walk *walk);
 
-/* From now on each entry that is read of the pyramid, or tile of the masked
- * buffer, is a step of `counter`, on behalf of the cube or the face `whom`. */
+/* From now on each entry that is read of the pyramid or the maps, or tile of the
+ * masked buffer, is a step of `counter`, on behalf of the cube or the face
+ * `whom`. */
 static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
                                    struct hsr_subject whom) {
   if (!HSR_COUNTING)
     return;
-  w->pyramid.count.reads = w->masked.count.reads = counter;
-  w->pyramid.count.whom = w->masked.count.whom = whom;
+  w->pyramid.count.reads = w->masked.count.reads = w->maps.count.reads =
+      counter;
+  w->pyramid.count.whom = w->masked.count.whom = w->maps.count.whom = whom;
+}
+
+/* Can something be found hidden? Not without a pyramid, nor before the maps are
+ * made. */
+static inline bool hsr_hz_can_hide(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid != HSR_HZ_PYRAMID_OFF &&
+         (w->choice.pyramid != HSR_HZ_PYRAMID_MAPS || w->maps.made);
 }
 
 /* Is what is within a box of samples, and nowhere nearer than depth q, certainly
- * hidden? By the pyramid's fast test, or by the masked buffer. There must be one of
- * them. */
+ * hidden? By the pyramid's fast test, the masked buffer or the maps. There must
+ * be one of them. */
 static inline bool hsr_hz_hides(struct hsr_hz_walk *w, struct hsr_bounds box,
                                 float q) {
-  return w->choice.pyramid == HSR_HZ_PYRAMID_MASKED
-             ? hsr_masked_hides(&w->masked, box, q)
-             : hsr_pyramid_hides(&w->pyramid, box, q);
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_MASKED)
+    return hsr_masked_hides(&w->masked, box, q);
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_MAPS)
+    return hsr_maps_hides(&w->maps, box, q);
+  return hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
 /* --- The octrees, from front to back -------------------------------------- */
@@ -262,8 +280,9 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *walk, uint32_t k);
 void hsr_hz_tile_face(struct hsr_hz_walk *walk, struct hsr_tiler *tiler,
                       uint32_t f);
 
-/* Brings the pyramid up to date above walk->stale. To be called before anything
- * is tested. The masked buffer always is up to date. */
+/* Makes the occlusion maps, if there are enough occluders.
+ * Brings the pyramid up to date above walk->stale. To be called before anything is
+ * tested. The masked buffer always is up to date. */
 void hsr_hz_refresh(struct hsr_hz_walk *walk);
 
 /* --- Temporal coherence --------------------------------------------------- */

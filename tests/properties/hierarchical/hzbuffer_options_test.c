@@ -125,6 +125,7 @@ static int try_all(const struct known *k, long *wrong) {
   for (int o = 0; option[o].name; o++)
     choice.values.option[o] = option[o].words ? 0 : choice.values.option[o];
   set_number(option, choice.values.option, "least", 4);
+  set_number(option, choice.values.option, "occluders", 20);
   do {
     const struct hsr_algorithm *a = n++ % 2 ? hz->plain : hz->counting;
     long bad = try_choice(k, a, &choice);
@@ -218,6 +219,8 @@ static const char *const choices[] = {
     "hzbuffer:least=2:cubes=sides:coherence=chc",
     "hzbuffer:least=1:pyramid=dual",
     "hzbuffer:least=2:pyramid=masked",
+    "hzbuffer:least=2:pyramid=maps:occluders=20",
+    "hzbuffer:least=1:pyramid=maps:occluders=3:coherence=list",
     "hzbuffer:least=1:cubes=sides:pyramid=masked:polygons=definitive",
     "hzbuffer:least=2:pyramid=masked:coherence=passes",
     "clark"};
@@ -407,12 +410,15 @@ static void test_ties(struct tap *tap) {
 static void test_windows(struct tap *tap, const char *name) {
   static const int sizes[] = {1, 7, 32, 64};
   static const char *const in_windows[] = {
-      "hzbuffer", "hzbuffer:cubes=sides:pyramid=dual:polygons=definitive",
-      "hzbuffer:pyramid=off:placement=enclosing", "hzbuffer:pyramid=masked",
+      "hzbuffer",
+      "hzbuffer:cubes=sides:pyramid=dual:polygons=definitive",
+      "hzbuffer:pyramid=off:placement=enclosing",
+      "hzbuffer:pyramid=masked",
+      "hzbuffer:pyramid=maps:occluders=30",
       "clark"};
   struct known *k = open_known(name);
   long wrong = 0;
-  for (int c = 0; c < 5; c++) {
+  for (int c = 0; c < 6; c++) {
     struct hsr_variant variant;
     struct hsr_setup setup;
     struct hsr_error err = {.text = "out of memory"};

@@ -666,6 +666,8 @@ static const char *const variants[] = {
     "hzbuffer:pyramid=dual",
     "hzbuffer:pyramid=dual:cubes=sides",
     "hzbuffer:pyramid=masked",
+    "hzbuffer:pyramid=maps:occluders=5",
+    "hzbuffer:pyramid=maps:occluders=10:coherence=passes",
     "hzbuffer:pyramid=masked:polygons=definitive:coherence=list",
     "hzbuffer:polygons=basic",
     "hzbuffer:polygons=definitive",
