@@ -112,6 +112,7 @@ tap_programs = \
   %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/outline_test \
+  %D%/unit/core/path_test \
   %D%/unit/core/plane_classes_test \
   %D%/unit/core/quotient_test \
   %D%/unit/core/scenes_test \
@@ -238,6 +239,7 @@ quick_units = \
   %D%/unit/core/motion_test \
   %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
+  %D%/unit/core/path_test \
   %D%/unit/core/plane_classes_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
