@@ -72,6 +72,7 @@ tap_programs = \
   %D%/properties/tiling/tiling_test \
   %D%/properties/tiling/voxels_test \
   %D%/properties/volume/cells_test \
+  %D%/properties/volume/motion_claims_test \
   %D%/properties/volume/orders_test \
   %D%/properties/volume/splat_claims_test \
   %D%/properties/volume/splats_test \
