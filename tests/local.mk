@@ -72,6 +72,7 @@ tap_programs = \
   %D%/properties/tiling/tiling_test \
   %D%/properties/tiling/voxels_test \
   %D%/properties/volume/cells_test \
+  %D%/properties/volume/motion_claims_test \
   %D%/properties/volume/orders_test \
   %D%/properties/volume/splat_claims_test \
   %D%/properties/volume/splats_test \
@@ -114,6 +115,7 @@ tap_programs = \
   %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/outline_test \
+  %D%/unit/core/path_test \
   %D%/unit/core/plane_classes_test \
   %D%/unit/core/quotient_test \
   %D%/unit/core/scenes_test \
@@ -242,6 +244,7 @@ quick_units = \
   %D%/unit/core/motion_test \
   %D%/unit/core/named_lines_test \
   %D%/unit/core/octree_test \
+  %D%/unit/core/path_test \
   %D%/unit/core/plane_classes_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \

@@ -58,6 +58,7 @@ algorithm_files += \
   %D%/scan_line/scan_line.c \
   %D%/scan_line/scan_line.h \
   %D%/scan_line/x_list.c \
+  %D%/splats/splat_accumulate.c \
   %D%/splats/splat_blur.c \
   %D%/splats/splat_frame.c \
   %D%/splats/splat_kernel.c \

@@ -16,8 +16,8 @@ liboracles_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
 libcore_a_LIBADD += $(liboracles_a_OBJECTS)
 libcore_a_SOURCES += bench/modules/modules.h bench/modules/variant.h
 libcore_a_SOURCES += bench/modules/list.c bench/modules/modules.c \
-  bench/modules/oracles.def bench/modules/variant.c %D%/rounding.h \
-  %D%/samples.h %D%/surface.h %D%/vectors.h \
+  bench/modules/oracles.def bench/modules/variant.c %D%/oracles/steps.h \
+  %D%/rounding.h %D%/samples.h %D%/surface.h %D%/vectors.h \
   %D%/areas/areas.cc \
   %D%/areas/areas.h \
   %D%/areas/cells.cc \

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/base/arena.h"
+#include "common/base/arena_mark.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -102,20 +103,21 @@ bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
   return true;
 }
 
-static void free_blocks(struct hsr_arena *arena) {
-  for (struct hsr_arena_block *block = arena->blocks, *next; block;
+/* Frees the blocks that are newer than `last`; NULL: all. */
+static void free_blocks(struct hsr_arena *arena, struct hsr_arena_block *last) {
+  for (struct hsr_arena_block *block = arena->blocks, *next; block != last;
        block = next) {
     next = block->next;
     free(block->memory);
     free(block);
   }
-  arena->blocks = NULL;
+  arena->blocks = last;
 }
 
 void hsr_arena_reset(struct hsr_arena *arena) {
   if (arena->blocks && arena->blocks->next) {
     size_t used = arena->used_bytes;
-    free_blocks(arena);
+    free_blocks(arena, NULL);
     block_new(arena, used);
   }
   if (arena->blocks)
@@ -124,6 +126,20 @@ void hsr_arena_reset(struct hsr_arena *arena) {
 }
 
 void hsr_arena_free(struct hsr_arena *arena) {
-  free_blocks(arena);
+  free_blocks(arena, NULL);
   arena->used_bytes = 0;
+}
+
+struct hsr_arena_mark hsr_arena_mark(const struct hsr_arena *arena) {
+  return (struct hsr_arena_mark){arena->blocks,
+                                 arena->blocks ? arena->blocks->used : 0,
+                                 arena->used_bytes};
+}
+
+void hsr_arena_return(struct hsr_arena *arena,
+                      const struct hsr_arena_mark *mark) {
+  free_blocks(arena, mark->block);
+  if (mark->block)
+    mark->block->used = mark->used;
+  arena->used_bytes = mark->used_bytes;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 libcore_a_SOURCES += \
   %D%/arena.h \
+  %D%/arena_mark.h \
   %D%/count.h \
   %D%/option.h \
   %D%/share.h \

@@ -16,7 +16,12 @@ enum hsr_model {
   HSR_SLAB
 };
 enum hsr_splat_kernel { HSR_CRAWFIS_MAX, HSR_GAUSSIAN };
-enum hsr_splat_blur { HSR_SHARP, HSR_BLUR_BY_AREA, HSR_BLUR_EXACTLY };
+enum hsr_splat_blur {
+  HSR_SHARP,
+  HSR_BLUR_BY_AREA,
+  HSR_BLUR_EXACTLY,
+  HSR_BLUR_ACCUMULATE
+};
 
 struct hsr_splatting {
   enum hsr_model model;
@@ -32,6 +37,8 @@ struct hsr_splatting {
   enum hsr_splat_blur blur;
   double threshold; /* a splat that moves by at most this, in cells, is not
                        blurred; 0..1000 */
+  int frames; /* of HSR_BLUR_ACCUMULATE, the first and the last view included;
+                 2..1024 */
 };
 
 /* Returns sum * exposure / 65536, rounded down, for the model xray. If the

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/view/view.h"
+#include "common/view/path.h"
 
 #include <math.h>
 #include <string.h>
@@ -48,6 +49,20 @@ static void place_light(struct hsr_view *view, const double right[3],
   view->light[3] = given[3];
 }
 
+enum hsr_status hsr_view_complete(struct hsr_view *view, const double right[3],
+                                  const double up[3], struct hsr_error *err) {
+  for (int k = 0; k < 3; k++)
+    view->eye[k] = view->parallel ? place_at_infinity(view->F[k]) : view->E[k];
+  place_light(view, right, up);
+  bool out_of_memory = false;
+  if (!hsr_exact_view_matrices(view, &out_of_memory))
+    return out_of_memory
+               ? hsr_fail_nomem(err)
+               : hsr_fail(err, HSR_E_INPUT,
+                          "camera: its forward, right and up are dependent");
+  return HSR_OK;
+}
+
 /* hsr_view_init_tile of a tile that is in range. */
 static enum hsr_status init(struct hsr_view *view,
                             const struct hsr_camera *camera, int m, int n,
@@ -81,17 +96,8 @@ static enum hsr_status init(struct hsr_view *view,
   for (int k = 0; k < 3; k++) {
     view->U[k] = half * up[k];
     view->R[k] = (double)m / n * half * right[k];
-    view->eye[k] = view->parallel ? place_at_infinity(view->F[k]) : view->E[k];
   }
-
-  place_light(view, right, up);
-  bool out_of_memory = false;
-  if (!hsr_exact_view_matrices(view, &out_of_memory))
-    return out_of_memory
-               ? hsr_fail_nomem(err)
-               : hsr_fail(err, HSR_E_INPUT,
-                          "camera: its forward, right and up are dependent");
-  return HSR_OK;
+  return hsr_view_complete(view, right, up, err);
 }
 
 enum hsr_status hsr_view_init(struct hsr_view *view,

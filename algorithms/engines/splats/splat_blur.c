@@ -246,8 +246,7 @@ void hsr_splats_stretch(struct hsr_splats *s, struct hsr_placed *p,
   if (!p->is_blurred)
     return;
   find_box(s, p, x, y);
-  if (s->way_from < s->way_to)
-    p->energy = energy_of(s, p, apart);
+  p->energy = energy_of(s, p, apart);
 }
 
 /* --- Weights -------------------------------------------------------------- */
@@ -256,7 +255,6 @@ void hsr_splats_stretch(struct hsr_splats *s, struct hsr_placed *p,
 struct capsule {
   struct lens lens;
   double Q[3], per_QQ, length, off, scale, rough;
-  double from, to; /* of the way */
 };
 
 static struct capsule capsule_of(const struct hsr_splats *s,
@@ -267,9 +265,7 @@ static struct capsule capsule_of(const struct hsr_splats *s,
                       .length = p->way_length,
                       .off = p->way_off,
                       .scale = p->scale,
-                      .rough = 8 * p->rough + 0x1p-40,
-                      .from = s->way_from,
-                      .to = s->way_to};
+                      .rough = 8 * p->rough + 0x1p-40};
   c.per_QQ = 1 / (p->way_length * p->way_length);
   return c;
 }
@@ -277,7 +273,7 @@ static struct capsule capsule_of(const struct hsr_splats *s,
 /* s. */
 static inline double share_of_way(const struct capsule *c, const double Y[3]) {
   double along = (Y[0] * c->Q[0] + Y[1] * c->Q[1] + Y[2] * c->Q[2]) * c->per_QQ;
-  return hsr_min(hsr_max(along, c->from), c->to);
+  return hsr_min(hsr_max(along, 0), 1);
 }
 
 /* kappa of pixels beside one another, and how far it may be off. */
@@ -305,8 +301,8 @@ static void find_kappas(const struct capsule *c, double x, double y,
 /* The same in floats, BEYOND being beyond all footprints. */
 #define BEYOND (HSR_FOOTPRINT + 0.5f)
 HSR_VECTOR
-static void find_in_floats(const struct hsr_placed *p, float from, float to,
-                           float dx, float dy, float kappas[HSR_SPLAT_LANES]) {
+static void find_in_floats(const struct hsr_placed *p, float dx, float dy,
+                           float kappas[HSR_SPLAT_LANES]) {
   const float xx = p->xx, xy = 2 * p->xy, yy = p->yy, px = p->p,
               qy = 1 + p->q * dy;
   const float way_x = p->way_x, way_y = p->way_y, s_x = p->s_x, s_y = p->s_y;
@@ -314,8 +310,8 @@ static void find_in_floats(const struct hsr_placed *p, float from, float to,
     float x = dx + (float)l, w = qy + px * x;
     float X = x / w, Y = dy / w;
     float s = s_x * X + s_y * Y;
-    s = s > from ? s : from;
-    s = s < to ? s : to;
+    s = s > 0 ? s : 0;
+    s = s < 1 ? s : 1;
     X -= s * way_x;
     Y -= s * way_y;
     float kappa = (xx * X + xy * Y) * X + yy * Y * Y;
@@ -329,7 +325,7 @@ static int32_t settle(const struct hsr_splats *s, const struct hsr_placed *p,
   if (kappa - error >= HSR_FOOTPRINT)
     return HSR_FOOTPRINT;
   double lo = floor(fmax(0, kappa - error)), hi = floor(kappa + error);
-  if (lo == hi || s->way_from == s->way_to)
+  if (lo == hi)
     return (int32_t)hsr_min(lo, HSR_FOOTPRINT);
   s->tally->exact[HSR_ASK_FOOTPRINT]++;
   struct hsr_splat splat = hsr_splats_exact(s, p->at);
@@ -359,8 +355,7 @@ void hsr_splats_find_blurred(const struct hsr_splats *s,
   float about[HSR_SPLAT_LANES];
   memset(index, -1, HSR_SPLAT_LANES * sizeof *index);
   if (p->is_small)
-    find_in_floats(p, (float)s->way_from, (float)s->way_to, (float)(sx - p->x),
-                   (float)(sy - p->y), about);
+    find_in_floats(p, (float)(sx - p->x), (float)(sy - p->y), about);
   if (!p->is_small || !tell(p, about, index)) {
     const struct capsule c = capsule_of(s, p);
     double kappa[HSR_SPLAT_LANES], error[HSR_SPLAT_LANES];

@@ -93,10 +93,10 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .tally = job->tally,
                            .splatting = hsr_form_splatting(&job->answer->form),
                            .window = job->view->window,
-                           .way_from = 0,
-                           .way_to = 1,
                            .twin = hsr_splats_twin(),
                            .visits = 1};
+  if (s->splatting.blur == HSR_BLUR_ACCUMULATE)
+    s->splatting.blur = HSR_SHARP;
   if (!allocate(s) || hsr_splats_open_lengths(s))
     return HSR_E_NOMEM;
   fill_terms(s);

@@ -414,7 +414,7 @@ static bool take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     tighten(s, p);
   if (p->box.x0 >= p->box.x1 || p->box.y0 >= p->box.y1)
     return leave(s, p->cell);
-  if (!p->is_blurred || s->way_from == s->way_to)
+  if (!p->is_blurred)
     p->energy = energy_of(s, k, p->at);
   if (hsr_splats_is_hidden(s, p->opacity, p->energy, &p->box))
     return leave_hidden(s, p);

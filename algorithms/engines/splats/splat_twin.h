@@ -15,13 +15,12 @@ struct footprint {
   floats xx, xy, yy, p, q, constant, most, least; /* slope, and 2 - slope */
   floats column, row;                             /* of each lane */
   ints colour;
-  floats way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
+  floats way_x, way_y, s_x, s_y; /* of a blurred splat */
 };
 
 /* `columns`: pixels of each row that are weighed together, a power of two up to
  * ALL. */
-TWIN static inline struct footprint footprint_of(const struct hsr_splats *s,
-                                                 const struct hsr_placed *p,
+TWIN static inline struct footprint footprint_of(const struct hsr_placed *p,
                                                  int columns, bool blurred) {
   const ints lane = i_numbers(), column = i_and(lane, i_all(columns - 1)),
              row = i_right(lane, __builtin_ctz((unsigned)columns));
@@ -42,9 +41,7 @@ TWIN static inline struct footprint footprint_of(const struct hsr_splats *s,
                             .way_x = f_all(p->way_x),
                             .way_y = f_all(p->way_y),
                             .s_x = f_all(p->s_x),
-                            .s_y = f_all(p->s_y),
-                            .from = f_all((float)s->way_from),
-                            .to = f_all((float)s->way_to)};
+                            .s_y = f_all(p->s_y)};
 }
 
 TWIN __attribute__((noinline)) static ints settle(const struct hsr_splats *s,
@@ -83,7 +80,7 @@ TWIN static inline floats blurred_kappa_of(const struct footprint *f,
   floats per_w = f_inverse(f_fma(f->q, Y, c->px));
   floats x = c->X * per_w, y = Y * per_w;
   floats t = f_fma(f->s_x, x, f->s_y * y);
-  t = f_min(f_max(t, f->from), f->to);
+  t = f_min(f_max(t, f_all(0)), f_all(1));
   x = f_fma_less(t, f->way_x, x);
   y = f_fma_less(t, f->way_y, y);
   floats yy = f->yy * (y * y);
@@ -101,7 +98,7 @@ ALWAYS void put_columns(struct hsr_splats *s, const struct hsr_placed *p,
 ALWAYS void put_box(struct hsr_splats *s, const struct hsr_placed *p,
                     struct hsr_splat_picture *picture, int columns,
                     bool blurred, enum hsr_splat_way way) {
-  const struct footprint f = footprint_of(s, p, columns, blurred);
+  const struct footprint f = footprint_of(p, columns, blurred);
   const int width = p->box.x1 - p->box.x0;
   for (int past = 0; past < width; past += columns)
     put_columns(s, p, picture, &f, past, columns, blurred, way);

@@ -33,7 +33,7 @@
  * length; splat_place.c finds where splats
  * are; splat_weigh.c finds the weights in their pixels, splat_blur.c those of
  * blurred splats; splat_put.c composites them into pixels; splat_picture.c keeps
- * the pixels. */
+ * the pixels; splat_accumulate.c takes the mean of frames. */
 #ifndef HSR_ALGORITHMS_SPLATS_H
 #define HSR_ALGORITHMS_SPLATS_H
 
@@ -256,11 +256,6 @@ struct hsr_splats {
   uint32_t *start;
   struct hsr_splat_sample *sample;
 
-  /* The part of a blurred splat's way over which it is stretched: from 0 to 1,
-   * all of it. Both are equal in a frame of an accumulation buffer: then it is
-   * drawn unstretched, at that point of its way. */
-  double way_from, way_to;
-
   /* With opacity=length; else NULL. Lambda by A; H and L. `veils`: a splat is
    * composited by itself, so that its opacity in a pixel is V. Otherwise sums
    * are. */
@@ -288,8 +283,20 @@ struct hsr_splats {
   bool stopped; /* who watches wants no more */
 };
 
-/* Begins a frame of a job, which is borrowed. Memory from job->scratch.
- * HSR_E_NOMEM. */
+/* Makes the picture of a job by frames that `frame` draws. Without
+ * blur=accumulate there is one. With it there are several along the way of the
+ * camera (common/view/path.h), and the picture is their mean: an accumulation
+ * buffer (P. Haeberli, K. Akeley, SIGGRAPH 1990; thesis, 4.1). The job that
+ * `frame` gets is a copy, of one view, with the same answer. Memory from
+ * job->scratch. HSR_E_NOMEM, or what `frame` returns. */
+typedef enum hsr_status hsr_splats_frame(const struct hsr_job *job,
+                                         struct hsr_error *err);
+enum hsr_status hsr_splats_accumulate(const struct hsr_job *job,
+                                      hsr_splats_frame *frame,
+                                      struct hsr_error *err);
+
+/* Begins a frame of a job, which is borrowed. With blur=accumulate it is one
+ * without blur. Memory from job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_splats_begin(struct hsr_splats *splats,
                                  const struct hsr_job *job);
 

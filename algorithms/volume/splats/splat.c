@@ -16,8 +16,6 @@
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
- * Accumulate  motion blur by an accumulation buffer, to compare with: frames
- *             between the view before and this one
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/engines/splats/splats.h"
@@ -28,7 +26,7 @@
 enum { BLOCK = 4, FEW = 4096 };
 
 /* The picture is defined by the sequence of pbtf. */
-enum { ORDER, NESTING, ACCUMULATE };
+enum { ORDER, NESTING };
 static const struct hsr_word orders[] = {
     {"pbtf", "octant by octant: the sequence of the definition", 0},
     {"btf", "three loops towards the view plane", HSR_KNOWN_WRONG},
@@ -48,22 +46,10 @@ static const struct hsr_word nestings[] = {
     {"xzy", "likewise", HSR_KNOWN_WRONG},
     {"xyz", "likewise", HSR_KNOWN_WRONG},
     {NULL}};
-static const struct hsr_word accumulations[] = {
-    {"off", "splats are stretched, as the definition has it", 0},
-    {"2", "so many frames, the first and the last included", HSR_KNOWN_WRONG},
-    {"3", "likewise", HSR_KNOWN_WRONG},
-    {"5", "likewise", HSR_KNOWN_WRONG},
-    {"9", "likewise", HSR_KNOWN_WRONG},
-    {"17", "likewise", HSR_KNOWN_WRONG},
-    {"33", "likewise", HSR_KNOWN_WRONG},
-    {NULL}};
-static const int frames_of[] = {1, 2, 3, 5, 9, 17, 33};
 static const struct hsr_option options[] = {
     [ORDER] = {"order", "in which samples are visited", orders, 0, 5, 0},
     [NESTING] = {"nesting", "how the loops of pbtf, btf and ippbtf are nested",
                  nestings, 0, 5, 0},
-    [ACCUMULATE] = {"accumulate", "motion blur by an accumulation buffer",
-                    accumulations, 0, 6, 0},
     {NULL}};
 
 struct model {
@@ -72,8 +58,6 @@ struct model {
   int blocks;     /* a row */
   int drawn;      /* splats since the last look, and where they were */
   struct hsr_window where;
-  uint32_t (*sum)[4]; /* with `accumulate`: of the frames so far */
-  uint64_t *weight;
 };
 
 /* --- Over ----------------------------------------------------------------- */
@@ -196,21 +180,11 @@ static void draw_under(struct hsr_splats *s, struct hsr_splat_tile *tile,
 
 /* --- A frame -------------------------------------------------------------- */
 
-static bool accumulates(const struct hsr_splats *s) {
-  return s->job->option[ACCUMULATE] && s->splatting.blur;
-}
-
 static enum hsr_status open(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   struct model *m = tile->model;
-  struct hsr_arena *arena = s->job->scratch;
-  if (hsr_splats_open(s, tile, &m->picture) || open_blocks(s, m))
-    return HSR_E_NOMEM;
-  if (!accumulates(s))
-    return HSR_OK;
-  m->sum = hsr_arena_zeroed(arena, m->picture.count, sizeof *m->sum);
-  if (m->picture.weight)
-    m->weight = HSR_NEW_ZEROED(arena, uint64_t, m->picture.count);
-  return m->sum && (m->weight || !m->picture.weight) ? HSR_OK : HSR_E_NOMEM;
+  return hsr_splats_open(s, tile, &m->picture) || open_blocks(s, m)
+             ? HSR_E_NOMEM
+             : HSR_OK;
 }
 
 static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
@@ -230,57 +204,20 @@ static enum hsr_status draw(struct hsr_splats *s, struct hsr_error *err) {
                           s->splatting.model == HSR_UNDER, err);
 }
 
-/* --- Motion blur by an accumulation buffer -------------------------------- */
-
-/* Adds a picture to the sums, and makes it empty. */
-static void add_frame(struct hsr_splats *s, struct hsr_splat_tile *tile) {
-  struct model *m = tile->model;
-  (void)s;
-  for (size_t k = 0; k < m->picture.count; k++) {
-    for (int c = 0; c < 4; c++)
-      m->sum[k][c] += m->picture.rgba[k][c];
-    if (m->weight)
-      m->weight[k] += m->picture.weight[k];
-  }
-  hsr_splats_clear(&m->picture);
-  empty_blocks(m);
-}
-
-/* Makes a picture the mean of the frames. */
-static void take_mean(struct hsr_splats *s, struct hsr_splat_tile *tile) {
-  struct model *m = tile->model;
-  uint32_t n = (uint32_t)s->visits;
-  for (size_t k = 0; k < m->picture.count; k++) {
-    for (int c = 0; c < 4; c++)
-      m->picture.rgba[k][c] = (uint16_t)(m->sum[k][c] / n);
-    if (m->weight)
-      m->picture.weight[k] = m->weight[k] / n;
-  }
-}
-
-/* Frames at equal distances on the way, each with the weight 1 / n (thesis,
- * 4.1). */
-static enum hsr_status accumulate(struct hsr_splats *s, struct hsr_error *err) {
-  enum hsr_status status = HSR_OK;
-  s->visits = frames_of[s->job->option[ACCUMULATE]];
-  for (int k = 0; k < s->visits && !status; k++) {
-    s->way_from = s->way_to = (double)k / (s->visits - 1);
-    status = draw(s, err);
-    hsr_splats_each(s, add_frame);
-  }
-  hsr_splats_each(s, take_mean);
+static enum hsr_status draw_frame(const struct hsr_job *job,
+                                  struct hsr_error *err) {
+  struct hsr_splats s;
+  if (hsr_splats_begin(&s, job) ||
+      hsr_splats_divide(&s, s.splatting.model == HSR_UNDER ? &under : &over))
+    return hsr_fail_nomem(err);
+  enum hsr_status status = draw(&s, err);
+  hsr_splats_each(&s, finish);
   return status;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct hsr_splats s;
-  if (hsr_splats_begin(&s, job) ||
-      hsr_splats_divide(&s, s.splatting.model == HSR_UNDER ? &under : &over))
-    return hsr_fail_nomem(err);
-  enum hsr_status status = (accumulates(&s) ? accumulate : draw)(&s, err);
-  hsr_splats_each(&s, finish);
-  return status;
+  return hsr_splats_accumulate(job, draw_frame, err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */

@@ -58,8 +58,8 @@ static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
 static const struct hsr_splats_module how = {
     .size = sizeof(struct model), .open = open, .draw = draw, .fold = fold};
 
-static enum hsr_status render(const struct hsr_job *job,
-                              struct hsr_error *err) {
+static enum hsr_status draw_frame(const struct hsr_job *job,
+                                  struct hsr_error *err) {
   struct hsr_splats s;
   int axis = sheet_axis(job->view);
   if (hsr_splats_begin(&s, job) || hsr_splats_divide(&s, &how) ||
@@ -74,6 +74,11 @@ static enum hsr_status render(const struct hsr_job *job,
     status = hsr_splats_visit_slices(&s, axis, 0, near, 1, err);
   hsr_splats_each(&s, finish);
   return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_splats_accumulate(job, draw_frame, err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */

@@ -342,8 +342,8 @@ static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
   hsr_splats_clear(&m->picture);
 }
 
-static enum hsr_status render(const struct hsr_job *job,
-                              struct hsr_error *err) {
+static enum hsr_status draw_frame(const struct hsr_job *job,
+                                  struct hsr_error *err) {
   struct hsr_splats s;
   struct depths depths;
   const struct hsr_window *all = &job->view->window;
@@ -369,6 +369,11 @@ static enum hsr_status render(const struct hsr_job *job,
     hsr_splats_each(&s, finish);
   }
   return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_splats_accumulate(job, draw_frame, err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */

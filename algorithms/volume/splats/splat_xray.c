@@ -87,14 +87,19 @@ static void finish(struct hsr_splats *s, struct hsr_splat_tile *tile) {
 static const struct hsr_splats_module how = {
     .size = sizeof(struct model), .open = open, .draw = draw};
 
-static enum hsr_status render(const struct hsr_job *job,
-                              struct hsr_error *err) {
+static enum hsr_status draw_frame(const struct hsr_job *job,
+                                  struct hsr_error *err) {
   struct hsr_splats s;
   if (hsr_splats_begin(&s, job) || hsr_splats_divide(&s, &how))
     return hsr_fail_nomem(err);
   enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, 0, false, err);
   hsr_splats_each(&s, finish);
   return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_splats_accumulate(job, draw_frame, err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */

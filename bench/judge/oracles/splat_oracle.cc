@@ -5,7 +5,8 @@
  * Source      docs/composited-picture.md, in whose words this file is written.
  * Input       the grid's arrays and its palette; the view's E, F, R, U, near,
  *             m, n, offsets and window, but not its matrices; the view before;
- *             the options. Of those whom it judges it shares no order, no
+ *             the options. Views on the way from the view before, which are
+ *             doubles by definition too: that they are on it is checked. Of those whom it judges it shares no order, no
  *             normals, no tables and no numbers.
  * Notation    as there. A vector with a prime is `in_cells`. What is called
  *             `scale` is 1024 / (g^2 r^2).
@@ -25,9 +26,11 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/oracles/steps.h"
 #include "bench/judge/rounding.h"
 #include "bench/judge/samples.h"
 #include "common/answers/kinds/composited.h"
+#include "common/view/path.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -1069,6 +1072,59 @@ void judge::draw(uint16_t *rgba) {
   j.draw(hsr_answer_rgba_of(job.answer));
 }
 
+/* --- Frames between two views --------------------------------------------- */
+
+/* Calls act(number in the picture) for all channels of the window. */
+template <class Act> void each_channel(const hsr_view &view, Act act) {
+  const hsr_window &w = view.window;
+  for (int j = w.y0; j < w.y1; j++)
+    for (size_t k = 4 * size_t(w.x0); k < 4 * size_t(w.x1); k++)
+      act(4 * size_t(j) * size_t(view.m) + k);
+}
+
+/* Each frame is drawn into the answer, and added. */
+enum hsr_status draw_frames(const hsr_splatting &frame, const hsr_job &job,
+                            hsr_error *err) {
+  const hsr_view &last = *job.view;
+  uint16_t *rgba = hsr_answer_rgba_of(job.answer);
+  std::vector<uint64_t> sums(4 * size_t(last.m) * size_t(last.n));
+  std::vector<::judge::pose> poses;
+  for (int k = 0; k < frame.frames; k++) {
+    hsr_view view;
+    const hsr_status status =
+        hsr_view_between(&last, k, frame.frames - 1, &view, err);
+    if (status)
+      return status;
+    poses.emplace_back(view);
+    draw(scenery(view, *job.world->roster.scene->grid, frame),
+         tables_of(frame.kernel), job);
+    each_channel(last, [&](size_t at) { sums[at] += rgba[at]; });
+  }
+  each_channel(last, [&](size_t at) {
+    rgba[at] = uint16_t(sums[at] / uint64_t(frame.frames));
+  });
+  return ::judge::are_steps(poses, last)
+             ? HSR_OK
+             : hsr_fail(
+                   err, HSR_E_INTERNAL,
+                   "splat-oracle: frames are not on the way of the camera");
+}
+
+/* Of one frame, or several. */
+enum hsr_status draw_picture(hsr_splatting asked, const hsr_job &job,
+                             hsr_error *err) {
+  const hsr_view &view = *job.view;
+  const bool accumulates = asked.blur == HSR_BLUR_ACCUMULATE;
+  if (accumulates)
+    asked.blur = HSR_SHARP;
+  if (accumulates && view.before.exists &&
+      view.before.parallel == view.parallel)
+    return draw_frames(asked, job, err);
+  draw(scenery(view, *job.world->roster.scene->grid, asked),
+       tables_of(asked.kernel), job);
+  return HSR_OK;
+}
+
 /* Does the work; nothing is thrown out of here. */
 template <class Work>
 enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
@@ -1091,10 +1147,7 @@ static enum hsr_status render(const struct hsr_job *job,
     if (!::judge::is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,
                       "splat-oracle: directed rounding has no effect here");
-    const hsr_splatting asked = hsr_form_splatting(&job->answer->form);
-    const scenery seen(*job->view, *job->world->roster.scene->grid, asked);
-    draw(seen, tables_of(asked.kernel), *job);
-    return HSR_OK;
+    return draw_picture(hsr_form_splatting(&job->answer->form), *job, err);
   });
 }
 

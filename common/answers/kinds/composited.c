@@ -26,7 +26,8 @@ enum {
   BUCKETS,
   BLUR,
   THRESHOLD,
-  OPACITY
+  OPACITY,
+  FRAMES
 };
 
 static const struct hsr_word models[] = {
@@ -52,6 +53,9 @@ static const struct hsr_word blurs[] = {
                           0},
     [HSR_BLUR_EXACTLY] = {"exact", "as long as they moved, of the same energy",
                           0},
+    [HSR_BLUR_ACCUMULATE] = {"accumulate",
+                             "the mean of frames along the way of the camera",
+                             0},
     {NULL}};
 static const struct hsr_word opacities[] = {
     {"weight", "a splat gives its opacity times the weight", 0},
@@ -78,12 +82,15 @@ static const struct hsr_option options[] = {
                   .real_least = 0, .real_most = 1000, .real_standard = 1},
     [BUCKETS] = {"buckets", "ranges of depth, of volume and slab", NULL, 1,
                  1024, 64},
-    [BLUR] = {"blur", "motion since the view before", blurs, 0, 2, 0},
+    [BLUR] = {"blur", "motion since the view before", blurs, 0,
+              HSR_BLUR_ACCUMULATE, 0},
     [THRESHOLD] = {"threshold", "cells that a splat moves without blur",
                    .real = true, .real_least = 0, .real_most = 1000,
                    .real_standard = 0},
     [OPACITY] = {"opacity", "what the opacity of a sample means", opacities, 0,
                  1, 0},
+    [FRAMES] = {"frames", "that blur=accumulate takes the mean of", NULL, 2,
+                1024, 5},
     {NULL}};
 
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
@@ -102,7 +109,8 @@ struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
       .exposure = (uint64_t)lrint(65536 * real[EXPOSURE]),
       .buckets = (int)option[BUCKETS],
       .blur = (enum hsr_splat_blur)option[BLUR],
-      .threshold = real[THRESHOLD]};
+      .threshold = real[THRESHOLD],
+      .frames = (int)option[FRAMES]};
 }
 
 void hsr_form_expose(struct hsr_form *form, double exposure) {
@@ -159,8 +167,10 @@ uint64_t *hsr_answer_splat_sums_of(const struct hsr_answer *answer) {
                                     : NULL;
 }
 
+/* The mean of frames is one of answers, not of sums. */
 static bool is_summed(const struct hsr_form *form) {
-  return hsr_form_splatting(form).model == HSR_XRAY;
+  const struct hsr_splatting splatting = hsr_form_splatting(form);
+  return splatting.model == HSR_XRAY && splatting.blur != HSR_BLUR_ACCUMULATE;
 }
 
 static size_t sums_of(const struct hsr_answer *answer, uint64_t **first) {

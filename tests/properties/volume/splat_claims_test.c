@@ -864,12 +864,12 @@ static void try_shutter(struct tap *tap) {
   static const struct {
     const char *how;
     double wanted;
-  } tries[] = {{"accumulate=2:blur=area", 1.409},
-               {"accumulate=3:blur=area", 0.960},
-               {"accumulate=5:blur=area", 0.377},
-               {"accumulate=9:blur=area", 0.168},
-               {"accumulate=17:blur=area", 0.087},
-               {"accumulate=33:blur=area", 0.045},
+  } tries[] = {{"blur=accumulate:frames=2", 1.409},
+               {"blur=accumulate:frames=3", 0.960},
+               {"blur=accumulate:frames=5", 0.377},
+               {"blur=accumulate:frames=9", 0.168},
+               {"blur=accumulate:frames=17", 0.087},
+               {"blur=accumulate:frames=33", 0.045},
                {"blur=area", 0.781},
                {"blur=exact", 0.246}};
   for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {

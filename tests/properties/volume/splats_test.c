@@ -328,17 +328,18 @@ static struct hsr_variant make_variant(const struct player *p,
   static const double widths[] = {1, 1, 1, 1.25, 1.5, 2, 3.7},
                       attenuates[] = {1, 1, 1, 0.5, 0.3, 0.01, 0},
                       exposures[] = {1, 1, 1, 0.25, 3.7, 1000, 0};
-  static const int buckets[] = {64, 64, 64, 1, 2, 7, 200};
-  static const char *const blurs[] = {"off", "area", "exact"};
+  static const int buckets[] = {64, 64, 64, 1, 2, 7, 200}, frames[] = {2, 3, 5};
+  static const char *const blurs[] = {"off", "area", "exact", "accumulate"};
   static const double thresholds[] = {0, 0, 0, 0.125, 1, 3};
   return splat_variant(
       "%s:model=%s:kernel=%s:width=%.17g:antialias=%s:attenuate=%.17g:"
       "normalise=%s:opacity=%s:exposure=%.17g:buckets=%d:blur=%s:"
-      "threshold=%.17g",
+      "threshold=%.17g:frames=%d",
       p->name, p->model, kernel, widths[whole(0, 6)], once_in(2) ? "on" : "off",
       attenuates[whole(0, 6)], once_in(3) ? "on" : "off",
       once_in(2) ? "length" : "weight", exposures[whole(0, 6)],
-      buckets[whole(0, 6)], blurs[whole(0, 2)], thresholds[whole(0, 5)]);
+      buckets[whole(0, 6)], blurs[whole(0, 3)], thresholds[whole(0, 5)],
+      frames[whole(0, 2)]);
 }
 
 static void try_random(struct tap *tap, bool parallel, int views) {

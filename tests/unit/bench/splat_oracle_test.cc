@@ -45,7 +45,9 @@ enum {
   EXPOSURE,
   BUCKETS,
   BLUR,
-  THRESHOLD
+  THRESHOLD,
+  OPACITY_OF,
+  FRAMES
 };
 
 constexpr uint16_t ONE = 65535, NO_NORMAL = 4096;
@@ -1027,6 +1029,58 @@ int square_in_reach(hsr_splat_kernel kernel, int64_t a, int64_t b) {
   return int(std::min<wide>(square / (wide(b) * b * r * r), 1024));
 }
 
+/* ---- By hand: frames between two views ---- */
+
+struct hsr_form framed_form(int frames) {
+  struct hsr_form form = blurred_form(HSR_BLUR_ACCUMULATE);
+  form.values.option[FRAMES] = frames;
+  return form;
+}
+
+/* A way of 16 pixels to the right. At distances of 0, 8 and 16 pixels a splat
+ * gives 28897, 20420 and 7206, as above. The threshold says nothing. */
+void test_frames() {
+  const struct hsr_view view = moved(plain_view(99, 1, 1.0 / 16), 1);
+  struct hsr_form form = framed_form(2);
+  form.values.real[THRESHOLD] = 1000;
+  const picture two = see(single(), view, form);
+  ok_pixel(two, 49, grey((28897 + 7206) / 2), "two frames, the beginning");
+  ok_pixel(two, 57, grey(20420), "between them");
+  ok_pixel(two, 65, grey((28897 + 7206) / 2), "the end");
+  const picture three = see(single(), view, framed_form(3));
+  ok_pixel(three, 49, grey((28897 + 20420 + 7206) / 3), "three frames");
+  ok_pixel(three, 57, grey((20420 + 28897 + 20420) / 3), "the middle one");
+}
+
+/* The eye turns by 90 degrees on the spot, in four frames. Each sees at most one
+ * of two splats, which are 30 and 60 degrees from where it began. On the chord it
+ * would have turned by 26.6 and 63.4. */
+void test_turn() {
+  struct hsr_view view = plain_view(3, 3, 1.0 / 64, false), before = view;
+  view.F[0] = 1;
+  view.F[2] = 0;
+  view.R[2] = view.R[0];
+  view.R[0] = 0;
+  set_before(&view, before);
+  const double side = 2 * std::sqrt(3.0);
+  little_grid one({2}, {0}, {-side}), other({side}, {0}, {-2});
+  for (little_grid *grid : {&one, &other})
+    ok_middle(grid->keep({{0, 0, 0}}), view, framed_form(4), grey(28897 / 4),
+              "a turn is no chord");
+}
+
+/* Without a view before, or from another projection, the picture is sharp. */
+void test_no_way() {
+  const struct hsr_view row = plain_view(99, 1, 1.0 / 16);
+  const picture sharp = see(single(), row, plain_form());
+  ok(!sharp.empty() && see(single(), row, framed_form(5)) == sharp,
+     "frames without a view before: one");
+  struct hsr_view mixed = row;
+  set_before(&mixed, plain_view(99, 1, 1.0 / 64, false));
+  ok(see(single(), mixed, framed_form(5)) == sharp,
+     "and none from another projection");
+}
+
 /* The claim of the definition, and the same of parts. */
 void test_margins() {
   for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN}) {
@@ -1908,6 +1962,9 @@ int main() {
   test_whole_energy();
   test_irrational_energy();
   test_blurred_window();
+  test_frames();
+  test_turn();
+  test_no_way();
   test_margins();
   test_weights();
   test_parts();
