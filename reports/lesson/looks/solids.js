@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
+import { squareOfCell } from "../data/own_words.js";
 import { projection } from "../data/projection.js";
 import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
@@ -48,6 +49,8 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
     fill: 0.45 }));
   const plane = planeOfCell(run, e.number, p);
   if (plane) return planeLook(run, plane);
+  const square = squareOfCell(run, [p, q, r]);
+  if (square) return squareLook(square);
   const texel = texelLook(run, e, p, q, r);
   if (texel) return texel;
   const level = run.pyramid?.of(e.number)
@@ -75,6 +78,9 @@ function voxelLook(run, level, k) {
   return wires(Array.from({ length: 8 }, (_, c) => see(at.map((x, axis) =>
     lo[axis] + size * Math.min(n[axis], (x + (c >> axis & 1)) * side)))?.slice(0, 2)));
 }
+
+const squareLook = ({ x, y, side }) => [{ closed: true, width: 2, fill: 0.3,
+  points: [[x, y], [x + side, y], [x + side, y + side], [x, y + side]] }];
 
 const INSET = 0.32; // of the picture's width: where a texture is shown
 
