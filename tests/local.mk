@@ -197,6 +197,7 @@ tap_scripts = \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
+  %D%/report/watch.test \
   %D%/suite/judge.test \
   %D%/suite/suite.test \
   %D%/torture/torture.test \
@@ -451,6 +452,7 @@ EXTRA_DIST += \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \
   %D%/report/sample.mjs \
+  %D%/report/watch.mjs \
   %D%/table \
   %D%/table.pm \
   %D%/tap.sh \

@@ -14,7 +14,8 @@ const withSums = (what) => ({ ...splats,
 const order = {
   runs: (a) => `The row that begins with ${a} is come to`,
   groups: (a, b) => `The rectangle around ${a} to ${b} is tested`,
-  sides: (a) => `${a} is drawn, a side of the cell`,
+  cells: (a) => `${a} is come to`,
+  sides: (a) => `${a}, a side of the cell, is drawn`,
 };
 
 const texture = {
@@ -63,7 +64,7 @@ const OWN = {
     "polygons removed": (a, b) => `${a} is taken out of the list of ${b}`,
     "covering structures": (a, b) => `${a} completes what covers ${b}`,
     "cubes culled": (a) => `${a} is left out, with all faces in it`,
-    "cells bounded": (a) => `What is seen in ${a}`,
+    "cells bounded": (a) => `The mean over ${a}`,
     "exact cells of one": (a) => `${a} shows one face at most: its mean is exact`,
     "exact cells of two": (a) => `Two faces are in the list of ${a}: its mean is exact`,
     "exact cells of more": (a) => `A few faces are in the list of ${a}: its mean is exact`,
@@ -125,6 +126,15 @@ for (const name of ["btf", "wbtf", "vbuffer", "pbtf", "ippbtf", "octree-order"])
 for (const name of ["point", "mipmap", "table", "convolve"])
   OWN[`texture-${name}`] = texture;
 
+// Outcomes that are said in more words.
+const OUTCOMES = {
+  "error-bounded": { between: "between two bounds" },
+  pvs: { seen: "something is seen through it", outside: "nothing is seen through it" },
+};
+
+export const outcomeWords = ({ header: { algorithm } }, { outcome }) =>
+  OUTCOMES[algorithm.name]?.[outcome] ?? outcome;
+
 // null: the step has none.
 export const ownWords = ({ header: { algorithm } }, { counter }, a, b, where) =>
   OWN[algorithm.name]?.[counter.name]?.(a, b, where) ?? null;
@@ -138,6 +148,8 @@ const DEEPEST = 20; // of error-bounded: a cell of level k is 2^(k - 20) pixels 
 export function ownCellWords(run, [level, x, y]) {
   const { kind, header: { algorithm: { name } } } = run;
   if (name.startsWith("texture-")) return textureWords(name, level, x, y);
+  if (kind.name === "voxels")
+    return level ? `cell ${Math.max(x, 0)} of level ${level}` : "the cell of all space";
   if (kind.name !== "area") return null;
   const side = 2 ** (level - DEEPEST);
   return side === 1 ? `the cell of pixel ${x}, ${y}`

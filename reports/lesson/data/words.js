@@ -3,7 +3,7 @@
 import { kindLook } from "./kinds.js";
 import { isOfBody, isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
-import { ownCellWords, ownWords } from "./own_words.js";
+import { outcomeWords, ownCellWords, ownWords } from "./own_words.js";
 import { searchAt } from "./stretches.js";
 
 // e: the event, where its words depend on it.
@@ -35,8 +35,8 @@ export function subjectWords(run, { kind, ids }, window, e) {
 }
 
 // Whether all cubes are of one instance, so that its number tells nothing.
-const isOneInstance = (run) => run.oneInstance ??= [...run.cubes.keys()].every((key) =>
-  key.endsWith(",0"));
+const isOneInstance = (run) => run.oneInstance ??= ![...run.cubes.keys()].some((key) =>
+  Number(key.split(",")[1]) > 0);
 
 // A number; or a level, and the number or place there.
 function cellWords(p, q, r) {
@@ -140,11 +140,12 @@ export function eventWords(run, e) {
     text += ` is ${verb} ${placeWord(e.window)} ${second}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   const numbers = numberWords(run, e);
-  if (e.outcome) text += `: ${e.outcome}`;
+  if (e.outcome) text += `: ${outcomeWords(run, e)}`;
   if (numbers) text += `${e.outcome ? ", " : ": "}${numbers}`;
   text += timesWords(run, e);
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
-  const shown = e.a.kind === "window" || e.b.kind === "window";
+  const shown = [e.a, e.b].some(({ kind }) => kind === "window" ||
+    (kind === "cell" && run.kind.name === "area"));
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
   return capital(text);

@@ -23,7 +23,7 @@ export const clark = {
     ["A side of the view is compared with the node: it may cut it",
       { name: "inequalities", outcome: "leaves it open", nth: 1 }],
     ["So its own faces are met, and then its children", { name: "faces met",
-      pick: "largest", id: "met" }],
+      nth: 1, id: "met" }],
     ["A face that is met is drawn as in a z-buffer", { name: "fast triangles", after: "met",
       or: { name: "general faces", after: "met" } }],
     ["At this sample it is farther than what was drawn: it stays hidden",
@@ -69,8 +69,9 @@ export const octreeRaycast = {
         pick: "over" } }, "Does the ray through the sample hit the face?"],
     ["A face in a cube is hit", { name: "ray tests", outcome: "hit", after: "ray",
       with: ["ray", "place"] }, "Does the ray through the sample hit the face?"],
-    ["Another hit is nearer: it takes the place of the first", { name: "depth tests",
-      outcome: "nearer", pick: "largest" }],
+    ["Another ray: a second hit is nearer, and takes the place of the first",
+      { name: "depth tests", outcome: "nearer", at: 0.6 },
+      "Is the solid one nearer or farther than the dashed one here?"],
     ["The nearest hit is shown", { name: "samples shown", after: "behind",
       with: ["behind", "place"], or: { name: "samples shown", nth: 2 } }],
     ["Another ray begins at the root again", { name: "rays", at: 0.75 }],
@@ -82,6 +83,9 @@ export const octreeRaycast = {
 // Whether the window is not the whole picture.
 const isNarrow = (run, { window: w }) => Boolean(w) &&
   (w.width < run.width || w.height < run.height);
+
+// Whether something of the face is in the picture.
+const isInView = ({ header }, { a }) => header.faces[a.ids[0]]?.[4].length > 0;
 
 export const pvs = {
   idea: "Look from room to room, through the doors",
@@ -114,7 +118,7 @@ export const pvs = {
     ["Another cell is looked at, through a part of the picture only",
       { name: "cells visited", where: isNarrow, after: "seen" }],
     ["All cells are found. Now a face of one of them is met", { name: "faces met",
-      pick: "largest" }],
+      where: isInView }],
     ["A face is outside of its cell’s cull box: it is left out", { name: "faces outside",
       pick: "over" }],
     ["A face belongs to the potentially visible set, and is drawn", { name: "faces drawn",
@@ -183,7 +187,7 @@ export const meagher = {
   source: `D. Meagher 1982; ${THESIS}`,
   moments: [
     ["The first node of the octree holds all", { name: "nodes visited", nth: 1 }],
-    ["Its outline is compared with a cell of the quadtree", { name: "silhouette tests",
+    ["The outline of a node is compared with a cell of the quadtree", { name: "silhouette tests",
       nth: 1 }],
     ["A cube is not hidden: it is drawn", { name: "cubes drawn", nth: 1, id: "cube" }],
     ["A side of it goes down the quadtree", { name: "sides tiled", after: "cube",
@@ -191,14 +195,14 @@ export const meagher = {
     ["An edge of the side crosses this cell: it is divided", { name: "subdivisions",
       after: "side" }],
     ["This cell is inside of the side, and vacant", { name: "cells", outcome: "inside",
-      pick: "over", id: "inside" }],
+      pick: "widest", id: "inside" }],
     ["So its samples are written, once and for all", { name: "samples", after: "inside" }],
     ["A cell that is covered: nothing there is asked again", { name: "cells",
-      outcome: "covered", pick: "over" }],
-    ["All cells below this outline are covered", { name: "silhouette tests",
-      outcome: "covered", pick: "over" }],
+      outcome: "covered", after: "inside", pick: "widest" }],
     ["So the node is hidden with all that is in it", { name: "nodes hidden",
-      pick: "largest" }],
+      pick: "largest", id: "hidden" }],
+    ["Where the outline of a node is, this cell is covered", { name: "silhouette tests",
+      outcome: "covered", before: "hidden" }],
     ["Half of the samples are written", { name: "samples", at: 0.5 }],
   ],
   find: ["How many nodes of the octree were found to be hidden?", (run) => {

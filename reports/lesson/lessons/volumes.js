@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes: the orders in which the cells of a grid are visited, splats, textures that
 // they are compared with, and solids as voxels. all.js says what a lesson is.
-import { countOf, perEach } from "../telling/figures.js";
+import { perEach } from "../telling/figures.js";
 
 const THESIS = "J. E. Swan II, Object-Order Rendering of Discrete Objects, thesis 1998";
 const ORDERS = {
@@ -73,12 +73,12 @@ const GREY = "The colors are written when all splats are done. Until then the pa
 const SPLAT_MOMENTS = [
   ["The box around a row of samples is in the picture", { name: "rows", outcome: "in it",
     nth: 1 }],
-  ["A sample of the grid is visited", { name: "samples", pick: "largest", among: 30,
+  ["A sample of the grid is visited", { name: "samples", pick: "largest", among: 12,
     id: "sample" }],
   ["The rectangle around its splat is in the picture", { name: "splats", outcome: "drawn",
     after: "sample", with: ["sample", "a"] }],
   ["A pixel gets its part of the splat, by the distance from the middle", { name: "updates",
-    after: "sample", with: ["sample", "a"], id: "update" }],
+    after: "sample", with: ["sample", "a"], pick: "over" }],
   ["Half of the splats", { name: "splats", at: 0.5 }],
   ["All splats are done. Now the pixels get their colors", { name: "writes", nth: 1 }],
 ];
@@ -131,12 +131,12 @@ const textureLesson = (idea, how, source, reads, built) => ({ idea, text: [TEXTU
       ["All of that is made beforehand", { name: "built", nth: -1 }]] : [],
     ["The ray of this pixel misses the layer: it shows the background", { name: "rays",
       outcome: "misses", nth: 1 }],
-    ["The ray of this pixel meets the layer", { name: "rays", outcome: "meets", at: 0.5,
+    ["The ray of this pixel meets the layer", { name: "rays", outcome: "meets", nth: 1,
       id: "ray" }],
     [reads, { name: "texels", after: "ray", with: ["ray", "place"], id: "read" }],
     ["The pixel gets its color", { name: "writes", after: "ray" }],
-    ["A pixel that is far away", { name: "writes", at: 0.05 }],
-    ["Half of the pixels have their color", { name: "writes", at: 0.6 }],
+    ["A pixel that is far away", { name: "writes", at: 0.1 }],
+    ["Half of the pixels have their color", { name: "writes", at: 0.5 }],
     ["A pixel that is near", { name: "writes", nth: -1 }],
   ],
   find: ["How many texels are read for a pixel?", (run) => perEach(run, "texels", "writes")] });
@@ -192,17 +192,15 @@ export const tilingSolids = {
       outcome: "inside", pick: "largest" }],
     ["This plane has all of a cell before it: it is outside of the solid",
       { name: "masks of planes", outcome: "outside", pick: "largest" }],
-    ["A cell that a plane crosses is divided again", { name: "cells", after: "part",
-      nth: 2 }],
+    ["A cell that a plane crosses is divided again", { name: "cells",
+      where: (run, { a: { ids: [level] } }) => level > 0 }],
     ["A cell whose smaller cells are voxels", { name: "finest cells", after: "part" }],
     ["What is inside of all planes is written", { name: "covered", nth: 1 }],
     ["A voxel’s middle is too close to a plane for doubles: exact numbers decide",
       { name: "exact decisions", pick: "largest" }],
     ["Half of the solids are done", { name: "convex parts", at: 0.5 }],
   ],
-  find: ["How many masks of planes are made for each cell?", (run) => {
-    const cells = countOf(run, "cells") + countOf(run, "finest cells");
-    return perEach(run, "masks of planes", cells, "cells");
-  }],
+  find: ["How many masks of planes are made for each convex part?", (run) =>
+    perEach(run, "masks of planes", "convex parts")],
 };
 

@@ -55,7 +55,7 @@ export const GLOSSARY = [
   ["marker", "a sign that a piece was moved since a piece was last painted or divided; to " +
     "move it again would be a circle",
     /\bmarker\b/],
-  ["mask", "a word with a bit for each cell of a small grid, such as 8 × 8", /\bmasks?\b/],
+  ["mask", "a word with a bit for each cell of a small grid", /\bmasks?\b/],
   ["W, A, Cv, Pc, Pv, Cc", "masks of cells. Cv: vacant so far. Cc: covered so far. Pc: " +
     "covered by the polygon. Pv: outside of the polygon. W = Cv & Pc: to be written " +
     "now. A = ~(W | Pv | Cc): all others, to be divided", /\bCv\b|bit in [AW]\b|W is/],

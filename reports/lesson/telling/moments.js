@@ -200,6 +200,8 @@ export function boxOf(run, shapes) {
       box.y1 = Math.max(box.y1, y);
     }
   const clip = (x, most) => Math.min(most, Math.max(0, x));
+  if (box && (box.x1 < 0 || box.y1 < 0 || box.x0 > run.width || box.y0 > run.height))
+    [box.x1, box.y1] = [box.x0, box.y0]; // nothing of it is in the picture
   return box && { x0: clip(box.x0, run.width), y0: clip(box.y0, run.height),
     x1: clip(box.x1, run.width), y1: clip(box.y1, run.height) };
 }
