@@ -25,6 +25,23 @@ const texture = {
   texels: (a, b) => `${a} is read for ${b}`,
 };
 
+const hzbuffer = {
+  "nodes visited": (a) => `${a} is come to`,
+  "nodes out": (a) => `${a} is left out: it is outside of the view`,
+  "cubes culled": (a) => `${a} is left out, with all faces in it`,
+  "cube reads": (a, b) => `The entry of ${a} is read for ${b}`,
+  "face reads": (a, b) => `The entry of ${a} is read for ${b}`,
+  "faces culled": (a) => `${a} is left out: it is hidden`,
+  "faces tiled": (a) => `${a} is drawn as in a z-buffer`,
+};
+
+const tiling = {
+  "cubes tested": (a, b) => `The outline of ${a}, in ${b}`,
+  "cubes culled": (a) => `${a} is left out, with all polygons in it`,
+  pieces: (a) => `${a} comes next`,
+  "pieces hidden": (a) => `${a} is left out: all of its box is covered`,
+};
+
 const OWN = {
   "warnock-edges": {
     "bucket sort": (a) => `${a} is put into a bucket`,
@@ -118,6 +135,8 @@ const OWN = {
     "exact decisions": (a, b) => `The plane of ${a} and ${b}`,
     covered: (a, b) => `${a} is written in ${b}`,
   },
+  hzbuffer, "hzbuffer-moving": hzbuffer,
+  tiling, "tiling-lazy": tiling, "tiling-merged": tiling,
   splat: splats, "splat-xray": splats,
   "splat-sheet": withSums("sheet"), "splat-volume": withSums("slab"),
 };

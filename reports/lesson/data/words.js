@@ -26,9 +26,8 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
       : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
       : q < 0 || isOneInstance(run) ? `cube ${p}` : `cube ${p} of instance ${q}`;
-    case "cell": return e && run.pyramid?.of(e.number)
-      ? `cell ${q}, ${r} of level ${p}`
-      : ownCellWords(run, ids) ?? cellWords(p, Math.max(q, 0), Math.max(r, 0));
+    case "cell": return ownCellWords(run, ids) ?? (e && run.pyramid?.of(e.number)
+      ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0)));
     case "window": return window ? placeWords(run, window) : "the picture";
     default: return "";
   }
