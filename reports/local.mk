@@ -43,6 +43,7 @@ lesson_sources = \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
   %D%/lesson/data/numbers.js \
+  %D%/lesson/data/own_words.js \
   %D%/lesson/data/pieces.js \
   %D%/lesson/data/projection.js \
   %D%/lesson/data/pyramids.js \
@@ -89,6 +90,7 @@ lesson_sources = \
   %D%/lesson/lessons/volumes.js \
   %D%/lesson/looks/all.js \
   %D%/lesson/looks/boxes.js \
+  %D%/lesson/looks/clipped.js \
   %D%/lesson/looks/faces.js \
   %D%/lesson/looks/solids.js \
   %D%/lesson/looks/tests.js \

@@ -201,6 +201,7 @@ tap_scripts = \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
+  %D%/report/watch.test \
   %D%/suite/judge.test \
   %D%/suite/suite.test \
   %D%/torture/torture.test \
@@ -460,6 +461,7 @@ EXTRA_DIST += \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \
   %D%/report/sample.mjs \
+  %D%/report/watch.mjs \
   %D%/table \
   %D%/table.pm \
   %D%/tap.sh \

@@ -3,6 +3,7 @@
 // outcomes, key moments and questions are there, texts agree with counters, and a
 // projector and a phone show what matters. Used by watch.mjs.
 import assert from "node:assert/strict";
+import { LESSONS } from "../../reports/lesson/lessons/all.js";
 import { addressOf } from "../browser.mjs";
 
 // For every algorithm of a page.
@@ -15,6 +16,9 @@ export async function telling({ test, open, file }) {
   for (const name of names) {
     await go(`#/?a=${encodeURIComponent(name)}`);
     const seen = await page.evaluate(told, name);
+    const [general, all] = seen.general; // of a lesson of its own, most are its own
+    if (name in LESSONS && general > Math.max(3, all / 2))
+      seen.moments.push(`${general} of ${all} are not of the lesson`);
     await test(`${name} on ${scene}: all that a step names is drawn`, () =>
       assert.deepEqual(seen.undrawn, []));
     await test(`${name} on ${scene}: numbers are as the outcomes say`, () =>
@@ -35,6 +39,10 @@ export async function telling({ test, open, file }) {
       () => assert.deepEqual(seen.tests, []));
     await test(`${name} on ${scene}: the words of the field are explained`, () =>
       assert.deepEqual(seen.unexplained, []));
+    await test(`${name} on ${scene}: its sentences have a subject`, () =>
+      assert.deepEqual(seen.sentences, []));
+    await test(`${name} on ${scene}: pieces are drawn where they are cut`, () =>
+      assert.deepEqual(seen.cut, []));
   }
   await test(`${scene}: printing is without errors`, async () => {
     await page.emulateMedia({ media: "print" });
@@ -51,7 +59,8 @@ function told(name) {
   return lesson.run(name).then((run) => {
     const { trace, header } = run;
     const out = { undrawn: [], against: [], moments: [], questions: [], texts: [],
-      drawings: [], halves: [], tests: [], unexplained: [], seconds: [] };
+      drawings: [], halves: [], tests: [], unexplained: [], sentences: [], cut: [],
+      seconds: [] };
     const say = (list, text) => list.length < 4 && list.push(text);
 
     // Some events of every counter and outcome.
@@ -74,6 +83,32 @@ function told(name) {
           say(out.against, found.words);
       }
 
+    // Sentences begin with a subject; a cell has a number, or a level and a place.
+    for (const ks of of.values())
+      for (let p = 0; p < ks.length; p += Math.max(1, Math.floor(ks.length / 10))) {
+        const words = lesson.words(run, run.event(ks[p]));
+        const isArea = run.kind.name === "area" && /cell \d.* of level/.test(words);
+        if (isArea || !/^[A-Z]/.test(words) || /undefined|null|NaN| {2}|: :/.test(words) ||
+            /\bof (?:the )?(?:cell|cube|face) -1/.test(words))
+          say(out.sentences, `step ${ks[p] + 1}: ${words}`);
+      }
+
+    // What is inside of a clip polygon, and what is outside, makes up the face.
+    const area = (points) => Math.abs(points.reduce((sum, [x, y], k) => {
+      const [u, v] = points[(k + 1) % points.length];
+      return sum + x * v - u * y;
+    }, 0)) / 2;
+    const areaOf = (e) => lesson.looks(run, e).where.filter(({ width }) => width === 0)
+      .reduce((sum, { points }) => sum + area(points), 0);
+    for (let k = 0; name === "weiler-atherton" && k + 1 < trace.kept; k++) {
+      const [e, next] = [run.event(k), run.event(k + 1)];
+      if (e.outcome !== "inside" || next.outcome !== "outside" ||
+          next.counter.name !== "pieces" || !areaOf(e)) continue;
+      const whole = area(header.faces[e.a.ids[0]][4]), sum = areaOf(e) + areaOf(next);
+      if (Math.abs(sum - whole) > 1e-6 * whole) say(out.cut, `step ${k + 1}: ${
+        sum} of ${whole}`);
+    }
+
     // Key moments: in order, within the run, each with its own words.
     const moments = lesson.moments(run);
     const own = lesson.lesson(run) ? 5 : 2;
@@ -88,6 +123,11 @@ function told(name) {
     if (moments.at(-1).k !== run.n) say(out.moments, "it does not end at the end");
     out.seconds = ["moment", "unit", "step"].map((l) => lesson.seconds(run, l));
 
+    // Moments that any run has.
+    const texts = new Set((lesson.lesson(run)?.moments ?? []).map(([text]) => text));
+    out.general = [moments.filter(({ say: text }) => !texts.has(text)).length - 1,
+      moments.length];
+
     // Questions: the step says the answer, which is one of those offered; both
     // subjects are drawn.
     const questions = lesson.questions(run);
@@ -99,6 +139,9 @@ function told(name) {
         say(out.questions, `step ${k}: ${text} ${right}`);
       if (lesson.unseen(run, e).length) say(out.questions, `step ${k} is not drawn`);
       if (!text.endsWith("?")) say(out.questions, text);
+      // Of two edges the outcome is about the second one, which is dashed.
+      if (e.a.kind === "edge" && e.b.kind === "edge" && /^(nearer|farther)$/.test(right) &&
+          /^Is the solid one/.test(text)) say(out.questions, `step ${k}: ${text}`);
       if (right === "undecided" || answers.some(([word]) => word === "undecided"))
         say(out.questions, `step ${k}: nothing is decided`);
     }
@@ -172,11 +215,12 @@ function told(name) {
 
     // Words of the field that its texts use.
     const FIELD = ["back face", "body", "box", "BSP", "bubble sort", "bucket", "circle",
-      "cluster", "concave", "contour", "convex", "crossing", "disjoint", "fragment",
-      "front face", "intersecter", "interval", "linear programme", "logarithmic",
-      "marker", "mask", "midpoint", "minimax", "obscure", "octree", "penetrate", "piece",
-      "plane", "priority", "pyramid", "segment", "separating plane", "span",
-      "surround test", "surrounder", "vertex", "volume", "window"];
+      "clip polygon", "cluster", "concave", "contour", "convex", "crossing", "cull box",
+      "disjoint", "footprint", "fragment", "front face", "frustum", "intersecter",
+      "interval", "leaf", "linear programme", "logarithmic", "marker", "mask", "midpoint",
+      "minimax", "obscure", "octree", "penetrate", "piece", "plane", "portal", "priority",
+      "pyramid", "quadtree", "segment", "separating plane", "span", "splat",
+      "surround test", "surrounder", "texel", "vertex", "volume", "voxel", "window"];
     const said = [...written?.text ?? [], ...moments.map(({ say: text }) => text),
       ...questions.map(({ text }) => text)].join(" ");
     out.unexplained = FIELD.filter((word) => new RegExp(`\\b${word}`, "i").test(said) &&

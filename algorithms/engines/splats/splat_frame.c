@@ -226,8 +226,8 @@ static void visit_piece(struct hsr_splats *s, uint32_t j, uint32_t k,
   int where = box.x0 >= box.x1 || box.y0 >= box.y1                    ? OUT
               : hsr_splats_is_hidden(s, s->most_opacity, 65536, &box) ? FULL
                                                                       : IN;
-  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE,
-           where);
+  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_CELL(begin, 0, 0),
+           HSR_CELL(end - 1, 0, 0), HSR_NOWHERE, where);
   if (where != IN)
     return;
   add(s, step > 0 ? begin : end - 1, end - begin, step, j, k);
@@ -315,8 +315,8 @@ static bool is_row_out(struct hsr_splats *s, uint32_t row) {
   struct hsr_window box =
       may_touch(s, row % g->n[1], row / g->n[1], first, last);
   bool is_out = box.x0 >= box.x1 || box.y0 >= box.y1;
-  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE,
-           is_out ? OUT : IN);
+  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_CELL(g->row[row], 0, 0),
+           HSR_CELL(g->row[row + 1] - 1, 0, 0), HSR_NOWHERE, is_out ? OUT : IN);
   return is_out;
 }
 
@@ -397,8 +397,8 @@ enum hsr_status hsr_splats_visit_slices(struct hsr_splats *s, int axis,
 /* --- What it counts ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
-    {"rows", "boxes around rows of samples tested", HSR_COMPARE, HSR_OF_NOTHING,
-     HSR_OF_NOTHING, "out of the window|full|in it"},
+    {"rows", "boxes around rows of samples tested", HSR_COMPARE, HSR_OF_CELL,
+     HSR_OF_CELL, "out of the window|full|in it"},
     {"samples", "kept samples visited", HSR_ACTIVATE, HSR_OF_CELL,
      HSR_OF_NOTHING},
     {"splats", "rectangles around splats tested", HSR_COMPARE, HSR_OF_CELL,

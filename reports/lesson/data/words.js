@@ -3,6 +3,7 @@
 import { kindLook } from "./kinds.js";
 import { isOfBody, isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
+import { outcomeWords, ownCellWords, ownWords } from "./own_words.js";
 import { searchAt } from "./stretches.js";
 
 // e: the event, where its words depend on it.
@@ -24,13 +25,17 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "volume": return `${e && isOfBody(e) ? "body" : "volume"} ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
       : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
-      : q < 0 ? `cube ${p}` : `cube ${p} of instance ${q}`;
-    case "cell": return e && run.pyramid?.of(e.number)
-      ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0));
+      : q < 0 || isOneInstance(run) ? `cube ${p}` : `cube ${p} of instance ${q}`;
+    case "cell": return ownCellWords(run, ids) ?? (e && run.pyramid?.of(e.number)
+      ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0)));
     case "window": return window ? placeWords(run, window) : "the picture";
     default: return "";
   }
 }
+
+// Whether all cubes are of one instance, so that its number tells nothing.
+const isOneInstance = (run) => run.oneInstance ??= ![...run.cubes.keys()].some((key) =>
+  Number(key.split(",")[1]) > 0);
 
 // A number; or a level, and the number or place there.
 function cellWords(p, q, r) {
@@ -51,9 +56,13 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
 export const whereWords = (run, window) =>
   !window || isWhole(run, window) ? "" : placeWords(run, window);
 
+// Answers whose smallest windows are pixels, which have many samples or none.
+const OF_PIXELS = /^(area|filtered|composited)$/;
+
 const placeWords = (run, window) => isWhole(run, window) ? "the whole picture"
   : window.height === 1 && window.width >= run.width ? `row ${window.y}`
-    : windowWords(window);
+    : OF_PIXELS.test(run.kind.name) ? windowWords(window).replace(/^sample/, "pixel")
+      : windowWords(window);
 
 const placeWord = (w) => w?.height !== 1 ? "in" : w.width === 1 ? "at" : "on";
 
@@ -109,7 +118,9 @@ export function eventWords(run, e) {
   let text = first;
   if (isIntoRows(e))
     return `${capital(a)} ${bucketWords(e.window)}${timesWords(run, e)}`;
-  if (e.kind === "sort" && second) text = sortWords(e, a, b);
+  const own = ownWords(run, e, a, b, where || "the picture");
+  if (own) text = own;
+  else if (e.kind === "sort" && second) text = sortWords(e, a, b);
   else if (/pass(es)? through$/.test(e.outcome))
     return `The plane of ${b} ${e.outcome} ${a}`;
   else if (e.outcome && e.kind !== "compare")
@@ -128,11 +139,12 @@ export function eventWords(run, e) {
     text += ` is ${verb} ${placeWord(e.window)} ${second}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   const numbers = numberWords(run, e);
-  if (e.outcome) text += `: ${e.outcome}`;
+  if (e.outcome) text += `: ${outcomeWords(run, e)}`;
   if (numbers) text += `${e.outcome ? ", " : ": "}${numbers}`;
   text += timesWords(run, e);
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
-  const shown = e.a.kind === "window" || e.b.kind === "window";
+  const shown = [e.a, e.b].some(({ kind }) => kind === "window" ||
+    (kind === "cell" && run.kind.name === "area"));
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
   return capital(text);

@@ -11,22 +11,30 @@ export const clark = {
     "and behind the eye. Clark puts faces into boxes, and these into larger boxes. Here " +
     "they are the cubes of an octree: its nodes. A node that is outside of the view is left " +
     "out with all that is in it. One test takes the place of many.",
-  "A node that is inside of the view as a whole needs no test of what is below it. Only " +
+  "A node that is wholly inside of the view needs no test of what is below it. Only " +
     "nodes that a side of the view cuts are opened, and their children are looked at.",
-  "Nothing is asked about what hides what. A face that is in view is drawn, also if " +
+  "Nothing is asked about what hides what. A face that is in view is drawn, even if " +
     "others hide it. The hierarchical z-buffer asks that, too."],
   source: `J. H. Clark, Communications of the ACM 19, 1976; ${THESIS}`,
   needs: [{ name: "nodes out", instead: "rooms:4",
     why: "All of this scene is in view, so that no group of faces is left out." }],
   moments: [
-    ["A node of the octree is come to", { name: "nodes visited", pick: "largest" }],
-    ["A node is outside of the view: all that is in it is left out",
-      { name: "nodes out", pick: "largest" }],
-    ["A node is inside as a whole: nothing below it is tested again",
+    ["The first node holds all faces", { name: "nodes visited", nth: 1 }],
+    ["A side of the view is compared with the node: it may cut it",
+      { name: "inequalities", outcome: "leaves it open", nth: 1 }],
+    ["So its own faces are met, and then its children", { name: "faces met",
+      nth: 1, id: "met" }],
+    ["A face that is met is drawn as in a z-buffer", { name: "writes", after: "met" }],
+    ["At this sample it is farther than what was drawn: it stays hidden",
+      { name: "depth tests", outcome: "farther", real: true, pick: "largest" },
+      "Is the solid one nearer or farther than the dashed one here?"],
+    ["At this sample it is written over what was drawn", { name: "writes", covers: true }],
+    ["This node lies beyond a side of the view", { name: "inequalities",
+      outcome: "outside", pick: "largest" }],
+    ["It is left out with all that is in it", { name: "nodes out", pick: "largest" }],
+    ["A node is wholly inside of the view: nothing below it is tested again",
       { name: "nodes inside", pick: "largest" }],
-    ["A face is met in a node that is in view", { name: "faces met", pick: "largest" }],
-    ["A face is written where it is nearer than what was recorded", { name: "writes",
-      pick: "largest" }],
+    ["Half of the nodes are done", { name: "nodes visited", at: 0.5 }],
   ],
   find: ["How many of the nodes that were come to are outside of the view?", (run) => {
     const out = countOf(run, "nodes out"), all = countOf(run, "nodes visited");
@@ -45,50 +53,79 @@ export const octreeRaycast = {
   "Each ray begins at the root again. What two neighboring rays have in common is not used."],
   source: `S. Rubin and T. Whitted 1980; A. Glassner 1984; ${THESIS}`,
   moments: [
-    ["A ray goes through a sample", { name: "rays", nth: 1 }],
-    ["The ray misses a cube: no face in it is tested", { name: "cubes visited",
-      outcome: "missed", pick: "largest" }, "Does the ray through the sample meet the cube?"],
-    ["The ray meets a cube, and looks into it", { name: "cubes visited", outcome: "met",
-      pick: "largest" }, "Does the ray through the sample meet the cube?"],
-    ["A face in the cube is hit", { name: "ray tests", outcome: "hit", pick: "largest" },
-      "Does the ray through the sample hit the face?"],
-    ["A face in the cube is missed", { name: "ray tests", outcome: "missed",
-      pick: "largest" }, "Does the ray through the sample hit the face?"],
-    ["Another hit is nearer: it takes the place of the first", { name: "depth tests",
-      outcome: "nearer", pick: "largest" }],
     ["A cube begins behind the hit: it is not entered", { name: "cubes behind",
-      pick: "largest" }],
-    ["The nearest hit is shown", { name: "samples shown", nth: 2 }],
+      at: 0.5, id: "behind" }],
+    ["A ray goes through a sample", { name: "rays", before: "behind",
+      with: ["behind", "place"], id: "ray", or: { name: "rays", at: 0.5, id: "ray" } }],
+    ["The ray meets a cube, and looks into it", { name: "cubes visited", outcome: "met",
+      after: "ray", with: ["ray", "place"] }, "Does the ray through the sample meet the cube?"],
+    ["The ray misses this cube: no face in it is tested", { name: "cubes visited",
+      outcome: "missed", after: "ray", with: ["ray", "place"], pick: "over",
+      or: { name: "cubes visited", outcome: "missed", pick: "over" } },
+    "Does the ray through the sample meet the cube?"],
+    ["A face in a cube is missed", { name: "ray tests", outcome: "missed", after: "ray",
+      with: ["ray", "place"], pick: "over", or: { name: "ray tests", outcome: "missed",
+        pick: "over" } }, "Does the ray through the sample hit the face?"],
+    ["A face in a cube is hit", { name: "ray tests", outcome: "hit", after: "ray",
+      with: ["ray", "place"] }, "Does the ray through the sample hit the face?"],
+    ["Another ray: a second hit is nearer, and takes the place of the first",
+      { name: "depth tests", outcome: "nearer", at: 0.6 },
+      "Is the solid one nearer or farther than the dashed one here?"],
+    ["The nearest hit is shown", { name: "samples shown", after: "behind",
+      with: ["behind", "place"], or: { name: "samples shown", nth: 2 } }],
+    ["Another ray begins at the root again", { name: "rays", at: 0.75 }],
   ],
   find: ["How many faces is a ray tested against, of all in the scene?", (run) =>
     perEach(run, "ray tests", "rays")],
 };
 
+// Whether the window is not the whole picture.
+const isNarrow = (run, { window: w }) => Boolean(w) &&
+  (w.width < run.width || w.height < run.height);
+
+// Whether something of the face is in the picture.
+const isInView = ({ header }, { a }) => header.faces[a.ids[0]]?.[4].length > 0;
+
 export const pvs = {
   idea: "Look from room to room, through the doors",
-  text: ["A building has rooms, which are the cells, and openings between them, which are the portals. " +
+  text: ["A building has rooms, which are the cells, and openings between them, which are the " +
+    "portals. " +
     "The eye is in a cell. It sees the faces of that cell. It sees those of another cell only " +
     "through a portal.",
-  "So the search goes from cell to cell. The cull box is the rectangle of the picture that is seen " +
-    "through all portals passed so far. It becomes smaller at each portal. Where nothing is left " +
-    "of it, the search ends.",
-  "The faces that were met are the potentially visible set. It holds all that is visible, and " +
-    "some more. A z-buffer draws it."],
+  "So a search goes from cell to cell. Each cell has a cull box: the rectangle of the picture " +
+    "that is seen " +
+    "through all portals passed so far. For the cell of the eye it is the whole picture. At " +
+    "a portal it becomes smaller: what is left is where the cull box and the rectangle around " +
+    "the portal overlap. Where nothing is left, the search ends.",
+  "A cell may be reached by several ways. Then its cull box is the rectangle around all of " +
+    "them. It is looked at again only if the box has become larger.",
+  "When all cells are found, each of their faces is compared with its cell’s cull box. A face " +
+    "that is outside is left out. The others are the potentially visible set. It holds all " +
+    "that is visible, and some more. A z-buffer draws it."],
   source: `D. Luebke and C. Georges, Portals and mirrors, 1995; ${THESIS}`,
   needs: [{ name: "portals", instead: "rooms:4",
     why: "This scene has no rooms with openings between them." }],
   moments: [
-    ["The eye is in this cell", { name: "start cells", pick: "largest" }],
-    ["A cell is looked at, within what is seen of it", { name: "cells visited",
-      pick: "largest" }],
-    ["A portal is compared with the cull box", { name: "portals", pick: "largest" }],
-    ["A face of the cell is met", { name: "faces met", pick: "largest" }],
-    ["A face is outside of what is seen: it is left out", { name: "faces outside",
-      pick: "largest" }],
+    ["The eye is in this cell", { name: "start cells", nth: 1 }],
+    ["Its cull box is the whole picture", { name: "cells visited", nth: 1 }],
+    ["A portal of it is seen. The window is the cull box of the cell behind it",
+      { name: "portals", outcome: "seen", pick: "over", id: "seen" }],
+    ["Through this portal nothing is seen: the search ends here", { name: "portals",
+      outcome: "outside", pick: "largest" }],
+    ["This way leads to a cell that is known, and shows no more of it",
+      { name: "portals", outcome: "seen before", pick: "largest" }],
+    ["Another cell is looked at, through a part of the picture only",
+      { name: "cells visited", where: isNarrow, after: "seen" }],
+    ["All cells are found. Now a face of one of them is met", { name: "faces met",
+      where: isInView }],
+    ["A face is outside of its cell’s cull box: it is left out", { name: "faces outside",
+      pick: "over" }],
     ["A face belongs to the potentially visible set, and is drawn", { name: "faces drawn",
       pick: "largest" }],
-    ["What is hidden in the set, the z-buffer finds", { name: "depth tests",
-      pick: "largest" }],
+    ["The set holds more than is visible: the z-buffer finds that this one is farther",
+      { name: "depth tests", outcome: "farther", real: true, pick: "largest" },
+      "Is the solid one nearer or farther than the dashed one here?"],
+    ["Half of the set is drawn", { name: "faces drawn", at: 0.5 }],
   ],
   find: ["How many of the faces that were met had to be drawn?", (run) => {
     const drawn = countOf(run, "faces drawn"), met = countOf(run, "faces met");
@@ -100,25 +137,36 @@ export const naylor = {
   idea: "A tree of the scene against a tree of the picture",
   text: ["A BSP tree of the scene gives an order from front to back for every eye. So " +
     "each piece that comes later is behind all that came before, where they overlap.",
-  "A second tree divides the picture: its visibility map. A node of it has a line, and what is on " +
-    "either side. A region of the map shows a face, or is still vacant. Each piece goes down " +
-    "this tree. Its parts in vacant regions are seen, and the others are hidden. The piece’s " +
-    "sides become lines of the map.",
-  "A box around a whole subtree of the scene goes down the map as well. If it falls into " +
-    "regions that are taken, nothing in the subtree is seen: it is culled."],
+  "A second tree divides the picture: its visibility map. A node of it has a line, with a " +
+    "part of the picture on either side. What is not divided is a region. A region shows " +
+    "a face, or is still vacant.",
+  "Each piece goes down the map. Where it comes to a region that shows a face, it is " +
+    "hidden. Where it comes to a vacant region, it is seen: its sides become lines of " +
+    "the map, and the region between them shows it. The map is " +
+    "turned into samples when all pieces are done.",
+  "A box around a whole subtree of the scene goes down the map as well. If one region that " +
+    "shows a face holds it, nothing in the subtree is seen: it is culled."],
   source: `B. Naylor, Graphics Interface 1992; ${THESIS}`,
   moments: [
-    ["A node of the scene’s tree is come to", { name: "nodes visited", pick: "largest" }],
-    ["A subtree is outside of the view", { name: "nodes out", pick: "largest" }],
-    ["The box around a subtree is compared with the map", { name: "boxes compared", pick: "largest" }],
-    ["The map hides a subtree: all of it is left out", { name: "nodes culled",
+    ["The walk through the scene’s tree begins at its root", { name: "nodes visited", nth: 1 }],
+    ["A subtree is outside of the view: it is left out", { name: "nodes out", nth: 1 }],
+    ["A side of the piece divides a region that is vacant", { name: "divisions",
+      pick: "largest", id: "cut" }],
+    ["What is inside of all its sides shows the piece", { name: "regions filled",
+      after: "cut", with: ["cut", "a"], or: { name: "regions filled", pick: "largest" } }],
+    ["A later piece goes down the map: on which side of this line is it?",
+      { name: "lines compared", outcome: "both", after: "cut", pick: "largest",
+        among: 200 }],
+    ["A part of a piece comes to a region that shows a face: it is hidden",
+      { name: "parts hidden", pick: "largest" }],
+    ["The box around a subtree goes down the map", { name: "boxes compared",
       pick: "largest" }],
-    ["A piece is compared with a line of the map", { name: "lines compared",
+    ["One region hides a subtree: all of it is left out", { name: "nodes culled",
       pick: "largest" }],
-    ["A part of the piece is behind a face of the map", { name: "parts hidden",
-      pick: "largest" }],
-    ["A side of the piece divides a region", { name: "divisions", pick: "largest" }],
-    ["A vacant region is given to the face", { name: "regions filled", pick: "largest" }],
+    ["Half of the pieces are in the map", { name: "pieces", at: 0.5 }],
+    ["All pieces are in the map. Now it is turned into samples",
+      { name: "regions shown", nth: 1 }],
+    ["All samples here are of one region: its face is shown", { name: "samples", at: 0.5 }],
   ],
   find: ["How many lines is a piece compared with?", (run) =>
     perEach(run, "lines compared", "pieces")],
@@ -132,20 +180,29 @@ export const meagher = {
   "The picture is a quadtree. A cell of it is covered, or vacant, or divided. A node of the " +
     "octree is compared with it by its outline. If all cells there are covered, the node is " +
     "hidden with all that is in it.",
-  "Cubes that are not hidden are tiled: their sides that face the eye go down the quadtree, and cover " +
+  "Cubes that are not hidden are tiled: their sides that face the eye go down the quadtree, " +
+    "and cover " +
     "vacant cells."],
   source: `D. Meagher 1982; ${THESIS}`,
   moments: [
-    ["A node of the octree is come to", { name: "nodes visited", pick: "largest" }],
-    ["A cell of the quadtree is compared with the outline of a node", { name: "silhouette tests",
-      pick: "largest" }],
-    ["A node lies where all is covered: it is hidden with all that is in it",
-      { name: "nodes hidden", pick: "largest" }],
-    ["A cube is not hidden: it is drawn", { name: "cubes drawn", pick: "largest" }],
-    ["A side of a cube is tiled", { name: "sides tiled", pick: "largest" }],
-    ["A cell is divided, as the side’s edge crosses it", { name: "subdivisions",
-      pick: "largest" }],
-    ["A sample is written, once and for all", { name: "samples", nth: 3 }],
+    ["The first node of the octree holds all", { name: "nodes visited", nth: 1 }],
+    ["The outline of a node is compared with a cell of the quadtree", { name: "silhouette tests",
+      nth: 1 }],
+    ["A cube is not hidden: it is drawn", { name: "cubes drawn", nth: 1, id: "cube" }],
+    ["A side of it goes down the quadtree", { name: "sides tiled", after: "cube",
+      id: "side" }],
+    ["An edge of the side crosses this cell: it is divided", { name: "subdivisions",
+      after: "side" }],
+    ["This cell is inside of the side, and vacant", { name: "cells", outcome: "inside",
+      pick: "widest", id: "inside" }],
+    ["So its samples are written, once and for all", { name: "samples", after: "inside" }],
+    ["A cell that is covered: nothing there is asked again", { name: "cells",
+      outcome: "covered", after: "inside", pick: "widest" }],
+    ["So the node is hidden with all that is in it", { name: "nodes hidden",
+      pick: "largest", id: "hidden" }],
+    ["Where the outline of a node is, this cell is covered", { name: "silhouette tests",
+      outcome: "covered", before: "hidden" }],
+    ["Half of the samples are written", { name: "samples", at: 0.5 }],
   ],
   find: ["How many nodes of the octree were found to be hidden?", (run) => {
     const hidden = countOf(run, "nodes hidden"), all = countOf(run, "nodes visited");

@@ -121,8 +121,8 @@ const NUMBER = { what: "number", none: "zero",
   begins: "the number begins at one or more" };
 const SET = { what: "set", none: "empty", begins: "it begins the set" };
 
-const QUESTION = "Solid: this edge. Dashed: the other. At the crossing, which is nearer?";
-const WORDS = { farther: "the other is farther", nearer: "the other is nearer" };
+export const QUESTION = "Solid: this edge. Dashed: the other. At the crossing, which is nearer?";
+export const WORDS = { farther: "the other is farther", nearer: "the other is nearer" };
 
 export const appel = {
   idea: "Count how many faces hide the edge",

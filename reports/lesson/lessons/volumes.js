@@ -5,43 +5,55 @@ import { perEach } from "../telling/figures.js";
 
 const THESIS = "J. E. Swan II, Object-Order Rendering of Discrete Objects, thesis 1998";
 const ORDERS = {
-  btf: ["Three nested loops, each from its far end", "The three loops go through the grid " +
-    "from its far end along each axis, as seen along the direction of view. That is right in parallel " +
-    "projection. In perspective the eye may be within the extent of an axis. Then no single " +
-    "direction along it is right on both sides of the eye."],
+  btf: ["Three nested loops, each from its far end", "Three nested loops go through the " +
+    "grid. Each begins at the end of its axis that is farther along the direction of view. That " +
+    "is right in parallel projection. In perspective the eye may be between the ends of an " +
+    "axis. Then one direction is right on one side of the eye, and wrong on the other."],
   wbtf: ["Slices along the axis that one looks along most", "The outermost loop goes along " +
-    "the axis closest to the direction of view, and the innermost one along the axis farthest from it. In " +
-    "perspective this is wrong in fewer views than plain loops are, but in some."],
-  vbuffer: ["Slices, and in a slice by distance", "The slices lie along the axis closest to " +
-    "the direction of view. Within a slice, cells come by their distance from the view plane. In " +
-    "perspective this is wrong in some views."],
-  pbtf: ["Divide each axis at the eye", "Each axis is divided at the cell that holds the eye. That " +
-    "makes up to eight parts, the octants. In each of them one direction along each axis is " +
-    "right. The octants come one after the other, each from its far corner to the eye. It is right from every " +
-    "eye, and that is proved."],
+    "the axis that is closest to the direction of view, the innermost one along the axis that is " +
+    "farthest from it. Each loop has one direction. In perspective this is wrong in fewer " +
+    "views than plain loops are, but in some."],
+  vbuffer: ["Slices, and in a slice by distance", "The slices lie along the axis that is " +
+    "closest to the direction of view, and come from the far end. Within a slice, cells come " +
+    "by their distance from the view plane, the farthest first. In perspective the order " +
+    "of the slices is wrong in some views."],
+  pbtf: ["Divide each axis at the eye", "Each axis is divided at the cell that holds the " +
+    "eye. That makes up to eight parts, the octants. If the eye is outside of the grid, there " +
+    "are fewer. Within an octant the eye is at one end of each axis, so that one direction " +
+    "along it is right: from the far end to the eye.",
+  "The octants come one after the other. Cells of two octants do not hide one another, but for " +
+    "the slices that the eye is in: a cell there reaches to both sides of the eye. So the " +
+    "octants with these slices come last. It is right from every eye, and that is proved."],
   ippbtf: ["Divide each axis at the eye, and take both sides in turn", "Each axis is divided " +
-    "at the cell that holds the eye. Each loop then takes cells from both sides of the eye in turn, by their " +
-    "distance from it, the farthest first."],
-  "octree-order": ["The far children of a node first", "The grid is halved along each axis, again " +
-    "and again: an octree that need not be stored. At each node the eye’s place says in which " +
-    "order the eight children come."],
+    "at the cell that holds the eye. Each loop then takes slices, rows or cells from both " +
+    "sides of " +
+    "the eye in turn, by their distance from it, the farthest first. So no octant is done " +
+    "before the others."],
+  "octree-order": ["The far children of a node first", "The grid is halved along each axis, " +
+    "again and again: an octree that need not be stored. The planes that halve a node part " +
+    "its children. On which side of them the eye is says in which order the eight come: " +
+    "the one opposite to the eye first, and the eye’s own one last."],
 };
 
 // The lesson of an order of the cells of a grid.
-const orderLesson = ([idea, how]) => ({
+const orderLesson = ([idea, ...how]) => ({
   idea,
-  text: [how, "Two cells of a grid never penetrate, and a plane between two slices parts them. " +
-    "So an order is found by the eye’s place alone, and no two cells are ever compared. A cell is drawn by its " +
-    "sides that face the eye. From back to front, what comes later covers what came before."],
+  text: ["The scene is a grid of cells, in slices along each of three axes. A plane between two " +
+    "slices parts them: what is on the eye’s side of it cannot be hidden by what is beyond. " +
+    "So the eye’s place alone gives an order, and no two cells are ever compared.",
+  ...how, "Each cell is drawn by its sides that face the eye. What comes later covers what came " +
+    "before, so that no depth is kept."],
   source: `${THESIS}, chapter 2`,
   moments: [
-    ["A row of cells is come to", { name: "runs", pick: "largest" }],
-    ["The first cell of the order that is drawn", { name: "cells", outcome: "drawn" }],
+    ["The first row of the order", { name: "runs", nth: 1 }],
+    ["The first cell that is drawn", { name: "cells", outcome: "drawn" }],
     ["A side of it that faces the eye is drawn", { name: "sides", nth: 1 }],
     ["A cell that comes later covers what was there", { name: "writes", covers: true }],
-    ["A cell is out of sight", { name: "cells", outcome: "out of sight" }],
+    ["A cell is out of sight: it is passed over", { name: "cells", outcome: "out of sight" }],
+    ["A quarter of the sides are drawn", { name: "sides", at: 0.25 }],
     ["Half of the sides are drawn", { name: "sides", at: 0.5 }],
-    ["The last side of the order, the nearest to the eye", { name: "sides", nth: -1 }],
+    ["Three quarters of the sides are drawn", { name: "sides", at: 0.75 }],
+    ["The last side of the order: what is before all others", { name: "sides", nth: -1 }],
   ],
   find: ["How often is a sample written on the mean, of those that show something?", (run) => {
     const covered = run.painting.at(run.n).reduce((n, f) => n + (f >= 0 ? 1 : 0), 0);
@@ -52,98 +64,143 @@ const orderLesson = ([idea, how]) => ({
 export const orders = Object.fromEntries(Object.entries(ORDERS).map(([name, words]) =>
   [name, orderLesson(words)]));
 
-const SPLATS = "Each sample of the grid is thrown at the picture like a ball of paint that is soft at its rim: a splat. " +
-  "Its footprint is the same for all samples in parallel projection, and is looked up in a table.";
+const SPLATS = "Each sample of the grid is thrown at the picture like a ball of paint that is " +
+    "soft " +
+  "at its rim: a splat. The pixels that it covers are its footprint. A pixel gets the more " +
+  "of its color, the closer it is to the middle of the splat.";
+const GREY = "The colors are written when all splats are done. Until then the page shows in " +
+  "grey how often each pixel was touched.";
 const SPLAT_MOMENTS = [
-  ["A row of samples is in the picture", { name: "rows", pick: "largest" }],
-  ["A sample of the grid is visited", { name: "samples", nth: 1 }],
-  ["A splat is put into the picture", { name: "splats", outcome: "drawn",
-    pick: "largest" }],
-  ["A pixel gets its part of a splat, by the distance from the middle", { name: "updates",
+  ["The box around a row of samples is in the picture", { name: "rows", outcome: "in it",
     nth: 1 }],
-  ["A quarter of the splats", { name: "splats", at: 0.25 }],
+  ["A sample of the grid is visited", { name: "samples", pick: "largest", among: 12,
+    id: "sample" }],
+  ["The rectangle around its splat is in the picture", { name: "splats", outcome: "drawn",
+    after: "sample", with: ["sample", "a"] }],
+  ["A pixel gets its part of the splat, by the distance from the middle", { name: "updates",
+    after: "sample", with: ["sample", "a"], pick: "over" }],
   ["Half of the splats", { name: "splats", at: 0.5 }],
+  ["All splats are done. Now the pixels get their colors", { name: "writes", nth: 1 }],
 ];
 const perSplat = ["How many pixels does a splat touch on the mean?", (run) =>
   perEach(run, "updates", "splats")];
-const splatLesson = (idea, text, more = []) => ({ idea, text: [SPLATS, ...text],
+const splatLesson = (idea, text, more = []) => ({ idea, text: [SPLATS, ...text, GREY],
   source: `L. Westover, SIGGRAPH 1990; ${THESIS}, chapter 1`,
   moments: [...SPLAT_MOMENTS, ...more], find: perSplat });
+const foldMoments = (what) => [
+  [`The first ${what} is complete. Pixel by pixel, it is put over the picture`,
+    { name: "folds", nth: 1, id: "fold" }],
+  [`After it, the splats of the next ${what} are added`, { name: "splats", after: "fold" }],
+  [`The last pixel of the last ${what}`, { name: "folds", nth: -1 }]];
 
 export const splat = splatLesson("Throw the samples at the picture, one after the other", [
-  "Splats are put over one another from back to front, or under one another from front to " +
-  "back. The order of the grid is known without a comparison.",
-  "Splats are wider than the distance between samples, so they overlap in depth. No order " +
+  "Splats are put over one another from back to front. What lies below a splat shines " +
+  "through it, as it is not opaque. The order of the grid is known without a comparison.",
+  "But splats are wider than the distance between samples, so they overlap in depth. No order " +
   "of whole splats is right then: color of a farther sample comes to lie over a nearer one."]);
-export const splatSheet = splatLesson("Add the splats of a slice, then put slices over one another", [
-  "The slices of the grid that face the eye most are taken one by one. The splats of a slice are added " +
-  "in a buffer of its own, the sheet. Then the sheet is put over the picture.",
-  "Within a sheet nothing hides anything, so its order does not matter. When the view turns far enough, another axis " +
-  "has the sheets, and the picture changes at once: it pops."],
-[["The sheet is complete: it is put over the picture", { name: "folds", nth: 1 }],
-  ["The last sheet", { name: "folds", nth: -1 }]]);
-export const splatVolume = splatLesson("Add what splats give to slabs that are parallel to the picture", [
-  "The space before the eye is divided into slabs that are parallel to the picture. A splat gives to each slab " +
-  "the part of it that lies there. Slabs are put over one another from back to front.",
+export const splatSheet = splatLesson("Add the splats of a slice, then put slices over one " +
+    "another", [
+  "The slices of the grid that are most parallel to the picture are taken one by one, " +
+  "from back to front. The splats of a slice are added " +
+  "in a buffer of their own, the sheet. Then the sheet is put over the picture, and is empty " +
+    "again.",
+  "Within a sheet nothing hides anything, so that the order does not matter there. Between " +
+  "sheets, splats still overlap in depth. When the view turns far enough, another axis " +
+  "has the sheets. Then the brightness of faces changes at once: the picture pops."],
+foldMoments("sheet"));
+export const splatVolume = splatLesson("Add what splats give to slabs that are parallel to the " +
+    "picture", [
+  "The space before the eye is divided into slabs that are parallel to the picture. The steps " +
+  "call them buckets. A splat gives to each slab the part of it that lies there, and there " +
+  "it is added. The slabs are put over one another from back to front.",
   "So the slabs turn with the view, and nothing pops when it turns. It takes more work: a splat " +
   "reaches several slabs."],
-[["A slab is complete: it is put over the picture", { name: "folds", nth: 1 }]]);
+foldMoments("slab"));
 export const splatXray = splatLesson("Add all splats", [
   "In an X-ray picture nothing hides anything. All splats are added, in any order. The sum " +
-  "is what the ray meets on its way."]);
+  "in a pixel tells how much its ray meets on its way."]);
 
-const TEXTURES = "Here the grid is one layer, a texture, which the picture shows in perspective. It is the one " +
-  "case in which splats and the methods of texture mapping answer the same question.";
-const textureLesson = (idea, how, source) => ({ idea, text: [how, TEXTURES], source,
+const TEXTURES = "Here the grid is one layer, a texture, which the picture shows in perspective. " +
+  "An element of it is a texel. It is the one case in which splats and the methods of texture " +
+  "mapping answer the same question: what color has a pixel that covers many texels, or a " +
+  "part of one?";
+const textureLesson = (idea, how, source, reads, built) => ({ idea, text: [TEXTURES, how],
+  source,
   moments: [
-    ["The ray of a pixel is met with the layer", { name: "rays", nth: 1 }],
-    ["What is made before the picture", { name: "built", nth: 1 }],
-    ["A texel is read", { name: "texels", nth: 1 }],
-    ["A pixel gets its color", { name: "writes", nth: 1 }],
-    ["A pixel that is far away: its texels", { name: "texels", at: 0.1 }],
-    ["A pixel that is near: its texels", { name: "texels", nth: -1 }],
+    ...built ? [[built, { name: "built", nth: 1 }],
+      ["All of that is made beforehand", { name: "built", nth: -1 }]] : [],
+    ["The ray of this pixel misses the layer: it shows the background", { name: "rays",
+      outcome: "misses", nth: 1 }],
+    ["The ray of this pixel meets the layer", { name: "rays", outcome: "meets", nth: 1,
+      id: "ray" }],
+    [reads, { name: "texels", after: "ray", with: ["ray", "place"], id: "read" }],
+    ["The pixel gets its color", { name: "writes", after: "ray" }],
+    ["A pixel that is far away", { name: "writes", at: 0.1 }],
+    ["Half of the pixels have their color", { name: "writes", at: 0.5 }],
+    ["A pixel that is near", { name: "writes", nth: -1 }],
   ],
   find: ["How many texels are read for a pixel?", (run) => perEach(run, "texels", "writes")] });
 
 export const texturePoint = textureLesson("The texel that the ray meets",
   "A pixel takes the color of the one texel that its ray meets. Far away a pixel covers many " +
   "texels, and takes one of them by chance: so patterns appear that are not there.",
-  "E. Catmull, thesis, University of Utah 1974");
+  "E. Catmull, thesis, University of Utah 1974", "The texel that the ray meets is read");
 export const textureMipmap = textureLesson("Read from a pyramid of ever smaller textures",
-  "Beforehand the texture is halved again and again; a texel of a level is the mean of four of the level " +
-  "before. A pixel reads the two levels whose texels are about as large as what it covers. " +
+  "Beforehand the texture is halved again and again: a texel of a level is the mean of four of " +
+    "the " +
+  "level before. A pixel reads the two levels whose texels are about as large as what it covers, " +
+  "four texels of each, and takes a mean of these. " +
   "What it covers is taken for a square, so that it may be too soft in one direction.",
-  "L. Williams, SIGGRAPH 1983");
+  "L. Williams, SIGGRAPH 1983", "The first of the texels around the ray is read",
+  "A texel of the next level: the mean of four");
 export const textureTable = textureLesson("The mean of a rectangle by its four corners",
-  "Beforehand a table is made: for each texel the sum of all texels before it in both directions. The sum of any " +
-  "rectangle is then found from its four corners. So a pixel costs the same, however many " +
-  "texels it covers.",
-  "F. C. Crow, SIGGRAPH 1984");
+  "Beforehand a table is made: for each texel the sum of all texels before it in both " +
+    "directions. " +
+  "The sum over any rectangle is then found from its four corners: that of the far corner, " +
+    "less those of " +
+  "the two corners beside it, and with that of the near corner, which was taken away twice. So a " +
+  "pixel costs the same, however many texels it covers.",
+  "F. C. Crow, SIGGRAPH 1984", "The first entry at the corners of the rectangle is read",
+  "An entry of the table: a texel, and what three other entries say");
 export const textureConvolve = textureLesson("Read every texel that the filter reaches",
   "All texels that the pixel’s filter reaches are read, each with its weight. It is the " +
   "best of the four, and its cost grows with what a pixel covers.",
-  "E. Feibush, M. Levoy and R. Cook, SIGGRAPH 1980; P. Heckbert 1989");
+  "E. Feibush, M. Levoy and R. Cook, SIGGRAPH 1980; P. Heckbert 1989",
+  "The first texel within the filter is read");
 
 export const tilingSolids = {
   idea: "Which solid is each voxel in?",
-  text: ["A convex solid is what lies behind all of its planes. A cell of space is divided into " +
-    "smaller cells, four along each axis. For each plane a mask of a bit a cell tells which of these " +
-    "are behind it, which are not, and which it crosses. The masks of all planes together tell it of the solid.",
+  text: ["Space is a grid of small cubes, the voxels. A voxel belongs to a solid if its middle " +
+    "is " +
+    "inside. A convex solid is what lies behind all of its planes. A solid with a dent is " +
+    "divided into convex parts first.",
+  "A cell of space, at first all of it, is divided into smaller cells, four along each axis. " +
+    "For each plane a mask of a bit a cell tells which of these are behind it, which are not, " +
+    "and " +
+    "which it crosses. The masks of all planes together tell it of the solid.",
   "What is inside is written with all that is in it. What is outside is left. Only " +
-    "what a plane crosses is divided again.",
+    "what a plane crosses is divided again, down to the voxels.",
   "So it is hierarchical tiling in three dimensions instead of two. Greene thought it possible " +
     "and did not build it."],
   source: "N. Greene, SIGGRAPH 1996, section 8",
   moments: [
-    ["A convex solid, or a convex part of one", { name: "convex parts", pick: "largest" }],
-    ["A cell is visited", { name: "cells", pick: "largest" }],
-    ["The mask of a plane over the cell", { name: "masks of planes", pick: "largest" }],
-    ["A cell of voxels is visited", { name: "finest cells", pick: "largest" }],
+    ["A convex solid, or a convex part of one", { name: "convex parts", nth: 1, id: "part" }],
+    ["The first cell holds all of space", { name: "cells", after: "part" }],
+    ["A plane of the solid crosses the cell: it has a mask of its smaller cells",
+      { name: "masks of planes", outcome: "crossing", after: "part" }],
+    ["This plane has all of a cell behind it", { name: "masks of planes",
+      outcome: "inside", pick: "largest" }],
+    ["This plane has all of a cell before it: it is outside of the solid",
+      { name: "masks of planes", outcome: "outside", pick: "largest" }],
+    ["A cell that a plane crosses is divided again", { name: "cells",
+      where: (run, { a: { ids: [level] } }) => level > 0 }],
+    ["A cell whose smaller cells are voxels", { name: "finest cells", after: "part" }],
+    ["What is inside of all planes is written", { name: "covered", nth: 1 }],
     ["A voxel’s middle is too close to a plane for doubles: exact numbers decide",
       { name: "exact decisions", pick: "largest" }],
-    ["What is in the solid is written", { name: "covered", pick: "largest" }],
+    ["Half of the solids are done", { name: "convex parts", at: 0.5 }],
   ],
-  find: ["How many finest cells are visited for each larger one?", (run) =>
-    perEach(run, "finest cells", "cells")],
+  find: ["How many masks of planes are made for each convex part?", (run) =>
+    perEach(run, "masks of planes", "convex parts")],
 };
 

@@ -4,6 +4,7 @@
 // width, fill, role }: `fill` is a strength from 0 to 1, `role` the colour: of the
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
+import { clippedLook } from "./clipped.js";
 import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
 import { cellLook, cubeLook, isRegion, planeLook, volumeLook } from "./solids.js";
 import { testLook } from "./tests.js";
@@ -16,12 +17,14 @@ const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
 // { a, b, where }: the shapes of both subjects, and of the place.
 export function looksOf(run, e) {
   const isAccept = e.kind === "accept";
+  const pieces = clippedLook(run, e);
   const of = (s, isOther) => (LOOKS[s.kind]?.(run, e, s) ?? []).map((shape) =>
-    ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}) }));
+    ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}),
+      ...(pieces.length ? { fill: 0.06 } : {}) }));
   return { a: of(e.a, false), b: of(e.b, true),
     where: [...windowLook(run, e), ...bucketLook(run, e), ...boxLooks(run, e),
       ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e), ...testLook(run, e),
-      ...halvedLook(run, e)] };
+      ...halvedLook(run, e), ...pieces] };
 }
 
 // The halves of a piece that is divided, and between them the line of the plane.

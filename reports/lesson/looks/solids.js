@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
+import { squareOfCell } from "../data/own_words.js";
 import { projection } from "../data/projection.js";
 import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
@@ -48,6 +49,8 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
     fill: 0.45 }));
   const plane = planeOfCell(run, e.number, p);
   if (plane) return planeLook(run, plane);
+  const square = squareOfCell(run, [p, q, r]);
+  if (square) return squareLook(square);
   const texel = texelLook(run, e, p, q, r);
   if (texel) return texel;
   const level = run.pyramid?.of(e.number)
@@ -76,12 +79,14 @@ function voxelLook(run, level, k) {
     lo[axis] + size * Math.min(n[axis], (x + (c >> axis & 1)) * side)))?.slice(0, 2)));
 }
 
+const squareLook = ({ x, y, side }) => [{ closed: true, width: 2, fill: 0.3,
+  points: [[x, y], [x + side, y], [x + side, y + side], [x, y + side]] }];
+
 const INSET = 0.32; // of the picture's width: where a texture is shown
 
-// A texel of a texture that is not on the screen yet: in a small map of its level.
+// A texel of a texture: in a small map of its level.
 function texelLook(run, e, level, p, q) {
-  const sizes = e.window ? null : texturesOf(run).get(e.number);
-  const size = sizes?.get(level);
+  const size = texturesOf(run).get(level);
   if (!size) return null;
   const unit = INSET * run.width / Math.max(...size);
   const box = (x, y, w, h, look) => ({ points: [[x, y], [x + w, y], [x + w, y + h],
@@ -90,24 +95,22 @@ function texelLook(run, e, level, p, q) {
     box(p - size[2], q - size[3], 1, 1, { width: 2, fill: 0.7 })];
 }
 
-// Of each counter of cells without a place: level -> how many texels it has along each
-// axis, and the numbers of the first.
+// level -> how many texels it has along each axis, and the numbers of the first.
 function texturesOf(run) {
   if (run.textures) return run.textures;
-  const { trace, header } = run;
-  run.textures = new Map();
-  for (let k = 0; k < trace.kept && run.kind.name === "composited"; k++) {
-    const c = trace.counter[k];
-    if (header.counters[c].a !== "cell" || trace.width[k]) continue;
-    if (!run.textures.has(c)) run.textures.set(c, new Map());
-    const levels = run.textures.get(c);
+  const { trace, header } = run, levels = new Map();
+  const isTexel = header.algorithm.name.startsWith("texture-")
+    ? header.counters.map(({ a }) => a === "cell") : [];
+  for (let k = 0; k < trace.kept && isTexel.length; k++) {
+    if (!isTexel[trace.counter[k]]) continue;
     const [l, p, q] = [trace.a0[k], trace.a1[k], trace.a2[k]];
     const [, , p0, q0, p1, q1] = levels.get(l) ?? [0, 0, p, q, p, q];
     const [pl, ql, ph, qh] = [Math.min(p0, p), Math.min(q0, q), Math.max(p1, p),
       Math.max(q1, q)];
     levels.set(l, [ph - pl + 1, qh - ql + 1, pl, ql, ph, qh]);
   }
-  return run.textures;
+  run.textures = levels;
+  return levels;
 }
 
 // The plane of a node: of a tree between clusters, or of a BSP tree.

@@ -11,7 +11,8 @@
 // among      only the first so many such events: a long run is told early
 // at         the one at that share of all such events
 // pick       "largest": the one with the most to see; "apart": whose subjects are
-//            large, and well apart; "widest": the one with the largest window
+//            large, and well apart; "over": whose subject overlaps the window most;
+//            "widest": the one with the largest window
 // id         a name, for rules that follow
 // with       [id, "a" | "place" | "row"]: of the first subject, in the window or on
 //            the row of that moment
@@ -158,7 +159,9 @@ function best(run, found, pick) {
 function stake(run, e, pick) {
   if (pick === "widest") return e.window ? e.window.width * e.window.height : 0;
   const { a, b, where } = looksOf(run, e);
-  const boxes = [a, b].map((shapes) => boxOf(run, shapes)).filter(Boolean);
+  if (isUnseen(e.a, a) || isUnseen(e.b, b)) return -1;
+  const boxes = (pick === "over" ? [a, where] : [a, b])
+    .map((shapes) => boxOf(run, shapes)).filter(Boolean);
   if (!boxes.length) return sizeOf(boxOf(run, where));
   const least = Math.min(...boxes.map((box) => interest(run, sizeOf(box))));
   if (boxes.length < 2) return least + 0.2 * sizeOf(boxOf(run, where));
@@ -166,6 +169,10 @@ function stake(run, e, pick) {
   return pick === "apart" ? least * (both < 0 ? 1 : 0.1)
     : least + 2 * Math.max(0, both);
 }
+
+// Whether a subject that could be drawn is not: it lies outside of the picture.
+const isUnseen = ({ kind, ids }, shapes) => /face|piece|edge|volume|cube/.test(kind) &&
+  ids[0] >= 0 && !shapes.length;
 
 const FILLS = 0.6; // of the picture's width and height: more is a ground, no figure
 
@@ -193,6 +200,8 @@ export function boxOf(run, shapes) {
       box.y1 = Math.max(box.y1, y);
     }
   const clip = (x, most) => Math.min(most, Math.max(0, x));
+  if (box && (box.x1 < 0 || box.y1 < 0 || box.x0 > run.width || box.y0 > run.height))
+    [box.x1, box.y1] = [box.x0, box.y0]; // nothing of it is in the picture
   return box && { x0: clip(box.x0, run.width), y0: clip(box.y0, run.height),
     x1: clip(box.x1, run.width), y1: clip(box.y1, run.height) };
 }

@@ -57,6 +57,8 @@ const plain = (word) => word.replace(/^\w+: /, (text) =>
 function askedOf({ kind, counter: { outcomes }, a, b }) {
   const of = (word) => outcomes.includes(word);
   if (kind !== "compare" || !/face|piece|edge/.test(`${a.kind} ${b.kind}`)) return null;
+  if (of("nearer") && a.kind === "edge" && b.kind === "edge") // the outcome is of b
+    return "Where the two cross, is the dashed one nearer or farther?";
   if (of("nearer")) return "Is the solid one nearer or farther than the dashed one here?";
   if (of("hides")) return "Does the dashed one hide the solid one?";
   if (of("disjoint")) return "How does the face lie to the window?";
