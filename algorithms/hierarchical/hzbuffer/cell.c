@@ -212,11 +212,11 @@ static long area_of_box(const struct hsr_bounds *b) {
  * no more samples than they have. Otherwise the pyramid is updated for those
  * gathered so far. In the first pass of coherence it is not updated. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
+  if (!has_pyramid(w) || w->plain)
+    return;
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
                             greater(s->x1, box.x1), greater(s->y1, box.y1)};
-  if (!has_pyramid(w) || w->plain)
-    return;
   if (area_of_box(&both) > area_of_box(s) + area_of_box(&box)) {
     hsr_hz_refresh(w);
     both = box;

@@ -117,7 +117,8 @@ export const aBuffer = {
     "penetrate within a pixel, that is wrong."],
   source: "L. Carpenter, SIGGRAPH 1984",
   moments: [
-    ["No face is in this pixel, or one covers all of it: it is simple", { name: "simple pixels", nth: 1 }],
+    ["No face is in this pixel, or one covers all of it: it is simple",
+      { name: "simple pixels", nth: 1 }],
     ["Two fragments overlap: which one is nearer?", { name: "fragment comparisons",
       pick: "largest", among: 60, id: "pair" },
     "Is the solid one nearer or farther than the dashed one here?"],
