@@ -163,10 +163,9 @@ static const struct hsr_counter counters[] = {
      HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
     {"tiles masked",
      "of the masked buffer, updated for a face that covers them", HSR_COMPARE,
-     HSR_OF_CELL, HSR_OF_FACE, HSR_MASKED_UPDATE_OUTCOMES,
-     .key = "tile-masked"},
+     HSR_OF_CELL, HSR_OF_FACE, HSR_MASKED_UPDATE_OUTCOMES},
     {"occluders", "faces tiled before the occlusion maps are made",
-     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW, .key = "occluder"},
+     HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     {NULL}};
 
 static const struct hsr_line last_lines[] = {
