@@ -6,6 +6,8 @@ algorithm_files += \
   %D%/area/sorting/border.c \
   %D%/area/sorting/clipper.c \
   %D%/area/sorting/face_area.c \
+  %D%/area/sorting/integrate.c \
+  %D%/area/sorting/integrate.h \
   %D%/area/sorting/trace.c \
   %D%/area/sorting/weiler_atherton.c \
   %D%/area/tiling/clip.c \

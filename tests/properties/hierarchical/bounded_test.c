@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Error-bounded rendering against the area oracle, pass by pass.
+/* Error-bounded rendering against the area oracle, pass by pass; and the areas of
+ * visible polygons, as Weiler and Atherton's algorithm finds them, which has one
+ * pass.
  *
  * Held        after every pass, every interval of every pixel holds the exact
  *             value.
@@ -54,7 +56,9 @@ static const char *const variants[] = {
     "error-bounded:filter=quadratic:refine=levels",
     "error-bounded:filter=cubic:eps=.125",
     "error-bounded:order=strict:filter=tent:window=20",
-    "error-bounded:filter=cubic:window=20:eps=.0625"};
+    "error-bounded:filter=cubic:window=20:eps=.0625",
+    "weiler-atherton:eps=1e-9",
+    "weiler-atherton:eps=1e-8:window=20"};
 enum { N_VARIANTS = sizeof variants / sizeof *variants };
 
 struct watch {

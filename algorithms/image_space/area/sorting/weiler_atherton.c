@@ -26,6 +26,8 @@
  *             inside the outer clip polygon, not the whole polygons that they
  *             are parts of. A polygon is found outside without clipping if a
  *             line along an edge separates it from the clip polygon.
+ * Areas       asked for areas (docs/area-picture.md), the visible polygons are
+ *             integrated over each pixel: integrate.h
  * Options     sort=none leaves the first step out, which is not essential. Thin
  *             faces about one vertex may then be divided without end: clips=N
  *             refuses a picture that divides too much.
@@ -34,6 +36,7 @@
  *             polygons that overlap one another, and do not hide each other
  *             whole, are clipped n^2 / 2 times at least, and their pieces too. */
 #include "algorithms/image_space/area/sorting/area_slots.h"
+#include "algorithms/image_space/area/sorting/integrate.h"
 #include "common/answers/kinds/polygons.h"
 
 #include <float.h>
@@ -48,7 +51,9 @@ enum {
   CUT,
   CULLED,
   RECURSION,
-  SHOWN
+  SHOWN,
+  PIECES,
+  PIXELS
 };
 
 enum { SORT, CLIPS }; /* options */
@@ -72,7 +77,8 @@ struct state {
   struct hsr_clipper c;
   struct hsr_area_slots slots; /* the lists that are still to be done */
   struct hsr_polygons *polygons;
-  uint64_t left; /* polygons that may still be clipped */
+  bool integrates; /* areas are wanted: the polygons are not the answer */
+  uint64_t left;   /* polygons that may still be clipped */
   bool refused;
 };
 
@@ -160,8 +166,9 @@ static void display(struct state *s, struct hsr_area *area) {
   struct hsr_polygons part = *p;
   part.region = &p->region[p->n_regions - 1];
   part.n_regions = 1;
-  HSR_ACCEPTED(s->tally, SHOWN, HSR_FACE(area->face), HSR_NOTHING, HSR_NOWHERE,
-               &part);
+  if (!s->integrates)
+    HSR_ACCEPTED(s->tally, SHOWN, HSR_FACE(area->face), HSR_NOTHING,
+                 HSR_NOWHERE, &part);
   hsr_area_free(&s->c, area);
 }
 
@@ -363,13 +370,15 @@ static void process(struct state *s, struct hsr_area_list *list) {
 
 /* --- A picture ------------------------------------------------------------ */
 
-static enum hsr_status render(const struct hsr_job *job,
-                              struct hsr_error *err) {
+static enum hsr_status find_polygons(const struct hsr_job *job,
+                                     struct hsr_polygons *polygons,
+                                     struct hsr_error *err) {
   struct state s = {.job = job,
                     .tally = job->tally,
                     .c = {.lines = hsr_named_lines_new(job->world, job->view),
                           .arena = job->scratch},
-                    .polygons = hsr_answer_polygons_of(job->answer),
+                    .polygons = polygons,
+                    .integrates = !hsr_answer_polygons_of(job->answer),
                     .left = UINT64_C(1000000) * (uint64_t)job->option[CLIPS]};
   struct hsr_area_list list = {NULL, NULL};
   if (!s.c.lines)
@@ -392,6 +401,27 @@ static enum hsr_status render(const struct hsr_job *job,
   return s.c.faulty ? hsr_fail(err, HSR_E_INTERNAL,
                                "weiler-atherton: a border does not close")
                     : HSR_OK;
+}
+
+/* Analytic antialiasing: the areas of the polygons in each pixel. */
+static enum hsr_status find_areas(const struct hsr_job *job,
+                                  struct hsr_error *err) {
+  const struct hsr_integral_counters counters = {PIECES, PIXELS};
+  struct hsr_polygons polygons = {NULL};
+  if (hsr_form_area(&job->answer->form).shader != HSR_SHADER_FLAT)
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "weiler-atherton: a polygon has one colour: shader=flat");
+  enum hsr_status status = find_polygons(job, &polygons, err);
+  if (!status)
+    status = hsr_integrate(job, &polygons, counters, err);
+  hsr_polygons_free(&polygons);
+  return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_polygons *polygons = hsr_answer_polygons_of(job->answer);
+  return polygons ? find_polygons(job, polygons, err) : find_areas(job, err);
 }
 
 /* --- What it is and counts ------------------------------------------------ */
@@ -419,6 +449,10 @@ static const struct hsr_counter counters[] = {
                    HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_NOTHING},
     [SHOWN] = {"regions", "pieces displayed", HSR_ACCEPT, HSR_OF_FACE,
                HSR_OF_NOTHING},
+    [PIECES] = {"pieces of sides", "in a pixel, of which the area is found",
+                HSR_SAMPLE, HSR_OF_FACE, HSR_OF_NOTHING},
+    [PIXELS] = {"pixels", "written", HSR_ACCEPT, HSR_OF_NOTHING,
+                HSR_OF_NOTHING},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -435,6 +469,9 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(RECURSION)},
     {"  else display the clip polygon", HSR_RAISES(SHOWN)},
     {"  the outside list is the list"},
+    {"areas: for each side of a displayed polygon, each pixel that it is in",
+     HSR_RAISES(PIECES)},
+    {"  add up, from right to left; write the pixels", HSR_RAISES(PIXELS)},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -463,7 +500,7 @@ const struct hsr_algorithm HSR_ALGORITHM(weiler_atherton) = {
     .coherence = "area: a polygon hides all that is behind it at once",
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
-    .makes = {{HSR_POLYGONS}},
+    .makes = {{HSR_POLYGONS}, {HSR_AREAS, 1 << HSR_AREA_BOX}},
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
