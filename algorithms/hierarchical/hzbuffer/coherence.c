@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Temporal coherence: what was visible in the last frame. See walk.h. There are
- * three forms; two of them render the cubes that were visible first:
+ * four forms; two of them render the cubes that were visible first:
  *
  *   list     1993: these cubes are not tested in the frame. At its end all
  *            cubes found visible are tested by the finished pyramid, and those
@@ -19,7 +19,15 @@
  *            and is. Departures: a test has its answer at once, so no queue is
  *            needed; inner cubes may have faces of their own, which are
  *            rendered when the cube is traversed; the cubes that
- *            hzbuffer_moving.c traverses itself are always tested */
+ *            hzbuffer_moving.c traverses itself are always tested
+ *   chc++    O. Mattausch, J. Bittner and M. Wimmer, "CHC++: Coherent Hierarchical
+ *            Culling Revisited", Computer Graphics Forum 27(2), 2008, 221-230. As
+ *            chc, but a leaf that was visible is assumed to be visible, and
+ *            tested once in `assumed` frames. In which of these is random, so
+ *            that tests are spread over frames. Departures: the random number is
+ *            a hash of the cube's; a test of several hidden cubes at once
+ *            (multiqueries) is not built, since it reads the entries of each
+ *            here; their tight volumes are volumes=tight */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
@@ -71,11 +79,25 @@ static void prune(struct hsr_hz_walk *w) {
   }
 }
 
-/* --- coherence=chc -------------------------------------------------------- */
+/* --- coherence=chc and chc++ -------------------------------------------------------- */
 
 enum hsr_status hsr_hz_begin_chc(struct hsr_hz_walk *w) {
   return hsr_cube_marks_init(&w->before, w->last, w->frame.cubes,
                              w->frame.job->scratch);
+}
+
+/* Steele and Vigna's mixing (OOPSLA 2014), of two numbers. */
+static uint64_t mix(uint32_t a, uint32_t b) {
+  uint64_t z = (uint64_t)a << 32 | b;
+  z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+  z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+  return z ^ z >> 31;
+}
+
+bool hsr_hz_is_assumed(const struct hsr_hz_walk *w, uint32_t instance,
+                       uint32_t k) {
+  uint64_t turn = mix(instance, k) + w->prepared->frame;
+  return turn % (uint64_t)w->choice.assumed != 0;
 }
 
 /* The octree of instances is traversed between those of the instances, and the
@@ -104,6 +126,7 @@ static void list_instance_cubes(struct hsr_hz_walk *w) {
 
 void hsr_hz_end_coherence(struct hsr_hz_walk *w) {
   struct hsr_hz_prepared *p = w->prepared;
+  p->frame++;
   list_instance_cubes(w);
   if (w->choice.coherence == HSR_HZ_COHERENCE_LIST)
     prune(w);

@@ -4,7 +4,7 @@
  * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
  *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
  *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
- *             Santa Cruz, 1995, chapter 3 ("the thesis"). Of coherence=chc:
+ *             Santa Cruz, 1995, chapter 3 ("the thesis"). Of coherence=chc and chc++:
  *             coherence.c; of pyramid=masked and pyramid=maps:
  *             algorithms/engines/pyramid/masked.h and maps.h
  * Notation    octree cube -> node. Primitive, polygon -> face. z -> q = 1/t:
@@ -103,7 +103,8 @@ enum {
   VOLUMES,
   CUBES,
   POLYGONS,
-  COHERENCE
+  COHERENCE,
+  ASSUMED
 };
 enum { PLACEMENT_PUSHED, PLACEMENT_ENCLOSING };
 
@@ -126,7 +127,13 @@ static const struct hsr_option options[] = {
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   HSR_HZ_POLYGONS_FAST},
     [COHERENCE] = {"coherence", "what is kept from frame to frame",
-                   hsr_hz_coherences, 0, 3, HSR_HZ_COHERENCE_OFF},
+                   hsr_hz_coherences, 0, HSR_HZ_COHERENCE_CHC_PP,
+                   HSR_HZ_COHERENCE_OFF},
+    [ASSUMED] =
+        {"assumed",
+         "coherence=chc++: frames for which what is visible is assumed to "
+         "be so",
+         NULL, 1, 1000, HSR_HZ_ASSUMED},
     {NULL}};
 
 static struct hsr_hz_choice choice_of(const long *option) {
@@ -136,7 +143,8 @@ static struct hsr_hz_choice choice_of(const long *option) {
                                 .volumes = option[VOLUMES],
                                 .cubes = option[CUBES],
                                 .polygons = option[POLYGONS],
-                                .coherence = option[COHERENCE]};
+                                .coherence = option[COHERENCE],
+                                .assumed = option[ASSUMED]};
 }
 
 /* --- Once for all frames -------------------------------------------------- */

@@ -67,7 +67,8 @@ static const struct hsr_option options[] = {
                   NULL, 1, 1024, 16},
     [OCTREE] = {"octree", "of what does not move", octrees, 0, 1, OCTREE_ON},
     [COHERENCE] = {"coherence", "what is kept from frame to frame",
-                   hsr_hz_coherences, 0, 3, HSR_HZ_COHERENCE_OFF},
+                   hsr_hz_coherences, 0, HSR_HZ_COHERENCE_CHC_PP,
+                   HSR_HZ_COHERENCE_OFF},
     {NULL}};
 
 static struct hsr_hz_choice choice_of(const long *option) {
@@ -75,7 +76,8 @@ static struct hsr_hz_choice choice_of(const long *option) {
                                               ? HSR_HZ_OCTREE_LAZY
                                               : HSR_HZ_OCTREE_ON,
                                 .pyramid = HSR_HZ_PYRAMID_ON,
-                                .coherence = option[COHERENCE]};
+                                .coherence = option[COHERENCE],
+                                .assumed = HSR_HZ_ASSUMED};
 }
 
 /* --- Once ----------------------------------------------------------------- */

@@ -78,6 +78,15 @@ static bool is_trusted(const struct hsr_hz_walk *w, uint32_t instance,
   return !hsr_octree_is_leaf(node) && hsr_hz_was_visible(w, instance, k);
 }
 
+/* With coherence=chc++: a leaf that was visible is tested in some frames only. */
+static bool is_assumed(const struct hsr_hz_walk *w,
+                       const struct hsr_octree_node *node, uint32_t k) {
+  return w->choice.coherence == HSR_HZ_COHERENCE_CHC_PP &&
+         hsr_octree_is_leaf(node) &&
+         hsr_hz_was_visible(w, w->frame.instance, k) &&
+         hsr_hz_is_assumed(w, w->frame.instance, k);
+}
+
 /* ProcessOctreeNode for node k. If `octants` is not NULL, the node is octant o
  * of those that were projected together. With coherence=list, a cube of the
  * last frame's list has been rendered and counts as visible: it is not tested
@@ -92,11 +101,11 @@ static bool process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
                   hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
   bool is_listed = rendered && w->choice.coherence == HSR_HZ_COHERENCE_LIST;
   const struct hsr_octree_box volume = hsr_hz_volume(w, node);
-  bool visible = false;
+  bool visible = is_assumed(w, node, k);
   if (!is_listed &&
       !hsr_hz_is_in_frustum(w, &w->frame.placing, &volume, subject, &inside))
     return false;
-  if (!is_listed && !is_trusted(w, w->frame.instance, node, k)) {
+  if (!is_listed && !visible && !is_trusted(w, w->frame.instance, node, k)) {
     visible =
         octants ? hsr_hz_octant_passes_pyramid(w, octants, o)
                 : hsr_hz_passes_pyramid(w, &w->frame.placing, volume, subject);
@@ -105,7 +114,7 @@ static bool process_node(struct hsr_hz_walk *w, uint32_t k, bool inside,
   }
   HSR_STEP(w->tally, HSR_HZ_CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE,
            0);
-  const bool by_chc = w->choice.coherence == HSR_HZ_COHERENCE_CHC;
+  const bool by_chc = hsr_hz_is_chc(w);
   if (w->next && !by_chc && !hsr_cube_list_add(w->next, w->frame.instance, k))
     w->out_of_memory = true;
   divide_cube(w, k);
@@ -208,7 +217,7 @@ bool hsr_hz_process_instances(struct hsr_hz_walk *w, uint32_t k, bool inside) {
     if (child != HSR_NO_NODE)
       visible |= hsr_hz_process_instances(w, child, inside);
   }
-  if (w->choice.coherence == HSR_HZ_COHERENCE_CHC && visible)
+  if (hsr_hz_is_chc(w) && visible)
     hsr_hz_note_visible(w, HSR_NO_ID, k);
   return visible;
 }

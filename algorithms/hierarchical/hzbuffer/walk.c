@@ -13,6 +13,10 @@ const struct hsr_word hsr_hz_coherences[] = {
      "visible "
      "are not tested, as Bittner and others have it (2004)",
      HSR_FRAME_STATE},
+    {"chc++",
+     "the same; what is visible is assumed to be so for some frames, as "
+     "Mattausch and others have it (2008)",
+     HSR_FRAME_STATE},
     {NULL}};
 
 /* --- Once for all frames -------------------------------------------------- */
@@ -103,7 +107,7 @@ enum hsr_status hsr_hz_begin(struct hsr_hz_walk *w, const struct hsr_job *job,
   if (hsr_cube_frame_begin(&w->frame, job, &prepared->cubes) ||
       begin_depths(w, job) || tile_loose(w))
     return HSR_E_NOMEM;
-  if (w->choice.coherence == HSR_HZ_COHERENCE_CHC)
+  if (hsr_hz_is_chc(w))
     return hsr_hz_begin_chc(w);
   return w->last ? hsr_hz_render_last(w) : HSR_OK;
 }

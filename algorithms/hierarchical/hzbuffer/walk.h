@@ -85,15 +85,21 @@ enum {
   HSR_HZ_COHERENCE_OFF,
   HSR_HZ_COHERENCE_LIST,
   HSR_HZ_COHERENCE_PASSES,
-  HSR_HZ_COHERENCE_CHC
+  HSR_HZ_COHERENCE_CHC,
+  HSR_HZ_COHERENCE_CHC_PP
 };
 struct hsr_hz_choice {
   long octree, pyramid, volumes, cubes, polygons, coherence;
   long occluders; /* pyramid=maps: so many faces, or a few more */
+  long assumed;   /* coherence=chc++: frames */
 };
 
 /* The words of the option coherence=, which both modules have. */
 extern const struct hsr_word hsr_hz_coherences[];
+
+/* coherence=chc++: for how many frames a visible cube is assumed to be visible, if
+ * nothing else is said. The paper has 5 to 10. */
+#define HSR_HZ_ASSUMED 8
 
 /* The standard octree of the thesis (3.5): a leaf has at least 20 faces, and a
  * face is small if its area is less than a tenth of a cube's side. */
@@ -108,6 +114,7 @@ struct hsr_hz_prepared {
   struct hsr_cube_list list[2]; /* coherence: visible cubes of the last frame,
                                    and of this one */
   int last;                     /* list[last] is the last frame's */
+  uint32_t frame;               /* coherence=chc++: its number, from 0 */
   bool half_divided; /* octree=lazy: memory ran out while a cube was divided.
                         No further frame can be drawn */
 };
@@ -291,12 +298,22 @@ void hsr_hz_refresh(struct hsr_hz_walk *walk);
  * builds the pyramid of it. HSR_E_NOMEM. */
 enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *walk);
 
+/* coherence=chc or chc++ */
+static inline bool hsr_hz_is_chc(const struct hsr_hz_walk *w) {
+  return w->choice.coherence >= HSR_HZ_COHERENCE_CHC;
+}
+
 /* coherence=chc: was something in node k visible in the last frame? Of an
  * instance's octree, or of that of instances: HSR_NO_ID. */
 static inline bool hsr_hz_was_visible(const struct hsr_hz_walk *w,
                                       uint32_t instance, uint32_t k) {
   return w->before.list && hsr_cube_is_marked(&w->before, instance, k);
 }
+
+/* coherence=chc++: is leaf k of an instance's octree, which was visible in the last
+ * frame, assumed to be visible, and not tested in this frame? */
+bool hsr_hz_is_assumed(const struct hsr_hz_walk *walk, uint32_t instance,
+                       uint32_t k);
 
 /* coherence=chc: notes that something in node k is visible. */
 void hsr_hz_note_visible(struct hsr_hz_walk *walk, uint32_t instance,

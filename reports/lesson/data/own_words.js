@@ -12,9 +12,9 @@ const withSums = (what) => ({ ...splats,
   folds: (a, b) => `What the ${what} holds for ${b} is put over the picture` });
 
 const order = {
-  runs: (a) => `The row that begins with ${a} is come to`,
+  runs: (a) => `The row that begins with ${a} is reached`,
   groups: (a, b) => `The rectangle around ${a} to ${b} is tested`,
-  cells: (a) => `${a} is come to`,
+  cells: (a) => `${a} is reached`,
   sides: (a) => `${a}, a side of the cell, is drawn`,
 };
 
@@ -26,7 +26,7 @@ const texture = {
 };
 
 const hzbuffer = {
-  "nodes visited": (a) => `${a} is come to`,
+  "nodes visited": (a) => `${a} is reached`,
   "nodes out": (a) => `${a} is left out: it is outside of the view`,
   "cubes culled": (a) => `${a} is left out, with all faces in it`,
   "cube reads": (a, b) => `The entry of ${a} is read for ${b}`,
@@ -88,7 +88,7 @@ const OWN = {
     "cells refined": (a) => `The interval of ${a} is too wide: it is to be divided`,
   },
   clark: {
-    "nodes visited": (a) => `${a} is come to`,
+    "nodes visited": (a) => `${a} is reached`,
     "nodes out": (a) => `${a} is left out, with all that is in it`,
     "nodes inside": (a) => `${a} is inside of the view, with all that is in it`,
     "faces met": (a, b) => `${a} is met in ${b}`,
@@ -109,7 +109,7 @@ const OWN = {
     "faces drawn": (a) => `${a} is drawn by the z-buffer`,
   },
   naylor: {
-    "nodes visited": (a) => `${a} is come to`,
+    "nodes visited": (a) => `${a} is reached`,
     "nodes out": (a) => `What is below ${a} is left out: it is outside of the view`,
     "nodes culled": (a) => `What is below ${a} is left out: the map hides it`,
     "boxes compared": (a, b) => `The box around what is below ${a}, against ${b}`,
@@ -119,7 +119,7 @@ const OWN = {
     "regions filled": (a, b) => `${b} shows ${a} from now on`,
   },
   meagher: {
-    "nodes visited": (a) => `${a} is come to`,
+    "nodes visited": (a) => `${a} is reached`,
     "nodes out": (a) => `${a} is left out: it is outside of the picture`,
     "silhouette tests": (a, b) => `The outline of ${a} and ${b}`,
     "nodes hidden": (a) => `${a} is hidden, with all that is in it`,

@@ -36,7 +36,7 @@ export const clark = {
       { name: "nodes inside", pick: "largest" }],
     ["Half of the nodes are done", { name: "nodes visited", at: 0.5 }],
   ],
-  find: ["How many of the nodes that were come to are outside of the view?", (run) => {
+  find: ["How many of the nodes that were reached are outside of the view?", (run) => {
     const out = countOf(run, "nodes out"), all = countOf(run, "nodes visited");
     return `${times(out)} of ${times(all)}: ${share(out, all)}.`;
   }],
@@ -206,6 +206,6 @@ export const meagher = {
   ],
   find: ["How many nodes of the octree were found to be hidden?", (run) => {
     const hidden = countOf(run, "nodes hidden"), all = countOf(run, "nodes visited");
-    return `${times(hidden)} of the ${times(all)} that were come to: ${share(hidden, all)}.`;
+    return `${times(hidden)} of the ${times(all)} that were reached: ${share(hidden, all)}.`;
   }],
 };

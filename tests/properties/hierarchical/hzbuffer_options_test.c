@@ -126,6 +126,7 @@ static int try_all(const struct known *k, long *wrong) {
     choice.values.option[o] = option[o].words ? 0 : choice.values.option[o];
   set_number(option, choice.values.option, "least", 4);
   set_number(option, choice.values.option, "occluders", 20);
+  set_number(option, choice.values.option, "assumed", 3);
   do {
     const struct hsr_algorithm *a = n++ % 2 ? hz->plain : hz->counting;
     long bad = try_choice(k, a, &choice);
@@ -217,6 +218,7 @@ static const char *const choices[] = {
     "hzbuffer:least=2:cubes=sides:coherence=passes",
     "hzbuffer:least=2:cubes=sides:coherence=list",
     "hzbuffer:least=2:cubes=sides:coherence=chc",
+    "hzbuffer:least=2:coherence=chc++:assumed=3",
     "hzbuffer:least=1:pyramid=dual",
     "hzbuffer:least=2:pyramid=masked",
     "hzbuffer:least=2:pyramid=maps:occluders=20",

@@ -878,6 +878,52 @@ static void try_chc(struct tap *tap, const char *scene) {
   close_worlds(&s);
 }
 
+/* Cubes tested in frames 3 to 10 of one view; frames that show something wrong are
+ * told. */
+static uint64_t count_tests(const struct both_worlds *s, const char *variant,
+                            uint64_t *tiled, long *differ) {
+  static uint32_t right[SAMPLES];
+  static struct run r;
+  uint64_t tested = 0;
+  *tiled = 0;
+  begin_run(&r, s, variant);
+  for (int frame = 1; frame <= 10; frame++) {
+    set_view(&r, s, 0);
+    draw_run(&r);
+    draw_right(s, &r.view, right);
+    for (int i = 0; i < SAMPLES; i++)
+      *differ += r.ids[i] != right[i];
+    if (frame < 3)
+      continue;
+    tested += hsr_tally_count(&r.tally, HSR_HZ_CUBES_TESTED);
+    *tiled += hsr_tally_count(&r.tally, HSR_HZ_FACES_TILED);
+  }
+  end_run(&r);
+  return tested;
+}
+
+/* coherence=chc++: assumed for one frame it is chc. For four frames, fewer cubes are
+ * tested while the same is visible, and no more faces are tiled. */
+static void try_chc_pp(struct tap *tap, const char *scene) {
+  struct both_worlds s;
+  uint64_t tiled[3];
+  long differ = 0;
+  open_worlds(&s, scene);
+  uint64_t chc = count_tests(&s, "hzbuffer:coherence=chc", &tiled[0], &differ);
+  uint64_t one =
+      count_tests(&s, "hzbuffer:coherence=chc++:assumed=1", &tiled[1], &differ);
+  uint64_t four =
+      count_tests(&s, "hzbuffer:coherence=chc++:assumed=4", &tiled[2], &differ);
+  ok(tap,
+     !differ && one == chc && tiled[1] == tiled[0] && four < chc &&
+         tiled[2] == tiled[0],
+     "%s, coherence=chc++: %ld samples differ; %llu cubes tested, by chc %llu; "
+     "%llu faces tiled, by chc %llu",
+     scene, differ, (unsigned long long)four, (unsigned long long)chc,
+     (unsigned long long)tiled[2], (unsigned long long)tiled[0]);
+  close_worlds(&s);
+}
+
 int main(void) {
   static const struct {
     const char *scene;
@@ -886,7 +932,7 @@ int main(void) {
                 {"terrain:16:12", 3}, {"house", 9},       {"soup:500:3", 4},
                 {"twist:5", 3},       {"color-cube:4", 3}};
   enum { STAGES = sizeof stages / sizeof *stages };
-  struct tap tap = plan(4 * 2 * STAGES + 10);
+  struct tap tap = plan(4 * 2 * STAGES + 12);
   for (int k = 0; k < STAGES; k++) {
     struct both_worlds s;
     open_worlds(&s, stages[k].scene);
@@ -897,5 +943,7 @@ int main(void) {
   try_walks(&tap);
   try_chc(&tap, "office:3");
   try_chc(&tap, "harbor");
+  try_chc_pp(&tap, "office:3");
+  try_chc_pp(&tap, "harbor");
   return finish(&tap);
 }

@@ -33,6 +33,7 @@ static const char *const variants[] = {
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
     "hzbuffer:coherence=chc",
+    "hzbuffer:coherence=chc++:assumed=3",
     "hzbuffer-moving:coherence=list",
     "hzbuffer-moving:coherence=passes:movers=lazy",
     "hzbuffer-moving:octree=lazy:movers=lazy",

@@ -678,6 +678,7 @@ static const char *const variants[] = {
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
     "hzbuffer:coherence=chc",
+    "hzbuffer:coherence=chc++:assumed=2",
     "hzbuffer-moving",
     "hzbuffer-moving:movers=lazy",
     "hzbuffer-moving:movers=update",
