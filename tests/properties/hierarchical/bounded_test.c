@@ -57,8 +57,7 @@ static const char *const variants[] = {
     "error-bounded:filter=cubic:eps=.125",
     "error-bounded:order=strict:filter=tent:window=20",
     "error-bounded:filter=cubic:window=20:eps=.0625",
-    "weiler-atherton:eps=1e-9",
-    "weiler-atherton:eps=1e-8:window=20"};
+    "weiler-atherton:eps=1e-9"};
 enum { N_VARIANTS = sizeof variants / sizeof *variants };
 
 struct watch {
@@ -198,6 +197,11 @@ static void check_variant(struct tap *tap, const char *scene, int number,
   hsr_answer_free(&got);
 }
 
+/* Does it take a scene laid out only, no outline? */
+static bool needs_faces(const char *variant) {
+  return !strncmp(variant, "weiler-atherton", 15);
+}
+
 static void check_view(struct tap *tap, const char *scene,
                        const struct both_worlds *worlds,
                        const struct hsr_view *view, int number) {
@@ -205,7 +209,9 @@ static void check_view(struct tap *tap, const char *scene,
   find_truth(&truth, &worlds->world, view);
   for (int v = 0; v < N_VARIANTS; v++)
     check_variant(tap, scene, number, variants[v],
-                  v % 2 ? &worlds->world : &worlds->roster, view, &truth);
+                  v % 2 || needs_faces(variants[v]) ? &worlds->world
+                                                    : &worlds->roster,
+                  view, &truth);
   forget_truth(&truth);
 }
 

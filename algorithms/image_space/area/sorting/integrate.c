@@ -191,8 +191,9 @@ enum hsr_status hsr_integrate(const struct hsr_job *job,
     widest = fmax(widest, write_row(&g, j));
   return widest <= eps
              ? HSR_OK
-             : hsr_fail(err, HSR_E_REFUSED,
-                        "areas in doubles are known within %.2g here: eps=%g "
-                        "is less",
-                        widest, eps);
+             : hsr_fail(
+                   err, HSR_E_REFUSED,
+                   "weiler-atherton: areas are known within %.2g here: eps=%g "
+                   "is less",
+                   widest, eps);
 }
