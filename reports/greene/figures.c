@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws figures 3.4, 3.6 and 3.7 of N. Greene's thesis (UC Santa Cruz, 1995), and
- * the panels of figure 1 of 1993, of other scenes:
+ * the panels of figure 1 of 1993, of other scenes; and counts an octree:
  *
  *   pyramid SCENE VIEW FILE   a z-pyramid, the nearest bright: the finest level
  *                             at the left, each coarser one above the next
@@ -8,6 +8,9 @@
  *                             tiled in the second pass only is magenta
  *   above SCENE VIEW FILE     from above, as .svg: the frustum, and the cubes
  *                             visited: visible blue, hidden red, outside grey
+ *
+ *   octree SCENE VIEW FILE    how many faces the leaves of each object's octree
+ *                             hold, as text (3.5)
  *
  *   work SCENE VIEW FILE ALGORITHM COUNTER...
  *                             where an algorithm raises these counters: each
@@ -193,6 +196,10 @@ static void draw_exposed(const struct both_worlds *worlds, uint32_t k,
   free(passes.late);
 }
 
+/* The standard octree of hzbuffer. */
+static const struct hsr_octree_rule rule = {
+    .small = 0.1, .most = 20, .least = 20};
+
 /* --- 3.7 ------------------------------------------------------------------ */
 
 struct map {
@@ -253,7 +260,6 @@ static void draw_frustum(const struct map *map, const struct hsr_view *view) {
 
 static void draw_above(const struct both_worlds *worlds, uint32_t k,
                        const char *path) {
-  const struct hsr_octree_rule rule = {.small = 0.1, .most = 20, .least = 20};
   struct hsr_view view = view_of(worlds, k);
   struct hsr_setup setup;
   struct hsr_cubes cubes;
@@ -285,6 +291,50 @@ static void draw_above(const struct both_worlds *worlds, uint32_t k,
   hsr_setup_free(&setup);
   hsr_cubes_free(&cubes);
   free(ids);
+}
+
+/* --- The octree, 3.5 ------------------------------------------------------ */
+
+static void count_octree(FILE *out, const struct hsr_cubes *cubes, uint32_t o) {
+  const struct hsr_cubes_object *object = &cubes->object[o];
+  uint32_t leaves = 0, least = UINT32_MAX, most = 0;
+  uint64_t in_leaves = 0, in_all = 0, faces = 0;
+  for (uint32_t k = 0; k < object->octree.n_nodes; k++) {
+    uint32_t n = object->cell[k].n_faces;
+    in_all += n;
+    if (!hsr_octree_is_leaf(&object->octree.node[k]))
+      continue;
+    leaves++;
+    in_leaves += n;
+    least = n < least ? n : least;
+    most = n > most ? n : most;
+  }
+  bool *met = calloc(cubes->most_object_faces, sizeof *met);
+  if (!met)
+    stop("out of memory");
+  for (uint64_t k = 0; k < in_all; k++) {
+    faces += !met[object->face[k]];
+    met[object->face[k]] = true;
+  }
+  free(met);
+  fprintf(out,
+          "%llu faces, %u nodes, %u leaves of %u to %u faces, %.1f in the "
+          "mean; a face is in %.2f nodes\n",
+          (unsigned long long)faces, object->octree.n_nodes, leaves, least,
+          most, (double)in_leaves / leaves, (double)in_all / (double)faces);
+}
+
+static void count_octrees(const struct both_worlds *worlds, const char *path) {
+  struct hsr_cubes cubes;
+  struct hsr_error err = {.text = "out of memory"};
+  FILE *out = fopen(path, "w");
+  if (!out || hsr_cubes_init(&cubes, &worlds->roster, &rule, &err))
+    stop(out ? err.text : path);
+  for (uint32_t k = 0; k < worlds->scene->n_objects; k++)
+    count_octree(out, &cubes, k);
+  if (fclose(out))
+    stop(path);
+  hsr_cubes_free(&cubes);
 }
 
 /* --- Work ----------------------------------------------------------------- */
@@ -337,7 +387,8 @@ static void draw_work(const struct both_worlds *worlds, uint32_t k,
 
 int main(int argc, char **argv) {
   if (argc < 5)
-    stop("usage: figures pyramid|exposed|above|work SCENE VIEW FILE ...");
+    stop(
+        "usage: figures pyramid|exposed|above|octree|work SCENE VIEW FILE ...");
   struct both_worlds worlds = {.scene = NULL};
   struct hsr_error err = {.text = "out of memory"};
   uint32_t view = (uint32_t)atol(argv[3]) - 1;
@@ -348,6 +399,8 @@ int main(int argc, char **argv) {
     draw_pyramid(&worlds, view, argv[4]);
   else if (!strcmp(argv[1], "exposed"))
     draw_exposed(&worlds, view, argv[4]);
+  else if (!strcmp(argv[1], "octree"))
+    count_octrees(&worlds, argv[4]);
   else if (!strcmp(argv[1], "work") && argc > 6)
     draw_work(&worlds, view, argv[4], argv[5], argv + 6);
   else
