@@ -12,6 +12,10 @@
  *   octree SCENE VIEW FILE    how many faces the leaves of each object's octree
  *                             hold, as text (3.5)
  *
+ *   culled SCENE VIEW FILE    by cubes=sides, as in 1993: which share of the faces
+ *                             in culled cubes the pyramid culls, and which share
+ *                             the scan conversion of sides, as text
+ *
  *   work SCENE VIEW FILE ALGORITHM COUNTER...
  *                             where an algorithm raises these counters: each
  *                             step adds 1, shared out over its pixels
@@ -337,6 +341,87 @@ static void count_octrees(const struct both_worlds *worlds, const char *path) {
   hsr_cubes_free(&cubes);
 }
 
+/* --- What culls, 1993, section 4 ------------------------------------------ */
+
+struct culling {
+  const struct hsr_cubes *cubes;
+  int sides, culled;
+  struct hsr_subject scanned; /* the last cube of which a side was scanned */
+  uint64_t cubes_by[2], faces_by[2]; /* the pyramid; sides */
+};
+
+/* Faces in the cells below a node. A face counts in every cell that it is in. */
+static uint64_t faces_below(const struct hsr_cubes_object *object, uint32_t k) {
+  const struct hsr_octree_node *node = &object->octree.node[k];
+  uint64_t n = object->cell[k].n_faces;
+  for (int o = 0; o < 8; o++)
+    n +=
+        node->child[o] == HSR_NO_NODE ? 0 : faces_below(object, node->child[o]);
+  return n;
+}
+
+static uint64_t faces_of_instances(const struct hsr_cubes *cubes, uint32_t k) {
+  const struct hsr_octree_node *node = &cubes->octree.node[k];
+  uint64_t n = 0;
+  for (uint32_t i = 0; i < node->n; i++) {
+    uint32_t item = cubes->octree.item[node->first + i];
+    uint32_t instance = cubes->still ? cubes->still[item] : item;
+    n += faces_below(&cubes->object[cubes->scene->instances[instance].object],
+                     0);
+  }
+  for (int o = 0; o < 8; o++)
+    n += node->child[o] == HSR_NO_NODE
+             ? 0
+             : faces_of_instances(cubes, node->child[o]);
+  return n;
+}
+
+static void note_culling(void *context, const struct hsr_event *event) {
+  struct culling *c = context;
+  const uint32_t *id = event->a.id;
+  if (event->counter == c->sides)
+    c->scanned = event->a;
+  if (event->counter != c->culled)
+    return;
+  int by = c->scanned.id[0] == id[0] && c->scanned.id[1] == id[1];
+  c->cubes_by[by]++;
+  c->faces_by[by] +=
+      id[1] == HSR_NO_ID
+          ? faces_of_instances(c->cubes, id[0])
+          : faces_below(
+                &c->cubes->object[c->cubes->scene->instances[id[1]].object],
+                id[0]);
+}
+
+static void count_culling(const struct both_worlds *worlds, uint32_t k,
+                          const char *path) {
+  struct hsr_view view = view_of(worlds, k);
+  struct hsr_setup setup;
+  struct hsr_cubes cubes;
+  struct hsr_error err = {.text = "out of memory"};
+  uint32_t *ids = malloc(SAMPLES * sizeof *ids);
+  FILE *out = fopen(path, "w");
+  if (!ids || !out || hsr_cubes_init(&cubes, &worlds->roster, &rule, &err))
+    stop(out ? err.text : path);
+  prepare(&setup, "hzbuffer:cubes=sides", &worlds->roster);
+  struct culling c = {.cubes = &cubes,
+                      .sides = number_of(setup.algorithm, "sides scanned"),
+                      .culled = number_of(setup.algorithm, "cubes culled"),
+                      .scanned = HSR_CELL(HSR_NO_NODE, 0, 0)};
+  draw(&setup, &view, ids, note_culling, &c);
+  double all = (double)(c.faces_by[0] + c.faces_by[1]);
+  fprintf(out,
+          "the pyramid: %llu cubes, %.1f %% of the faces in culled cubes; "
+          "sides: %llu cubes, %.1f %%\n",
+          (unsigned long long)c.cubes_by[0], 100 * (double)c.faces_by[0] / all,
+          (unsigned long long)c.cubes_by[1], 100 * (double)c.faces_by[1] / all);
+  if (fclose(out))
+    stop(path);
+  hsr_setup_free(&setup);
+  hsr_cubes_free(&cubes);
+  free(ids);
+}
+
 /* --- Work ----------------------------------------------------------------- */
 
 struct work {
@@ -387,8 +472,8 @@ static void draw_work(const struct both_worlds *worlds, uint32_t k,
 
 int main(int argc, char **argv) {
   if (argc < 5)
-    stop(
-        "usage: figures pyramid|exposed|above|octree|work SCENE VIEW FILE ...");
+    stop("usage: figures pyramid|exposed|above|octree|culled|work SCENE VIEW "
+         "FILE ...");
   struct both_worlds worlds = {.scene = NULL};
   struct hsr_error err = {.text = "out of memory"};
   uint32_t view = (uint32_t)atol(argv[3]) - 1;
@@ -401,6 +486,8 @@ int main(int argc, char **argv) {
     draw_exposed(&worlds, view, argv[4]);
   else if (!strcmp(argv[1], "octree"))
     count_octrees(&worlds, argv[4]);
+  else if (!strcmp(argv[1], "culled"))
+    count_culling(&worlds, view, argv[4]);
   else if (!strcmp(argv[1], "work") && argc > 6)
     draw_work(&worlds, view, argv[4], argv[5], argv + 6);
   else
