@@ -12,7 +12,7 @@
  *   octree SCENE VIEW FILE    how many faces the leaves of each object's octree
  *                             hold, as text (3.5)
  *
- *   culled SCENE VIEW FILE    by cubes=sides, as in 1993: which share of the faces
+ *   culled SCENE VIEW FILE    by cubes=entry, as in 1993: which share of the faces
  *                             in culled cubes the pyramid culls, and which share
  *                             the scan conversion of sides, as text
  *
@@ -403,7 +403,7 @@ static void count_culling(const struct both_worlds *worlds, uint32_t k,
   FILE *out = fopen(path, "w");
   if (!ids || !out || hsr_cubes_init(&cubes, &worlds->roster, &rule, &err))
     stop(out ? err.text : path);
-  prepare(&setup, "hzbuffer:cubes=sides", &worlds->roster);
+  prepare(&setup, "hzbuffer:cubes=entry", &worlds->roster);
   struct culling c = {.cubes = &cubes,
                       .sides = number_of(setup.algorithm, "sides scanned"),
                       .culled = number_of(setup.algorithm, "cubes culled"),

@@ -31,12 +31,6 @@ static bool has_maps(const struct hsr_hz_walk *w) {
   return w->choice.pyramid == HSR_HZ_PYRAMID_MAPS;
 }
 
-/* Is there a pyramid? */
-static bool has_pyramid(const struct hsr_hz_walk *w) {
-  return w->choice.pyramid == HSR_HZ_PYRAMID_ON ||
-         w->choice.pyramid == HSR_HZ_PYRAMID_DUAL;
-}
-
 /* The scene's id of face f of a tiler's world: a cell, or the loose faces. */
 static uint32_t id_of(const struct hsr_tiler *t, uint32_t f) {
   return t->id ? t->first_id + t->id[f] : f;
@@ -100,7 +94,7 @@ static void count_tested(const struct hsr_hz_walk *w, uint32_t id,
 static bool is_hidden(struct hsr_hz_walk *w, struct hsr_bounds box, float q,
                       uint32_t id) {
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_FACE(id));
-  return w->choice.polygons == HSR_HZ_POLYGONS_BASIC && has_pyramid(w)
+  return w->choice.polygons == HSR_HZ_POLYGONS_BASIC && hsr_hz_has_pyramid(w)
              ? hsr_pyramid_basic(&w->pyramid, box, q)
              : hsr_hz_hides(w, box, q);
 }
@@ -108,7 +102,8 @@ static bool is_hidden(struct hsr_hz_walk *w, struct hsr_bounds box, float q,
 /* Which of n faces are hidden? The pyramid's fast test takes them together. */
 static void find_hidden(struct hsr_hz_walk *w, int n,
                         const struct hsr_corners *r, int *hidden) {
-  bool together = w->choice.polygons != HSR_HZ_POLYGONS_BASIC && has_pyramid(w);
+  bool together =
+      w->choice.polygons != HSR_HZ_POLYGONS_BASIC && hsr_hz_has_pyramid(w);
   hsr_hz_read_for(w, HSR_HZ_FACE_READS, HSR_NOTHING);
   if (together)
     hsr_pyramid_hides_triangles(&w->pyramid, n, r, hidden);
@@ -212,7 +207,7 @@ static long area_of_box(const struct hsr_bounds *b) {
  * no more samples than they have. Otherwise the pyramid is updated for those
  * gathered so far. In the first pass of coherence it is not updated. */
 static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
-  if (!has_pyramid(w) || w->plain)
+  if (!hsr_hz_has_pyramid(w) || w->plain)
     return;
   const struct hsr_bounds *s = &w->stale;
   struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),

@@ -45,8 +45,7 @@ enum hsr_status hsr_hz_render_last(struct hsr_hz_walk *w) {
     }
   }
   w->plain = false;
-  if (w->choice.pyramid == HSR_HZ_PYRAMID_ON ||
-      w->choice.pyramid == HSR_HZ_PYRAMID_DUAL)
+  if (hsr_hz_has_pyramid(w))
     w->stale =
         (struct hsr_bounds){window->x0, window->y0, window->x1, window->y1};
   hsr_hz_refresh(w);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Is a cube visible? IsCubeVisible of the thesis; with cubes=sides its sides
- * are scan-converted, as in 1993. A side is what the papers call a face of the
+ * are scan-converted, too, and with cubes=entry as in 1993. A side is what the papers call a face of the
  * cube. See hzbuffer.c for the sources, and walk.h. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
 
@@ -91,10 +91,11 @@ static bool is_rectangle_hidden(struct hsr_hz_walk *w, struct hsr_bounds box,
                                 float q) {
   if (w->choice.pyramid == HSR_HZ_PYRAMID_OFF)
     return false;
-  if (w->choice.pyramid == HSR_HZ_PYRAMID_DUAL &&
-      w->choice.cubes != HSR_HZ_CUBES_SIDES &&
+  if (w->choice.pyramid == HSR_HZ_PYRAMID_DUAL && !hsr_hz_scans_sides(w) &&
       hsr_pyramid_before(&w->pyramid, box, q))
     return false;
+  if (w->choice.cubes == HSR_HZ_CUBES_ENTRY && hsr_hz_has_pyramid(w))
+    return hsr_pyramid_basic(&w->pyramid, box, q);
   return hsr_hz_hides(w, box, q);
 }
 
@@ -106,7 +107,7 @@ static bool is_side_visible(struct hsr_hz_walk *w, const struct tested *c,
   if (!hsr_cube_bounds(&w->frame, &c->image, corner, 4, &box) ||
       is_rectangle_hidden(w, box, nearest_of(&c->image, corner)))
     return false;
-  if (w->choice.cubes != HSR_HZ_CUBES_SIDES)
+  if (!hsr_hz_scans_sides(w))
     return true;
   bool visible = scan_side(w, c, side, &box);
   HSR_STEP(w->tally, HSR_HZ_SIDES_SCANNED, c->subject, HSR_THE_WINDOW,
@@ -181,7 +182,7 @@ bool hsr_hz_is_cube_visible(struct hsr_hz_walk *w,
 
 bool hsr_hz_tests_together(const struct hsr_hz_walk *w) {
   return !HSR_COUNTING && w->choice.pyramid == HSR_HZ_PYRAMID_ON &&
-         w->choice.cubes != HSR_HZ_CUBES_SIDES && !w->frame.job->view->parallel;
+         !hsr_hz_scans_sides(w) && !w->frame.job->view->parallel;
 }
 
 /* The rectangle of the whole cube is tested before those of its sides: what

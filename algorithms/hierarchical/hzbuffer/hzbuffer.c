@@ -85,8 +85,12 @@ static const struct hsr_word volumes[] = {
     {NULL}};
 static const struct hsr_word cube_tests[] = {
     {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
-    {"sides", "where that leaves it open, scan-converted, as in 1993", 0},
+    {"sides", "where that leaves it open, scan-converted", 0},
     {"whole", "the cube, instead of its sides, by its bounding rectangle", 0},
+    {"entry",
+     "sides by one entry of the pyramid, and where that leaves it open, "
+     "scan-converted, as in 1993",
+     0},
     {NULL}};
 static const struct hsr_word polygon_tests[] = {
     {"fast", "bounding rectangles, by recursion", 0},
@@ -122,7 +126,7 @@ static const struct hsr_option options[] = {
          1, 1000000, 2000},
     [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1,
                  HSR_HZ_VOLUMES_CUBES},
-    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2,
+    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 3,
                HSR_HZ_CUBES_RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   HSR_HZ_POLYGONS_FAST},

@@ -74,7 +74,12 @@ enum {
   HSR_HZ_PYRAMID_MAPS
 };
 enum { HSR_HZ_VOLUMES_CUBES, HSR_HZ_VOLUMES_TIGHT };
-enum { HSR_HZ_CUBES_RECTANGLE, HSR_HZ_CUBES_SIDES, HSR_HZ_CUBES_WHOLE };
+enum {
+  HSR_HZ_CUBES_RECTANGLE,
+  HSR_HZ_CUBES_SIDES,
+  HSR_HZ_CUBES_WHOLE,
+  HSR_HZ_CUBES_ENTRY
+};
 enum {
   HSR_HZ_POLYGONS_FAST,
   HSR_HZ_POLYGONS_BASIC,
@@ -190,6 +195,12 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
   w->pyramid.count.whom = w->masked.count.whom = w->maps.count.whom = whom;
 }
 
+/* Is there a pyramid? */
+static inline bool hsr_hz_has_pyramid(const struct hsr_hz_walk *w) {
+  return w->choice.pyramid == HSR_HZ_PYRAMID_ON ||
+         w->choice.pyramid == HSR_HZ_PYRAMID_DUAL;
+}
+
 /* Can something be found hidden? Not without a pyramid, nor before the maps are
  * made. */
 static inline bool hsr_hz_can_hide(const struct hsr_hz_walk *w) {
@@ -234,6 +245,12 @@ bool hsr_hz_process_instance(struct hsr_hz_walk *walk, uint32_t instance);
  * None of its faces has been met, but those of the last frame's cubes that have
  * been rendered. */
 void hsr_hz_set_instance(struct hsr_hz_walk *walk, uint32_t instance);
+
+/* Are sides of cubes scan-converted, if the pyramid leaves them open? */
+static inline bool hsr_hz_scans_sides(const struct hsr_hz_walk *w) {
+  return w->choice.cubes == HSR_HZ_CUBES_SIDES ||
+         w->choice.cubes == HSR_HZ_CUBES_ENTRY;
+}
 
 /* --- Is a cube visible? --------------------------------------------------- */
 
