@@ -17,6 +17,7 @@ algorithm_files += \
   %D%/tiler/tiler_avx2.h \
   %D%/tiler/tiler_avx512.h \
   %D%/tiler/tiler_twin.h \
+  %D%/pyramid/entries.h \
   %D%/pyramid/maps.c \
   %D%/pyramid/maps.h \
   %D%/pyramid/masked.c \

@@ -3,10 +3,6 @@
 
 enum { BITS = HSR_MAPS_BITS };
 
-static int lesser(int a, int b) {
-  return a < b ? a : b;
-}
-
 static int side_of(const struct hsr_maps *m, int level) {
   return 1 << (m->n_levels - 1 - level);
 }
@@ -93,20 +89,11 @@ void hsr_maps_make(struct hsr_maps *m, const struct hsr_tiler *t) {
 
 /* --- The test ------------------------------------------------------------- */
 
-/* An entry or an estimate is read: a step, which each of its samples in the
- * window has its share of. */
 static inline void count_read(const struct hsr_maps *m, int level, int x, int y,
                               bool hides) {
-  const struct hsr_maps_count *c = &m->count;
-  const struct hsr_window *w = &m->window;
-  int x0 = w->x0 + (x << level), x1 = lesser(x0 + (1 << level), w->x1);
-  int y0 = w->y0 + (y << level), y1 = lesser(y0 + (1 << level), w->y1);
-  HSR_STEP(c->tally, c->reads, HSR_CELL(level, x, y), c->whom,
-           hsr_window_make(x0, y0, x1, y1), hides);
-  float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
-  for (int j = y0; HSR_COUNTING && c->work && j < y1; j++)
-    for (int i = x0; i < x1; i++)
-      c->work[(size_t)j * c->work_stride + (size_t)i] += share;
+  if (HSR_COUNTING)
+    hsr_entry_step(m->count->tally, m->count->reads, &m->window, level, x, y,
+                   m->count->whom, hides);
 }
 
 /* The opacity test: do the occluders cover what entry (x, y) and the rectangle

@@ -24,6 +24,7 @@
 #ifndef HSR_ALGORITHMS_MAPS_H
 #define HSR_ALGORITHMS_MAPS_H
 
+#include "algorithms/engines/pyramid/entries.h"
 #include "algorithms/engines/tiler/tiler.h"
 
 #ifdef __cplusplus
@@ -35,19 +36,6 @@ enum {
   HSR_MAPS_BITS = 3     /* an estimate stands for 8 x 8 samples */
 };
 
-/* What is counted, in the counting build: each entry or estimate that is read is
- * a step of `reads`, with HSR_CELL(level, column, row) and `whom` as its
- * subjects. Estimates are of level HSR_MAPS_BITS. */
-struct hsr_maps_count {
-  struct hsr_tally *tally;
-  int reads;
-  struct hsr_subject whom; /* the face or the cube that is tested */
-  /* The work picture, or NULL: at work[j * work_stride + i], sample (i, j) gets
-   * its share of every entry or estimate read. */
-  float *work;
-  size_t work_stride;
-};
-
 struct hsr_maps {
   struct hsr_window window; /* its first sample is the first entry of level 0 */
   int n_levels;             /* the last level is one entry */
@@ -55,7 +43,9 @@ struct hsr_maps {
   float *farthest; /* row by row: HUGE_VALF where there is no occluder */
   int columns;     /* of estimates */
   bool made;       /* before that nothing is hidden */
-  struct hsr_maps_count count;
+  struct hsr_entry_count *count; /* of what is read: entries, and estimates as
+                                    entries of level HSR_MAPS_BITS. Borrowed, and
+                                    not NULL in the counting build */
 };
 
 /* Makes room for the maps of a window, without any occluder. The arrays are the

@@ -60,22 +60,6 @@ static uint64_t outside(const struct hsr_masked *m, int x, int y) {
               .bits;
 }
 
-/* A tile is read or updated: a step, which each of its samples has its share
- * of. */
-static inline void count_tile(const struct hsr_masked *m, int counter, int x,
-                              int y, struct hsr_subject whom, int outcome) {
-  const struct hsr_masked_count *count = &m->count;
-  const struct hsr_window *w = &m->window;
-  struct hsr_bounds b =
-      common_of(m, x, y, (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1}).box;
-  HSR_STEP(count->tally, counter, HSR_CELL(BITS, x, y), whom,
-           hsr_window_make(b.x0, b.y0, b.x1, b.y1), outcome);
-  float share = 1.0f / (float)((b.x1 - b.x0) * (b.y1 - b.y0));
-  for (int j = b.y0; HSR_COUNTING && count->work && j < b.y1; j++)
-    for (int i = b.x0; i < b.x1; i++)
-      count->work[(size_t)j * count->work_stride + (size_t)i] += share;
-}
-
 enum hsr_status hsr_masked_init(struct hsr_masked *m,
                                 const struct hsr_window *window,
                                 struct hsr_arena *arena) {
@@ -122,7 +106,9 @@ static int merge(const struct hsr_masked *m, int x, int y, uint64_t samples,
 static void update(struct hsr_masked *m, int x, int y, uint64_t samples,
                    float far, uint32_t id) {
   int outcome = merge(m, x, y, samples, far);
-  count_tile(m, m->count.updates, x, y, HSR_FACE(id), outcome);
+  if (HSR_COUNTING)
+    hsr_entry_step(m->count->tally, m->updates, &m->window, BITS, x, y,
+                   HSR_FACE(id), outcome);
 }
 
 /* Is the least of the three edge functions at each sample of a tile more than
@@ -234,7 +220,9 @@ void hsr_masked_put_shown(struct hsr_masked *m, const struct hsr_tiler *t,
 /* Is depth q farther than the reference layer of a tile? */
 static bool is_behind(struct hsr_masked *m, int x, int y, float q) {
   bool behind = q * HSR_CLEAR < tile_at(m, x, y)->reference;
-  count_tile(m, m->count.reads, x, y, m->count.whom, behind);
+  if (HSR_COUNTING)
+    hsr_entry_step(m->count->tally, m->count->reads, &m->window, BITS, x, y,
+                   m->count->whom, behind);
   return behind;
 }
 

@@ -26,6 +26,7 @@
 #ifndef HSR_ALGORITHMS_MASKED_H
 #define HSR_ALGORITHMS_MASKED_H
 
+#include "algorithms/engines/pyramid/entries.h"
 #include "algorithms/engines/tiler/tiler.h"
 
 #ifdef __cplusplus
@@ -40,21 +41,6 @@ struct hsr_masked_tile {
   float reference, working; /* working: HUGE_VALF if the layer is empty */
 };
 
-/* What is counted, in the counting build: each tile that is read is a step of
- * `reads`, with the tile and `whom` as its subjects, and each that a face is put
- * into one of `updates`, with the tile and the face. A tile is
- * HSR_CELL(HSR_MASKED_BITS, column, row): so large is an entry of that level of
- * a z-pyramid. */
-struct hsr_masked_count {
-  struct hsr_tally *tally;
-  int reads, updates;
-  struct hsr_subject whom; /* the face or the cube that is tested */
-  /* The work picture, or NULL: at work[j * work_stride + i], sample (i, j) gets
-   * its share of every tile read or updated. */
-  float *work;
-  size_t work_stride;
-};
-
 /* The outcomes of an update: the face is not nearer than the reference layer;
  * it is added to the working layer; it takes its place; or that layer is full,
  * and is the reference layer from now on. */
@@ -66,7 +52,11 @@ struct hsr_masked {
   struct hsr_window window; /* its first sample is the first tile's first one */
   int columns, rows;        /* of tiles */
   struct hsr_masked_tile *tile; /* row by row */
-  struct hsr_masked_count count;
+  /* A tile counts as an entry of level HSR_MASKED_BITS. Each that a face is put
+   * into is a step of `updates`, with the tile and the face. */
+  struct hsr_entry_count
+      *count; /* borrowed, and not NULL in the counting build */
+  int updates;
 };
 
 /* Makes the buffer of a window: all of it is the background. The array is the

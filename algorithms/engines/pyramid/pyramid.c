@@ -174,34 +174,11 @@ static int covering_level(const struct rectangle *r) {
   return side > 1 ? 32 - __builtin_clz(side - 1) : 0;
 }
 
-/* The samples that an entry stands for, which are in the window. */
-static struct hsr_window samples_of(const struct hsr_pyramid *p, int level,
-                                    int x, int y) {
-  const struct hsr_window *w = &p->window;
-  int x1 = w->x0 + ((x + 1) << level), y1 = w->y0 + ((y + 1) << level);
-  return hsr_window_make(w->x0 + (x << level), w->y0 + (y << level),
-                         x1 < w->x1 ? x1 : w->x1, y1 < w->y1 ? y1 : w->y1);
-}
-
-/* An entry touches each of its samples by its share. */
-static void touch(const struct hsr_pyramid *p, int level,
-                  const struct hsr_window *w) {
-  const struct hsr_pyramid_count *c = &p->count;
-  float share = 1.0f / (float)(1 << level) / (float)(1 << level);
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      c->work[(size_t)j * c->work_stride + (size_t)i] += share;
-}
-
 static inline void count_read(const struct hsr_pyramid *p, int level, int x,
                               int y, bool decides) {
-  const struct hsr_pyramid_count *c = &p->count;
-  if (!HSR_COUNTING)
-    return;
-  struct hsr_window window = samples_of(p, level, x, y);
-  HSR_STEP(c->tally, c->reads, HSR_CELL(level, x, y), c->whom, window, decides);
-  if (c->work)
-    touch(p, level, &window);
+  if (HSR_COUNTING)
+    hsr_entry_step(p->count->tally, p->count->reads, &p->window, level, x, y,
+                   p->count->whom, decides);
 }
 
 static inline float entry(const struct hsr_pyramid *p, float *const *levels,
@@ -382,7 +359,7 @@ void hsr_pyramid_hides_triangles(struct hsr_pyramid *p, int n,
       continue;
     float q = hsr_nearest_corner(r, k);
     if (HSR_COUNTING)
-      p->count.whom = HSR_FACE(r->id[k]);
+      p->count->whom = HSR_FACE(r->id[k]);
     hidden[k] = hsr_pyramid_hides(
         p, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]}, q);
   }

@@ -18,6 +18,7 @@
 #ifndef HSR_ALGORITHMS_PYRAMID_H
 #define HSR_ALGORITHMS_PYRAMID_H
 
+#include "algorithms/engines/pyramid/entries.h"
 #include "algorithms/engines/tiler/tiler.h"
 
 #ifdef __cplusplus
@@ -26,23 +27,6 @@ extern "C" {
 
 enum { HSR_PYRAMID_LEVELS = 15 }; /* of 2^14 samples a side */
 
-/* What the tests below count, in the counting build: each entry that is read is
- * a step of `reads`, with the entry and `whom` as its subjects. */
-struct hsr_pyramid_count {
-  struct hsr_tally *tally;
-  int reads;
-  struct hsr_subject whom; /* the face or the cube that is tested */
-  /* The work picture, or NULL: at work[j * work_stride + i], sample (i, j) gets
-   * its share of every entry read. */
-  float *work;
-  size_t work_stride;
-};
-
-/* The outcomes of a read. It decides if the test need not look at the entries
- * below this one. The event has the entry as HSR_CELL(level, column, row),
- * `whom`, and the samples that the entry stands for. */
-#define HSR_PYRAMID_READ_OUTCOMES "leaves it open|decides"
-
 struct hsr_pyramid {
   /* Sample (i, j) is cell (i - x0, j - y0) of level 0. */
   struct hsr_window window;
@@ -50,7 +34,9 @@ struct hsr_pyramid {
   float *far[HSR_PYRAMID_LEVELS];  /* 2^(n_levels - 1 - level) cells a side */
   float *near[HSR_PYRAMID_LEVELS]; /* NULL: not kept. near[0] is far[0] */
   bool reads_rows; /* the fast test reads rows of entries, on some machines */
-  struct hsr_pyramid_count count;
+  struct hsr_entry_count
+      *count; /* of what is read; borrowed, and not NULL in the
+                                    counting build */
 };
 
 /* Makes a pyramid for the window; `near`: with the znear pyramid. far[0] is to

@@ -56,24 +56,14 @@ static enum hsr_status begin_depths(struct hsr_hz_walk *w,
                        w->choice.pyramid == HSR_HZ_PYRAMID_DUAL, &t->z_stride,
                        job->scratch))
     return HSR_E_NOMEM;
-  w->pyramid.count =
-      (struct hsr_pyramid_count){.tally = job->tally,
-                                 .work = job->tally->work,
-                                 .work_stride = job->tally->work_stride};
   if ((w->choice.pyramid == HSR_HZ_PYRAMID_MASKED &&
        hsr_masked_init(&w->masked, window, job->scratch)) ||
       (w->choice.pyramid == HSR_HZ_PYRAMID_MAPS &&
        hsr_maps_init(&w->maps, window, job->scratch)))
     return HSR_E_NOMEM;
-  w->masked.count =
-      (struct hsr_masked_count){.tally = job->tally,
-                                .updates = HSR_HZ_TILES_MASKED,
-                                .work = job->tally->work,
-                                .work_stride = job->tally->work_stride};
-  w->maps.count =
-      (struct hsr_maps_count){.tally = job->tally,
-                              .work = job->tally->work,
-                              .work_stride = job->tally->work_stride};
+  w->count = (struct hsr_entry_count){.tally = job->tally};
+  w->pyramid.count = w->masked.count = w->maps.count = &w->count;
+  w->masked.updates = HSR_HZ_TILES_MASKED;
   t->z = w->pyramid.far[0];
   t->ids_stride = (size_t)job->answer->m;
   t->ids = hsr_job_row(job, window->y0) + window->x0;
@@ -134,7 +124,7 @@ static const struct hsr_counter counters[] = {
      HSR_OF_NOTHING, .key = "cube-visible"},
     {"cube reads",
      "entries of the pyramid or the maps, or masked tiles, read to test cubes",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_PYRAMID_READ_OUTCOMES,
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL, HSR_ENTRY_READ_OUTCOMES,
      .key = "cube-read"},
     {"sides scanned", "sides of cubes scan-converted", HSR_COMPARE, HSR_OF_CELL,
      HSR_OF_WINDOW, "hidden|visible"},
@@ -152,7 +142,7 @@ static const struct hsr_counter counters[] = {
      .key = "face-tiled"},
     {"face reads",
      "entries of the pyramid or the maps, or masked tiles, read to test faces",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_PYRAMID_READ_OUTCOMES,
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE, HSR_ENTRY_READ_OUTCOMES,
      .key = "face-read"},
     {"faces before", "nearer than anything: tiled without comparisons",
      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},

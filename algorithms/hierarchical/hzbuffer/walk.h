@@ -144,6 +144,7 @@ struct hsr_hz_walk {
   bool out_of_memory;
 
   struct hsr_pyramid pyramid;
+  struct hsr_entry_count count; /* of what is read of it, or of these: */
 
   /* pyramid=masked or maps: these are asked instead of the pyramid, of which only
    * level 0, the z-buffer, is kept. */
@@ -190,9 +191,8 @@ static inline void hsr_hz_read_for(struct hsr_hz_walk *w, int counter,
                                    struct hsr_subject whom) {
   if (!HSR_COUNTING)
     return;
-  w->pyramid.count.reads = w->masked.count.reads = w->maps.count.reads =
-      counter;
-  w->pyramid.count.whom = w->masked.count.whom = w->maps.count.whom = whom;
+  w->count.reads = counter;
+  w->count.whom = whom;
 }
 
 /* Is there a pyramid? */

@@ -16,6 +16,7 @@ enum { M = 90, N = 70, WINDOWS = 60, BOXES = 200, READS = 3 };
 struct memory {
   struct hsr_maps maps;
   struct hsr_tally tally;
+  struct hsr_entry_count count;
   struct hsr_arena arena;
   struct hsr_tiler tiler; /* ids of the window */
   uint32_t ids[M * N];
@@ -27,7 +28,8 @@ static void begin(struct memory *m, struct hsr_window window) {
   m->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
   if (hsr_maps_init(&m->maps, &window, &m->arena))
     bail("out of memory");
-  m->maps.count = (struct hsr_maps_count){.tally = &m->tally, .reads = READS};
+  m->count = (struct hsr_entry_count){.tally = &m->tally, .reads = READS};
+  m->maps.count = &m->count;
   m->tiler.ids = m->ids;
   m->tiler.ids_stride = M;
   for (int k = 0; k < M * N; k++) {
@@ -150,11 +152,11 @@ static void test_boxes(struct tap *tap, uint64_t *seed) {
 static void test_work(struct tap *tap, uint64_t *seed) {
   static struct memory m;
   static float work[M * N];
-  struct hsr_window w = {0, 0, 60, 50};
+  struct hsr_window w = {0, 0, 64, 64};
   double sum = 0;
   begin(&m, w);
-  m.maps.count.work = work;
-  m.maps.count.work_stride = M;
+  m.tally.work = work;
+  m.tally.work_stride = M;
   for (uint32_t id = 1; id < 12; id++)
     add_occluder(&m, id, seed);
   hsr_maps_make(&m.maps, &m.tiler);

@@ -17,6 +17,7 @@ enum { M = 90, N = 70, WINDOWS = 60, READS = 3, UPDATES = 4 };
 struct memory {
   struct hsr_masked masked;
   struct hsr_tally tally;
+  struct hsr_entry_count count;
   struct hsr_arena arena;
   struct hsr_tiler tiler; /* z and ids of the window */
   float z[M * N], truth[M * N];
@@ -29,8 +30,9 @@ static void begin(struct memory *m, struct hsr_window window) {
   m->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
   if (hsr_masked_init(&m->masked, &window, &m->arena))
     bail("out of memory");
-  m->masked.count = (struct hsr_masked_count){
-      .tally = &m->tally, .reads = READS, .updates = UPDATES};
+  m->count = (struct hsr_entry_count){.tally = &m->tally, .reads = READS};
+  m->masked.count = &m->count;
+  m->masked.updates = UPDATES;
   m->tiler.part = window;
   m->tiler.z = m->z;
   m->tiler.ids = m->ids;
@@ -277,11 +279,11 @@ static void test_by_hand(struct tap *tap) {
 static void test_work(struct tap *tap, uint64_t *seed) {
   static struct memory m;
   static float work[M * N];
-  struct hsr_window w = {0, 0, 60, 50};
+  struct hsr_window w = {0, 0, 64, 48};
   double sum = 0;
   begin(&m, w);
-  m.masked.count.work = work;
-  m.masked.count.work_stride = M;
+  m.tally.work = work;
+  m.tally.work_stride = M;
   for (uint32_t id = 1; id < 40; id++) {
     write_face(&m, id, random_box(&w, seed), seed);
     check_box(&m, random_box(&w, seed), random_depth(seed) / 2);

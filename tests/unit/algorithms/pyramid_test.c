@@ -107,6 +107,7 @@ static long count_wrong(const struct hsr_pyramid *p) {
 struct memory {
   struct hsr_pyramid pyramid;
   struct hsr_tally tally; /* of entries read: counter READS */
+  struct hsr_entry_count count;
   size_t stride;
   struct hsr_arena arena;
 };
@@ -114,7 +115,7 @@ struct memory {
 enum { READS = 3 };
 
 static uint64_t reads_of(const struct hsr_pyramid *p) {
-  return p->count.tally->count[READS];
+  return p->count->tally->count[READS];
 }
 
 static void begin(struct memory *m, const struct hsr_window *window,
@@ -123,8 +124,8 @@ static void begin(struct memory *m, const struct hsr_window *window,
   m->tally = (struct hsr_tally){.trace = NULL};
   if (hsr_pyramid_init(&m->pyramid, window, near, &m->stride, &m->arena))
     bail("out of memory");
-  m->pyramid.count =
-      (struct hsr_pyramid_count){.tally = &m->tally, .reads = READS};
+  m->count = (struct hsr_entry_count){.tally = &m->tally, .reads = READS};
+  m->pyramid.count = &m->count;
   hsr_pyramid_clear(&m->pyramid);
 }
 
@@ -280,8 +281,8 @@ static void test_work(struct tap *tap, uint64_t *seed) {
   double sum = 0;
   begin(&m, &window, false);
   memset(work, 0, sizeof work);
-  m.pyramid.count.work = work;
-  m.pyramid.count.work_stride = 64;
+  m.tally.work = work;
+  m.tally.work_stride = 64;
   for (int k = 0; k < 200; k++) {
     struct hsr_bounds box = random_box(&window, seed);
     write_some(&m, box, seed);
