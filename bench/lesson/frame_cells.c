@@ -88,9 +88,8 @@ static void mark_voxels(struct frames *f, const struct hsr_subject *subject,
 
 /* --- Textures ------------------------------------------------------------- */
 
-/* The texels of a level that the steps of a counter are about. */
+/* The texels of a level that the steps of a run are about. */
 struct texture {
-  int counter;
   uint32_t level, lo[2], hi[2];
 };
 
@@ -98,7 +97,7 @@ static struct texture *texture_of(const struct frames *f,
                                   const struct hsr_event *event) {
   struct texture *t = f->textures.items;
   for (size_t k = 0; k < f->textures.n; k++)
-    if (t[k].counter == event->counter && t[k].level == event->a.id[0])
+    if (t[k].level == event->a.id[0])
       return &t[k];
   return NULL;
 }
@@ -109,8 +108,8 @@ static bool has_window(const struct hsr_event *event) {
 }
 
 static bool is_texel(const struct frames *f, const struct hsr_event *event) {
-  return event->a.kind == HSR_OF_CELL && !has_window(event) &&
-         f->run->answer.drawn.form.type == &hsr_answer_composited;
+  return event->a.kind == HSR_OF_CELL &&
+         !strncmp(f->run->setup.algorithm->name, "texture-", 8);
 }
 
 void frames_note_cells(struct frames *f, const struct hsr_event *event) {
@@ -129,8 +128,7 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
     if (!hsr_arena_grow(&f->arena, &f->textures, sizeof *t))
       return false;
     t = (struct texture *)f->textures.items + f->textures.n - 1;
-    *t = (struct texture){
-        event->counter, event->a.id[0], {at[0], at[1]}, {at[0], at[1]}};
+    *t = (struct texture){event->a.id[0], {at[0], at[1]}, {at[0], at[1]}};
   }
   for (int k = 0; k < 2; k++) {
     t->lo[k] = at[k] < t->lo[k] ? at[k] : t->lo[k];
@@ -139,7 +137,7 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
   return true;
 }
 
-/* A texel that is not on the screen yet: in a small map of its level. */
+/* A texel: in a small map of its level. */
 static void mark_texel(struct frames *f, const struct hsr_event *event,
                        unsigned colour) {
   const struct texture *t = texture_of(f, event);
