@@ -6,10 +6,26 @@
 #define HSR_ALGORITHMS_ENTRIES_H
 
 #include "common/base/count.h"
+#include "common/exact/screen.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Inclusive columns and rows of entries of one level. */
+struct hsr_entries {
+  int x0, y0, x1, y1;
+};
+
+/* The entries of a level that a box of samples meets. The box is within the
+ * window and not empty. */
+static inline struct hsr_entries hsr_entries_of(const struct hsr_window *window,
+                                                struct hsr_bounds box,
+                                                int level) {
+  return (struct hsr_entries){
+      (box.x0 - window->x0) >> level, (box.y0 - window->y0) >> level,
+      (box.x1 - 1 - window->x0) >> level, (box.y1 - 1 - window->y0) >> level};
+}
 
 /* What tests count, in the counting build: each entry that is read is a step of
  * `reads`, with the entry and `whom` as its subjects. */

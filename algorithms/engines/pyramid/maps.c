@@ -36,18 +36,6 @@ enum hsr_status hsr_maps_init(struct hsr_maps *m,
 
 /* --- Occluders ------------------------------------------------------------ */
 
-/* Inclusive columns and rows of entries of level 0. */
-struct rectangle {
-  int x0, y0, x1, y1;
-};
-
-static struct rectangle rectangle_of(const struct hsr_maps *m,
-                                     struct hsr_bounds box) {
-  return (struct rectangle){box.x0 - m->window.x0, box.y0 - m->window.y0,
-                            box.x1 - m->window.x0 - 1,
-                            box.y1 - m->window.y0 - 1};
-}
-
 static float *estimate(const struct hsr_maps *m, int x, int y) {
   return &m->farthest[(size_t)y * (size_t)m->columns + (size_t)x];
 }
@@ -55,9 +43,9 @@ static float *estimate(const struct hsr_maps *m, int x, int y) {
 void hsr_maps_note(struct hsr_maps *m, struct hsr_bounds box, float farthest) {
   if (box.x0 >= box.x1 || box.y0 >= box.y1)
     return;
-  struct rectangle r = rectangle_of(m, box);
-  for (int y = r.y0 >> BITS; y <= r.y1 >> BITS; y++)
-    for (int x = r.x0 >> BITS; x <= r.x1 >> BITS; x++) {
+  struct hsr_entries e = hsr_entries_of(&m->window, box, BITS);
+  for (int y = e.y0; y <= e.y1; y++)
+    for (int x = e.x0; x <= e.x1; x++) {
       float *q = estimate(m, x, y);
       *q = farthest < *q ? farthest : *q;
     }
@@ -97,10 +85,11 @@ static inline void count_read(const struct hsr_maps *m, int level, int x, int y,
 }
 
 /* The opacity test: do the occluders cover what entry (x, y) and the rectangle
- * have in common? An entry that is opaque, or empty, or wholly in the rectangle,
- * decides; otherwise the entries below it do that meet the rectangle. */
-static bool is_covered(struct hsr_maps *m, const struct rectangle *r, int level,
-                       int x, int y) {
+ * have in common? The entry decides if it is opaque, or empty, or wholly in the
+ * rectangle. Else the entries below it are asked, those that meet the
+ * rectangle. */
+static bool is_covered(struct hsr_maps *m, const struct hsr_entries *r,
+                       int level, int x, int y) {
   uint32_t covered = *entry(m, level, x, y), all = 1u << 2 * level;
   bool within = x << level >= r->x0 && ((x + 1) << level) - 1 <= r->x1 &&
                 y << level >= r->y0 && ((y + 1) << level) - 1 <= r->y1;
@@ -118,7 +107,7 @@ static bool is_covered(struct hsr_maps *m, const struct rectangle *r, int level,
 }
 
 /* It begins at the level where the rectangle meets at most two by two entries. */
-static bool is_opaque(struct hsr_maps *m, const struct rectangle *r) {
+static bool is_opaque(struct hsr_maps *m, const struct hsr_entries *r) {
   int level = 0;
   while (r->x1 >> level > (r->x0 >> level) + 1 ||
          r->y1 >> level > (r->y0 >> level) + 1)
@@ -131,7 +120,8 @@ static bool is_opaque(struct hsr_maps *m, const struct rectangle *r) {
 }
 
 /* The depth test. */
-static bool is_behind(struct hsr_maps *m, const struct rectangle *r, float q) {
+static bool is_behind(struct hsr_maps *m, const struct hsr_entries *r,
+                      float q) {
   for (int y = r->y0 >> BITS; y <= r->y1 >> BITS; y++)
     for (int x = r->x0 >> BITS; x <= r->x1 >> BITS; x++) {
       bool behind = q * HSR_CLEAR < *estimate(m, x, y);
@@ -143,6 +133,6 @@ static bool is_behind(struct hsr_maps *m, const struct rectangle *r, float q) {
 }
 
 bool hsr_maps_hides(struct hsr_maps *m, struct hsr_bounds box, float q) {
-  struct rectangle r = rectangle_of(m, box);
+  struct hsr_entries r = hsr_entries_of(&m->window, box, 0);
   return m->made && is_opaque(m, &r) && is_behind(m, &r, q);
 }

@@ -22,18 +22,6 @@ static uint64_t bits_of(int x0, int y0, int x1, int y1) {
 
 /* --- Tiles ---------------------------------------------------------------- */
 
-/* Inclusive columns and rows of tiles. */
-struct tiles {
-  int x0, y0, x1, y1;
-};
-
-static struct tiles tiles_of(const struct hsr_masked *m,
-                             struct hsr_bounds box) {
-  return (struct tiles){
-      (box.x0 - m->window.x0) >> BITS, (box.y0 - m->window.y0) >> BITS,
-      (box.x1 - 1 - m->window.x0) >> BITS, (box.y1 - 1 - m->window.y0) >> BITS};
-}
-
 /* The samples of a box that are in a tile, and their bits in it. */
 struct common {
   struct hsr_bounds box;
@@ -81,9 +69,10 @@ enum hsr_status hsr_masked_init(struct hsr_masked *m,
 
 enum { BEHIND, ADDED, DROPPED, IS_FULL }; /* HSR_MASKED_UPDATE_OUTCOMES */
 
-/* Merges some samples of a tile, nowhere farther than depth `far`. The working
- * layer is dropped if they are farther before it than it is before the
- * reference layer: it would pull their depth down. */
+/* Merges some samples of a tile, nowhere farther than depth `far`. If they are
+ * far before the working layer, they would lose their depth in it. So that layer
+ * is dropped if its distance to them is more than its distance to the reference
+ * layer. */
 static int merge(const struct hsr_masked *m, int x, int y, uint64_t samples,
                  float far) {
   struct hsr_masked_tile *t = tile_at(m, x, y);
@@ -169,7 +158,7 @@ static struct hsr_bounds box_of(const struct hsr_triangle *t) {
  * a z-buffer. */
 void hsr_masked_put(struct hsr_masked *m, const struct hsr_triangle *t,
                     float farthest) {
-  struct tiles tiles = tiles_of(m, box_of(t));
+  struct hsr_entries tiles = hsr_entries_of(&m->window, box_of(t), BITS);
   for (int y = tiles.y0; y <= tiles.y1; y++)
     for (int x = tiles.x0; x <= tiles.x1; x++) {
       struct common c = common_of(m, x, y, box_of(t));
@@ -205,7 +194,7 @@ static float find_shown(const struct hsr_masked *m, const struct hsr_tiler *t,
 
 void hsr_masked_put_shown(struct hsr_masked *m, const struct hsr_tiler *t,
                           uint32_t id, struct hsr_bounds box) {
-  struct tiles tiles = tiles_of(m, box);
+  struct hsr_entries tiles = hsr_entries_of(&m->window, box, BITS);
   for (int y = tiles.y0; y <= tiles.y1; y++)
     for (int x = tiles.x0; x <= tiles.x1; x++) {
       struct common c = common_of(m, x, y, box);
@@ -227,7 +216,7 @@ static bool is_behind(struct hsr_masked *m, int x, int y, float q) {
 }
 
 bool hsr_masked_hides(struct hsr_masked *m, struct hsr_bounds box, float q) {
-  struct tiles tiles = tiles_of(m, box);
+  struct hsr_entries tiles = hsr_entries_of(&m->window, box, BITS);
   for (int y = tiles.y0; y <= tiles.y1; y++)
     for (int x = tiles.x0; x <= tiles.x1; x++)
       if (!is_behind(m, x, y, q))
@@ -236,11 +225,12 @@ bool hsr_masked_hides(struct hsr_masked *m, struct hsr_bounds box, float q) {
 }
 
 /* At its own samples no depth of the triangle is more than (1 + HSR_RHO) times
- * the largest at the corners. Where an edge function is less than -bound, it
- * covers nothing; twice that has room for where it is as much. */
+ * the largest at the corners. It covers no
+ * sample where an edge function is less than -bound. The limit is twice that,
+ * since covered() leaves out the limit itself. */
 bool hsr_masked_hides_triangle(struct hsr_masked *m,
                                const struct hsr_triangle *t) {
-  struct tiles tiles = tiles_of(m, box_of(t));
+  struct hsr_entries tiles = hsr_entries_of(&m->window, box_of(t), BITS);
   for (int y = tiles.y0; y <= tiles.y1; y++)
     for (int x = tiles.x0; x <= tiles.x1; x++) {
       struct common c = common_of(m, x, y, box_of(t));

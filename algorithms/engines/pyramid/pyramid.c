@@ -149,26 +149,14 @@ void hsr_pyramid_update(struct hsr_pyramid *p, struct hsr_bounds box) {
 
 /* --- Tests ---------------------------------------------------------------- */
 
-/* Inclusive columns and rows of cells of level 0. */
-struct rectangle {
-  int x0, y0, x1, y1;
-};
-
-static struct rectangle rectangle_of(const struct hsr_pyramid *p,
-                                     struct hsr_bounds box) {
-  return (struct rectangle){box.x0 - p->window.x0, box.y0 - p->window.y0,
-                            box.x1 - p->window.x0 - 1,
-                            box.y1 - p->window.y0 - 1};
-}
-
 /* The level of the smallest entry that encloses the rectangle. */
-static int enclosing_level(const struct rectangle *r) {
+static int enclosing_level(const struct hsr_entries *r) {
   unsigned differ = (unsigned)(r->x0 ^ r->x1) | (unsigned)(r->y0 ^ r->y1);
   return differ ? 32 - __builtin_clz(differ) : 0;
 }
 
 /* The least level where the rectangle meets at most two by two entries. */
-static int covering_level(const struct rectangle *r) {
+static int covering_level(const struct hsr_entries *r) {
   int width = r->x1 - r->x0, height = r->y1 - r->y0;
   unsigned side = (unsigned)(width > height ? width : height);
   return side > 1 ? 32 - __builtin_clz(side - 1) : 0;
@@ -195,27 +183,27 @@ static inline bool is_behind(const struct hsr_pyramid *p, int level, int x,
 }
 
 bool hsr_pyramid_basic(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
-  struct rectangle r = rectangle_of(p, box);
+  struct hsr_entries r = hsr_entries_of(&p->window, box, 0);
   int level = enclosing_level(&r);
   return is_behind(p, level, r.x0 >> level, r.y0 >> level, q * HSR_CLEAR);
 }
 
 /* The part of a rectangle that an entry of a level covers, in entries of that
  * below, which are `level`. */
-static inline struct rectangle below(const struct rectangle *r, int level,
-                                     int x, int y) {
+static inline struct hsr_entries below(const struct hsr_entries *r, int level,
+                                       int x, int y) {
   int x0 = r->x0 >> level, y0 = r->y0 >> level;
   int x1 = r->x1 >> level, y1 = r->y1 >> level;
-  return (struct rectangle){2 * x > x0 ? 2 * x : x0, 2 * y > y0 ? 2 * y : y0,
-                            2 * x + 1 < x1 ? 2 * x + 1 : x1,
-                            2 * y + 1 < y1 ? 2 * y + 1 : y1};
+  return (struct hsr_entries){2 * x > x0 ? 2 * x : x0, 2 * y > y0 ? 2 * y : y0,
+                              2 * x + 1 < x1 ? 2 * x + 1 : x1,
+                              2 * y + 1 < y1 ? 2 * y + 1 : y1};
 }
 
 /* Do entries `e` of the level hide what of the rectangle r is in them? Those
  * that do not by themselves, by those below. q is the depth, HSR_CLEAR times.
  */
-static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
-                 int level, struct rectangle e) {
+static bool hide(struct hsr_pyramid *p, const struct hsr_entries *r, float q,
+                 int level, struct hsr_entries e) {
   for (int y = e.y0; y <= e.y1; y++)
     for (int x = e.x0; x <= e.x1; x++)
       if (!is_behind(p, level, x, y, q) &&
@@ -224,13 +212,14 @@ static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
   return true;
 }
 
-static inline struct rectangle entries(const struct rectangle *r, int level) {
-  return (struct rectangle){r->x0 >> level, r->y0 >> level, r->x1 >> level,
-                            r->y1 >> level};
+static inline struct hsr_entries entries(const struct hsr_entries *r,
+                                         int level) {
+  return (struct hsr_entries){r->x0 >> level, r->y0 >> level, r->x1 >> level,
+                              r->y1 >> level};
 }
 
-static bool hide_by_recursion(struct hsr_pyramid *p, const struct rectangle *r,
-                              float q) {
+static bool hide_by_recursion(struct hsr_pyramid *p,
+                              const struct hsr_entries *r, float q) {
   int level = covering_level(r);
   return hide(p, r, q, level, entries(r, level));
 }
@@ -257,7 +246,7 @@ AVX2 static inline uint64_t bits_within(int x0, int y0, int x1, int y1) {
 
 /* hide_by_recursion of at most eight by eight samples, with the same answer. */
 AVX2 static inline bool hide_few(const struct hsr_pyramid *p,
-                                 const struct rectangle *r, float q) {
+                                 const struct hsr_entries *r, float q) {
   size_t stride = (size_t)1 << (p->n_levels - 1);
   const float *from = p->far[0] + (size_t)r->y0 * stride + (size_t)r->x0;
   const unsigned wanted = (2u << (r->x1 - r->x0)) - 1;
@@ -270,10 +259,10 @@ AVX2 static inline bool hide_few(const struct hsr_pyramid *p,
 
 /* The same of more. The farthest depth of an entry is that of a sample in it.
  * So an entry wholly in the rectangle decides. Of the others, those below do. */
-AVX2 static bool hide_many(struct hsr_pyramid *p, const struct rectangle *r,
+AVX2 static bool hide_many(struct hsr_pyramid *p, const struct hsr_entries *r,
                            float q) {
   const int level = covering_level(r) - 2, side = 1 << level;
-  struct rectangle e = entries(r, level);
+  struct hsr_entries e = entries(r, level);
   size_t row = (size_t)(p->n_levels - 1 - level);
   const float *from = p->far[level] + ((size_t)e.y0 << row) + (size_t)e.x0;
   const int columns = e.x1 - e.x0 + 1, rows = e.y1 - e.y0 + 1;
@@ -297,8 +286,8 @@ AVX2 static bool hide_many(struct hsr_pyramid *p, const struct rectangle *r,
   return true;
 }
 
-AVX2 static bool hide_by_rows(struct hsr_pyramid *p, const struct rectangle *r,
-                              float q) {
+AVX2 static bool hide_by_rows(struct hsr_pyramid *p,
+                              const struct hsr_entries *r, float q) {
   return r->x1 - r->x0 < ROW && r->y1 - r->y0 < ROW ? hide_few(p, r, q)
                                                     : hide_many(p, r, q);
 }
@@ -306,7 +295,7 @@ AVX2 static bool hide_by_rows(struct hsr_pyramid *p, const struct rectangle *r,
 #endif
 
 bool hsr_pyramid_hides(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
-  struct rectangle r = rectangle_of(p, box);
+  struct hsr_entries r = hsr_entries_of(&p->window, box, 0);
 #if READS_ROWS
   if (p->reads_rows)
     return hide_by_rows(p, &r, q * HSR_CLEAR);
@@ -316,7 +305,7 @@ bool hsr_pyramid_hides(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
 
 /* The largest value of e + ex x + ey y over the samples of a box, counted from
  * the triangle's first. */
-static float largest(float e, float ex, float ey, const struct rectangle *b) {
+static float largest(float e, float ex, float ey, const struct hsr_entries *b) {
   return e + ex * (float)(ex > 0 ? b->x1 : b->x0) +
          ey * (float)(ey > 0 ? b->y1 : b->y0);
 }
@@ -371,11 +360,12 @@ void hsr_pyramid_hides_triangles(struct hsr_pyramid *p, int n,
  * at those of the triangle, the snapped plane is that near to the true one. */
 static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
                            const struct hsr_triangle *tri,
-                           const struct rectangle *r, int level, int x, int y) {
+                           const struct hsr_entries *r, int level, int x,
+                           int y) {
   int x0 = x << level, y0 = y << level;
   int x1 = ((x + 1) << level) - 1, y1 = ((y + 1) << level) - 1;
   int dx = p->window.x0 - tri->x0, dy = p->window.y0 - tri->y0;
-  struct rectangle b = {
+  struct hsr_entries b = {
       (x0 > r->x0 ? x0 : r->x0) + dx, (y0 > r->y0 ? y0 : r->y0) + dy,
       (x1 < r->x1 ? x1 : r->x1) + dx, (y1 < r->y1 ? y1 : r->y1) + dy};
   if (largest(tri->e0, tri->ex0, tri->ey0, &b) < -tri->bound ||
@@ -398,14 +388,14 @@ static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
 
 bool hsr_pyramid_hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
                                 const struct hsr_triangle *tri) {
-  struct rectangle r =
-      rectangle_of(p, (struct hsr_bounds){tri->x0, tri->y0, tri->x1, tri->y1});
+  struct hsr_entries r = hsr_entries_of(
+      &p->window, (struct hsr_bounds){tri->x0, tri->y0, tri->x1, tri->y1}, 0);
   int level = enclosing_level(&r);
   return hides_triangle(p, t, tri, &r, level, r.x0 >> level, r.y0 >> level);
 }
 
 bool hsr_pyramid_before(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
-  struct rectangle r = rectangle_of(p, box);
+  struct hsr_entries r = hsr_entries_of(&p->window, box, 0);
   int level = enclosing_level(&r);
   int x = r.x0 >> level, y = r.y0 >> level;
   bool before = q > HSR_CLEAR * entry(p, p->near, level, x, y);

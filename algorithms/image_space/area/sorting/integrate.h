@@ -14,9 +14,9 @@
  *             sx dsy along the border, with sx cut off at the sides of the pixel.
  * Bound       a corner is known within d0 = 2^-50 max(m, n) (polygons.h), which
  *             moves the area of a region in a pixel by at most 4 d0 a side that
- *             is in the pixel or beside it. A crossing of a side with a line
- *             between rows is computed within 2^-50 max(m, n), too. So both are
- *             within d = 2^-46 max(m, n) a side. A sum of a row has as many terms
+ *             is in the pixel or beside it. Where a side passes from
+ *             row to row is computed within 2^-50 max(m, n), too. Both together
+ *             are less than 2 d a side, with d = 2^-46 max(m, n). A sum of a row has as many terms
  *             as there are pieces and pixels in the row, each rounded, and each
  *             no larger than the sum E of the weights of the sides in the row.
  *             With n terms the sum is within E (2 d + (n + 8) 2^-51).
