@@ -5,9 +5,10 @@
  * Source      docs/composited-picture.md, in whose words this file is written.
  * Input       the grid's arrays and its palette; the view's E, F, R, U, near,
  *             m, n, offsets and window, but not its matrices; the view before;
- *             the options. Views on the way from the view before, which are
- *             doubles by definition too: that they are on it is checked. Of those whom it judges it shares no order, no
- *             normals, no tables and no numbers.
+ *             the options. The views between two views are doubles by
+ *             definition, too. It is checked that they are on the way. With
+ *             those whom it judges it shares no order, no normals, no tables
+ *             and no numbers.
  * Notation    as there. A vector with a prime is `in_cells`. What is called
  *             `scale` is 1024 / (g^2 r^2).
  * Method      for every pixel, the splats in sequence are gathered and then
