@@ -19,6 +19,8 @@ enum hsr_status lib_ready_new(const struct lib_scene *scene,
                              .threads = request->threads};
   enum hsr_status status =
       hsr_variant_parse(request->algorithm, &made->variant, err);
+  if (!status && request->work)
+    status = lib_check_work(&made->variant, err);
   if (status)
     lib_ready_free(made);
   else

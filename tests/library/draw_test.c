@@ -482,6 +482,13 @@ static void test_work(struct tap *tap, const struct hsr_scene *scene) {
   request.work = 1;
   ok(tap, hsr_draw(scene, &request, &lines, NULL) == HSR_E_USAGE && !lines,
      "lines have no work at samples");
+  struct hsr_scene *grid = NULL;
+  struct hsr_error err = {0};
+  if (!hsr_open("checker-cube", NULL, &grid, NULL))
+    hsr_draw(grid, &request, &lines, &err);
+  ok(tap, !lines && strstr(err.text, "work is only for"),
+     "that is said before the algorithm meets the scene: %s", err.text);
+  hsr_close(grid);
   hsr_free(answer);
   hsr_free(part);
 }
@@ -635,7 +642,7 @@ static void test_life(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(74);
+  struct tap tap = plan(75);
   struct hsr_scene *scene = open_scene("house");
   test_usage(&tap, scene);
   test_refused(&tap, scene);
