@@ -50,6 +50,11 @@ libhsr.a: $(library_parts) %D%/names
 	$(OBJCOPY) --keep-global-symbols=%D%/names %D%/whole.o && \
 	rm -f $@ && $(AR) $(ARFLAGS) $@ %D%/whole.o && rm -f %D%/whole.o
 
+# What is installed carries no symbols for a debugger: STRIP=true keeps them.
+install-exec-hook:
+	$(STRIP) --strip-unneeded \
+	  "$(DESTDIR)$(bindir)/`echo hsr | sed '$(transform)'`" && \
+	  find "$(DESTDIR)$(libexecdir)/hsr" -type f -exec $(STRIP) --strip-unneeded {} +
 install-data-hook:
 	cd "$(DESTDIR)$(libdir)" && $(STRIP) --strip-unneeded libhsr.a libhsr.so.1 && \
 	  $(RANLIB) libhsr.a && rm -f libhsr.so && $(LN_S) libhsr.so.1 libhsr.so

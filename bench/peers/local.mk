@@ -15,6 +15,8 @@ endif
   %D%/main.c \
   %D%/surfaces/own.c \
   %D%/shared/peers.h \
+  %D%/shared/projection.c \
+  %D%/shared/projection.h \
   %D%/lines/lines.c \
   %D%/lines/lines.h \
   %D%/lines/line_pixels.c \
@@ -24,17 +26,31 @@ endif
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
-libembreepeer_a_SOURCES = %D%/surfaces/embree.c
+libembreepeer_a_SOURCES = %D%/surfaces/embree.c %D%/surfaces/embree_query.h
 libembreepeer_a_CFLAGS = $(AM_CFLAGS) $(OPENMP_CFLAGS)
 %C%_hsr_peers_LDADD += libembreepeer.a $(EMBREE_LIBS) $(OPENMP_CFLAGS)
+endif
+if WITH_TINYBVH
+noinst_LIBRARIES += libtinybvhpeer.a
+libtinybvhpeer_a_SOURCES = %D%/surfaces/tinybvh.cc
+libtinybvhpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(TINYBVH_CPPFLAGS)
+libtinybvhpeer_a_CXXFLAGS = $(AM_CXXFLAGS) -mavx2 -mfma
+%C%_hsr_peers_LDADD += libtinybvhpeer.a
+endif
+if WITH_MASKED_CULLING
+noinst_LIBRARIES += libcullerpeer.a
+libcullerpeer_a_SOURCES = \
+  %D%/surfaces/culler.cc \
+  %D%/surfaces/culler_groups.cc \
+  %D%/surfaces/culler_groups.h
+libcullerpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(MASKED_CULLING_CPPFLAGS)
+%C%_hsr_peers_LDADD += libcullerpeer.a $(MASKED_CULLING_LIBS)
 endif
 if WITH_OFFSCREEN
 %C%_hsr_peers_SOURCES += \
   %D%/surfaces/llvmpipe.c \
   %D%/shared/offscreen.c \
-  %D%/shared/offscreen.h \
-  %D%/shared/projection.c \
-  %D%/shared/projection.h
+  %D%/shared/offscreen.h
 %C%_hsr_peers_LDADD += $(OFFSCREEN_LIBS)
 # A stranger to hsr, which tries a suite. It links none of it.
 noinst_PROGRAMS += %D%/suite/rasterise

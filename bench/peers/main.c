@@ -29,6 +29,12 @@ static const struct peer *const peers[] = {
     &peer_embree_robust,
     &peer_embree_robust_packets,
 #endif
+#if HSR_HAVE_TINYBVH
+    &peer_tinybvh,
+#endif
+#if HSR_HAVE_MASKED_CULLING
+    &peer_masked_culling,
+#endif
 #if HSR_HAVE_OFFSCREEN
     &peer_llvmpipe,
     &peer_llvmpipe_arrays,
@@ -330,15 +336,16 @@ static enum hsr_status parse_request(char **argv, struct request *request,
   return choose_peer(argv[1], peer, err);
 }
 
-static enum hsr_status command_judge_lines(int argc, char **argv,
-                                           struct hsr_error *err) {
+static enum hsr_status judge_command(int argc, char **argv,
+                                     struct hsr_error *err) {
   struct request request;
   const struct peer *peer;
   if (argc != 5)
     return hsr_fail(err, HSR_E_USAGE, "judge: NAME SCENE VIEW WxH");
   enum hsr_status status = parse_request(argv, &request, &peer, err);
   if (!status && !peer->judge)
-    status = hsr_fail(err, HSR_E_USAGE, "judge: %s draws no lines", peer->name);
+    status = hsr_fail(err, HSR_E_USAGE,
+                      "judge: what %s draws is judged by its ids", peer->name);
   return status ? status : run_peer(peer, &request, NULL, judge_run, err);
 }
 
@@ -358,11 +365,10 @@ static enum hsr_status command_ids(int argc, char **argv,
 
 /* --- The program ---------------------------------------------------------- */
 
-static const struct hsr_command commands[] = {
-    {"list", NULL, command_peers},
-    {"judge", NULL, command_judge_lines},
-    {"ids", NULL, command_ids},
-    {NULL, NULL, NULL}};
+static const struct hsr_command commands[] = {{"list", NULL, command_peers},
+                                              {"judge", NULL, judge_command},
+                                              {"ids", NULL, command_ids},
+                                              {NULL, NULL, NULL}};
 
 static enum hsr_status run_command(int argc, char **argv,
                                    struct hsr_error *err) {

@@ -530,7 +530,7 @@ static enum hsr_status judge_drawn(void *data, struct turn_taker *taker,
 static void judge_peer(struct place_run *run, int k) {
   const struct entrant *peer = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
-  if (!strcmp(peer->kind, "segments"))
+  if (!strcmp(peer->kind, "segments") || !strcmp(peer->kind, "groups"))
     peers_judge(run->sweep->plan, &run->place, peer->name, cell);
   if (cell->mismatches)
     cell->verdict = WRONG;
@@ -734,6 +734,8 @@ static const char *reason_of(const struct sweep_options *o,
     return cell->why;
   else if (cell->compared && names_cells(entrant))
     return "compared by cells, not by their sides";
+  else if (cell->compared && !strcmp(entrant->kind, "groups"))
+    return "wrong are hidden groups of faces of which one is visible";
   else
     return NULL;
   return text;

@@ -63,7 +63,7 @@ struct entrant {
   const struct hsr_listed *listed; /* NULL: a peer */
   struct hsr_choice choice;        /* of an algorithm's options */
   const char *kind;                /* "ids", "segments", "filtered", "none";
-                                      of peers also "cells" */
+                                      of peers also "cells", "groups" */
   long threads;
 };
 

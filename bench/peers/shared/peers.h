@@ -4,15 +4,16 @@
  * hsr-peers list
  *   prints the peers as a JSON array of {"name", "title", "source", "version":
  *   null if it cannot be started here, "kind": "ids", "cells" of a grid,
- *   "segments" or "none", "threads": whether it can draw on several, "what":
+ *   "segments", "groups" or "none", "threads": whether it can draw on several, "what":
  *   what a frame contains and what it leaves out}
  * hsr-peers NAME FOLDER
  *   draws when told to, by the protocol of docs/programs.md. It knows the scene by
  *   its name. The answer is as the peer's kind: ids, or cells in their place
  * hsr-peers judge NAME SCENE VIEW WxH
- *   for a peer that draws lines: compares its drawing with the line oracle's,
- *   and prints {"compared": edges, "mismatches": edges, ...}. The peer's "what"
- *   tells how. A picture of ids or cells is judged by the program that reads
+ *   for a peer that draws lines, or tells groups of faces that are hidden:
+ *   compares its drawing with the line oracle's, or its groups with the picture of
+ *   the oracle, and prints {"compared": edges or groups, "mismatches": those that
+ *   are wrong, ...}. The peer's "what" tells how. A picture of ids or cells is judged by the program that reads
  *   them.
  *
  * Exit status: as hsr's, and HSR_E_REFUSED for a scene that the peer refuses.
@@ -47,7 +48,8 @@ enum outlines { OUTLINES_REFUSED, OUTLINES_TAKEN, OUTLINES_ONLY };
 
 struct peer {
   const char *name, *title, *source, *what;
-  const char *kind;    /* "ids", "cells", "segments", "none" */
+  const char *kind;    /* "ids", "cells", "segments", "groups" of faces that are
+                          hidden or may be seen, "none" */
   bool many_threads;   /* it can draw on more than one */
   const void *flavour; /* where one set of functions serves several peers */
 
@@ -71,8 +73,8 @@ struct peer {
   enum hsr_status (*draw)(void *state, const struct hsr_view *view,
                           struct hsr_error *err);
 
-  /* Judges the frame just drawn; NULL unless the peer draws lines. *verdict is
-   * a new reference; NULL for lack of memory. */
+  /* Judges the frame just drawn; NULL unless the peer is of kind "segments" or
+   * "groups". *verdict is a new reference; NULL for lack of memory. */
   enum hsr_status (*judge)(void *state, const struct hsr_view *view,
                            json_t **verdict, struct hsr_error *err);
 
@@ -87,6 +89,8 @@ extern const struct hsr_algorithm takes_triangles; /* main.c */
 extern const struct peer peer_embree, peer_embree_packets,
     peer_embree_instances, peer_embree_robust,
     peer_embree_robust_packets;                               /* embree.c */
+extern const struct peer peer_tinybvh;                        /* tinybvh.cc */
+extern const struct peer peer_masked_culling;                 /* culler.cc */
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
 extern const struct peer peer_vtk_lines;                      /* vtk_lines.cc */

@@ -15,10 +15,10 @@
  *             one of the instances.
  * Threads     OpenMP's; each takes a band of rows at a time. */
 #include "bench/peers/shared/peers.h"
+#include "bench/peers/surfaces/embree_query.h"
 
 #include "common/base/vector.h"
 
-#include <embree3/rtcore.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -106,7 +106,7 @@ static enum hsr_status attach_triangles(const struct embree *embree,
 static RTCScene make_scene(const struct embree *embree) {
   RTCScene scene = rtcNewScene(embree->device);
   if (scene)
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+    rtcSetSceneFlags(scene, EMBREE_FILTERED |
                                 (embree->robust ? RTC_SCENE_FLAG_ROBUST : 0));
   return scene;
 }
@@ -224,7 +224,8 @@ static enum hsr_status embree_setup(const struct peer *peer,
 /* --- Backs ---------------------------------------------------------------- */
 
 /* Embree hands over the fields of n rays, and then of n hits, as arrays of n,
- * one after the other. It names the places only in C++. */
+ * one after the other. It names the places only in C++. They are the same in
+ * versions 3 and 4. */
 enum { RAY_DIRECTION = 4, HIT_NORMAL = 0, HIT_TRIANGLE = 5 };
 
 /* Refuses hits on the backs of one-sided faces. */
@@ -291,8 +292,7 @@ static uint32_t name_hit(const struct embree *embree, uint32_t triangle,
 
 /* --- Single rays ---------------------------------------------------------- */
 
-static uint32_t trace_ray(const struct embree *embree,
-                          struct RTCIntersectContext *context,
+static uint32_t trace_ray(const struct embree *embree, embree_query *query,
                           const struct hsr_view *view, int x, int y) {
   double sx = hsr_sample_x(view, x), sy = hsr_sample_y(view, y), P[3], D[3];
   for (int k = 0; k < 3; k++) {
@@ -312,7 +312,7 @@ static uint32_t trace_ray(const struct embree *embree,
               .tfar = INFINITY,
               .mask = UINT32_MAX},
       .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = HSR_BACKGROUND}};
-  rtcIntersect1(embree->scene, context, &one);
+  embree_one(embree->scene, query, &one);
   return name_hit(embree, one.hit.primID, one.hit.instID[0]);
 }
 
@@ -373,8 +373,7 @@ static void start_from_eye(struct RTCRayHit16 *packet,
   }
 }
 
-static void trace_packet(const struct embree *embree,
-                         struct RTCIntersectContext *context,
+static void trace_packet(const struct embree *embree, embree_query *query,
                          struct RTCRayHit16 *packet,
                          const struct hsr_view *view, int x, int y) {
   _Alignas(64) int valid[LANES];
@@ -383,7 +382,7 @@ static void trace_packet(const struct embree *embree,
   for (int k = 0; k < LANES; k++)
     valid[k] = k % SIDE < width && k / SIDE < height ? -1 : 0;
   (view->parallel ? aim_parallel : aim)(packet, view, x, y);
-  rtcIntersect16(valid, embree->scene, context, packet);
+  embree_sixteen(valid, embree->scene, query, packet);
   for (int k = 0; k < height; k++)
     for (int i = 0; i < width; i++)
       embree->ids[(size_t)(y + k) * (size_t)view->m + (size_t)(x + i)] =
@@ -397,21 +396,19 @@ static void trace_packet(const struct embree *embree,
  * be NULL. */
 static void trace_band(const struct embree *embree, const struct hsr_view *view,
                        RTCFilterFunctionN filter, int y) {
-  struct RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  context.filter = filter;
+  embree_query query;
+  embree_query_init(&query, filter);
   if (embree->packets) {
     struct RTCRayHit16 packet;
     start_from_eye(&packet, view);
     for (int x = 0; x < view->m; x += SIDE)
-      trace_packet(embree, &context, &packet, view, x, y);
+      trace_packet(embree, &query, &packet, view, x, y);
     return;
   }
   for (int j = y; j < y + SIDE && j < view->n; j++)
     for (int i = 0; i < view->m; i++)
       embree->ids[(size_t)j * (size_t)view->m + (size_t)i] =
-          trace_ray(embree, &context, view, i, j);
+          trace_ray(embree, &query, view, i, j);
 }
 
 /* The same with denormals taken as zero, as Embree's manual advises. */
