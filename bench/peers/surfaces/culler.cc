@@ -169,7 +169,7 @@ hsr_status draw(void *state, const hsr_view *view, hsr_error *err) {
     if (c.may_be_seen[k])
       c.masked->RenderTriangles(
           c.xyz.data(), &c.index[3 * size_t(g.first)], static_cast<int>(g.n),
-          rounded, g.one_sided ? Masked::BACKFACE_CW : Masked::BACKFACE_NONE,
+          rounded, g.one_sided ? Masked::BACKFACE_CCW : Masked::BACKFACE_NONE,
           Masked::CLIP_PLANE_ALL, layout);
   }
   return HSR_OK;

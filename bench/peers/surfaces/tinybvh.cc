@@ -2,9 +2,10 @@
 // tinybvh: one ray for each sample, through its hierarchy of eight boxes a node.
 //
 // Vertices    floats, four for each corner of each triangle.
-// Sides       Rays hit both sides of every face, and nothing lets them pass a
-//             back. So views in parallel projection, whose rays begin on a plane
-//             that may cut solids, are refused if it cuts the scene.
+// Sides       Rays hit both sides of every face. If a closed solid lies in front of
+//             the eye, no ray meets a back first. In parallel projection rays
+//             begin on a plane, which may cut solids. If it cuts the scene, a ray
+//             that meets the back of a one-sided face begins again behind it.
 // Processor   tinybvh takes this hierarchy only with AVX2 and FMA.
 #include "config.h"
 
@@ -81,7 +82,14 @@ tinybvh::bvhvec3 vector_of(const double v[3]) {
           static_cast<float>(v[2])};
 }
 
-uint32_t trace(const Tinybvh &t, const hsr_view *view, int i, int j) {
+// Whether a ray of this direction meets the back of a one-sided triangle.
+bool is_back(const hsr_mesh &mesh, uint32_t f, const double D[3]) {
+  return mesh.one_sided[f] &&
+         mesh.nx[f] * D[0] + mesh.ny[f] * D[1] + mesh.nz[f] * D[2] > 0;
+}
+
+uint32_t trace(const Tinybvh &t, const hsr_view *view, bool pass_backs, int i,
+               int j) {
   const double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
   double P[3], D[3];
   for (int k = 0; k < 3; k++) {
@@ -92,21 +100,25 @@ uint32_t trace(const Tinybvh &t, const hsr_view *view, int i, int j) {
         (view->parallel ? view->E[k] + across : view->E[k]) + view->near * D[k];
   }
   tinybvh::Ray ray(vector_of(P), vector_of(D));
-  t.tree.Intersect(ray);
-  return ray.hit.t < BVH_FAR ? hsr_world_parent(t.world, ray.hit.prim)
-                             : HSR_BACKGROUND;
+  for (;;) {
+    t.tree.Intersect(ray);
+    if (!(ray.hit.t < BVH_FAR))
+      return HSR_BACKGROUND;
+    if (!pass_backs || !is_back(t.world->mesh, ray.hit.prim, D))
+      return hsr_world_parent(t.world, ray.hit.prim);
+    const float past = ray.hit.t * (1 + 0x1p-20f) + 0x1p-60f;
+    ray = tinybvh::Ray(ray.O + past * ray.D, ray.D);
+  }
 }
 
-hsr_status draw(void *state, const hsr_view *view, hsr_error *err) {
+hsr_status draw(void *state, const hsr_view *view, hsr_error *) {
   const Tinybvh &t = *static_cast<Tinybvh *>(state);
-  if (begins_within(t, view))
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "tinybvh: parallel rays would begin within the scene");
+  const bool pass_backs = begins_within(t, view);
   for (int j = 0; j < view->n; j++)
     for (int i = 0; i < view->m; i++)
       t.ids[static_cast<size_t>(j) * static_cast<size_t>(view->m) +
             static_cast<size_t>(i)] =
-          t.world->n_faces ? trace(t, view, i, j) : HSR_BACKGROUND;
+          t.world->n_faces ? trace(t, view, pass_backs, i, j) : HSR_BACKGROUND;
   return HSR_OK;
 }
 
