@@ -49,7 +49,7 @@ every_object = $(core_objects) $(plain_objects) $(counting_objects)
 INCLUDES = -I$(srcdir)/bench/web/stand_in -I. -I$(srcdir) \
   -isystem $(LIBRARIES)/include -isystem $(WEB)/headers
 DEFINES = -DHSR_LIBEXECDIR='""' -DHSR_REPORT_DIR='""'
-WARNINGS = -Wall -Wextra
+WARNINGS = -Wall -Wextra -Wno-missing-field-initializers
 COMMON = -msimd128 $(INCLUDES) $(DEFINES) -MMD -MP
 CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
   -DCGAL_IA_DONT_STOP_CONSTANT_PROPAGATION -DCGAL_NDEBUG \
