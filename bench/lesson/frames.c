@@ -280,6 +280,7 @@ static void listen(void *context, const struct hsr_event *event) {
   f->count[event->counter]++;
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
+  frames_follow_shapes(f, event);
   if (!frames_follow_markers(f, event)) {
     f->status = hsr_fail_nomem(f->err);
     return;
@@ -354,6 +355,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
   json_decref(f.structure);
   json_decref(f.lists);
   json_decref(f.voxels);
+  json_decref(f.clip);
   lesson_bytes_free(&f.notes);
   free(f.colour);
   free(f.touches);

@@ -91,8 +91,9 @@ struct frames {
   bool has_list;             /* the algorithm makes lists of priority */
   json_t *lists;             /* as of lesson_lists_json */
   struct lesson_bytes notes; /* of them */
-  json_t *voxels;            /* what the answer says of them; NULL: none */
-  size_t list;               /* lists that have begun */
+  json_t *clip;   /* the polygon that pieces are compared with; NULL: none */
+  json_t *voxels; /* what the answer says of them; NULL: none */
+  size_t list;    /* lists that have begun */
   struct hsr_growing
       marked;    /* pieces of the last one with a marker: uint32_t */
   uint32_t head; /* its P; HSR_NO_ID: not known */
@@ -170,6 +171,10 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event);
 void frames_mark_test(struct frames *f, const struct hsr_event *event);
 void frames_mark_markers(struct frames *f, const struct hsr_event *event);
 bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
+
+/* Notes the polygon that later pieces are compared with: to be called for each event in
+ * order. */
+void frames_follow_shapes(struct frames *f, const struct hsr_event *event);
 
 /* Notes a step of an edge and a volume: to be called for each event in order.
  * frames_mark_fragment marks the fragment of the last one, and what the volume
