@@ -95,6 +95,7 @@ lesson_sources = \
   %D%/lesson/looks/faces.js \
   %D%/lesson/looks/solids.js \
   %D%/lesson/looks/tests.js \
+  %D%/lesson/looks/texels.js \
   %D%/lesson/looks/windows.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/course.js \

@@ -6,7 +6,7 @@ const isRow = ({ counter: { name } }) => name === "runs";
 const isOrder = (run) => run.trace.structure.isGrid &&
   run.header.counters.some(({ name }) => name === "runs");
 
-const placeOf = (run, cell) => run.trace.structure.places[cell] ?? null;
+const placeOf = (run, cell) => run.trace.structure.places?.[cell] ?? null;
 
 // The part of the order that a row is in, its cells from low to high: an octant of the
 // algorithm that goes by octants, else a slice. null: the step begins no row.

@@ -5,10 +5,11 @@
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
 import { clippedLook } from "./clipped.js";
-import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
+import { faceLook, edgeLook, impliedLook, mergedLook, pieceLook, vertexLook } from "./faces.js";
 import { cellLook, cubeLook, isRegion, openingLook, planeLook, rowLook, volumeLook }
   from "./solids.js";
 import { testLook } from "./tests.js";
+import { readLook } from "./texels.js";
 import { bucketLook, halvedLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
@@ -25,7 +26,8 @@ export function looksOf(run, e) {
   return { a: of(e.a, false), b: of(e.b, true),
     where: [...windowLook(run, e), ...bucketLook(run, e), ...boxLooks(run, e),
       ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e), ...testLook(run, e),
-      ...halvedLook(run, e), ...openingLook(run, e), ...rowLook(run, e)] };
+      ...halvedLook(run, e), ...openingLook(run, e), ...rowLook(run, e), ...mergedLook(run, e),
+      ...readLook(run, e)] };
 }
 
 // The halves of a piece that is divided, and between them the line of the plane.

@@ -6,6 +6,7 @@ import { projection } from "../data/projection.js";
 import { windowOf } from "../data/run.js";
 import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
+import { texelLook } from "./texels.js";
 
 const BODY = /body|bodies|collections/;
 
@@ -91,7 +92,7 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
   if (plane) return planeLook(run, plane);
   const square = squareOfCell(run, [p, q, r]);
   if (square) return squareLook(square);
-  const texel = texelLook(run, e, p, q, r);
+  const texel = texelLook(run, p, q, r);
   if (texel) return texel;
   const level = run.pyramid?.of(e.number)
     ? run.pyramid.levels[run.pyramid.placeOf(p)] : null;
@@ -121,37 +122,6 @@ function voxelLook(run, level, k) {
 
 const squareLook = ({ x, y, side }) => [{ closed: true, width: 2, fill: 0.3,
   points: [[x, y], [x + side, y], [x + side, y + side], [x, y + side]] }];
-
-const INSET = 0.32; // of the picture's width: where a texture is shown
-
-// A texel of a texture: in a small map of its level.
-function texelLook(run, e, level, p, q) {
-  const size = texturesOf(run).get(level);
-  if (!size) return null;
-  const unit = INSET * run.width / Math.max(...size);
-  const box = (x, y, w, h, look) => ({ points: [[x, y], [x + w, y], [x + w, y + h],
-    [x, y + h]].map(([u, v]) => [1 + unit * u, 1 + unit * v]), closed: true, ...look });
-  return [box(0, 0, size[0], size[1], { width: 1.2, role: "ink" }),
-    box(p - size[2], q - size[3], 1, 1, { width: 2, fill: 0.7 })];
-}
-
-// level -> how many texels it has along each axis, and the numbers of the first.
-function texturesOf(run) {
-  if (run.textures) return run.textures;
-  const { trace, header } = run, levels = new Map();
-  const isTexel = header.algorithm.name.startsWith("texture-")
-    ? header.counters.map(({ a }) => a === "cell") : [];
-  for (let k = 0; k < trace.kept && isTexel.length; k++) {
-    if (!isTexel[trace.counter[k]]) continue;
-    const [l, p, q] = [trace.a0[k], trace.a1[k], trace.a2[k]];
-    const [, , p0, q0, p1, q1] = levels.get(l) ?? [0, 0, p, q, p, q];
-    const [pl, ql, ph, qh] = [Math.min(p0, p), Math.min(q0, q), Math.max(p1, p),
-      Math.max(q1, q)];
-    levels.set(l, [ph - pl + 1, qh - ql + 1, pl, ql, ph, qh]);
-  }
-  run.textures = levels;
-  return levels;
-}
 
 // The plane of a node: of a tree between clusters, or of a BSP tree.
 export function planeOfCell(run, counter, node) {

@@ -45,8 +45,8 @@ export function outlineOf(run) {
   };
 
   const show = (k, e) => {
-    mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);
     legend.replaceChildren(...explained(e && k < run.n ? legendOf(run, e) : []));
+    mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);
   };
   return { element: h("div", { class: "outline-box" }, list, gloss,
     legend, idle ? all : null), show };

@@ -3,9 +3,14 @@
 // what it is]. A legend stands below the outline.
 import { cellsOfRow, partOfRow, rowAcross } from "../data/grids.js";
 import { nodeLook } from "../looks/all.js";
+import { mergedLook } from "../looks/faces.js";
 import { openingLook } from "../looks/solids.js";
+import { readLook } from "../looks/texels.js";
 
 const isOf = ({ header }, name) => header.algorithm.name === name;
+
+const isSplatted = ({ header, kind }) => header.algorithm.name.startsWith("splat") &&
+  kind.name === "composited";
 
 export function legendOf(run, e) {
   const all = [];
@@ -15,6 +20,11 @@ export function legendOf(run, e) {
   if (openingLook(run, e).length) all.push(["filled", "the portal, an opening between two " +
     "cells"], ["thin frame", "the cull box of the first cell"], ["dashed",
     "the cell beyond the portal"]);
+  if (readLook(run, e).length) all.push(["map", "the texels of the texture, or of a level; " +
+    "those that were read for this pixel are filled, in the map and in the picture"]);
+  if (mergedLook(run, e).length) all.push(["dashed", "the face that is painted now"]);
+  if (isSplatted(run)) all.push(["grey", "the darker a pixel is, the more splats have " +
+    "touched it so far"]);
   if (cellsOfRow(run, e)) all.push(...rowLegend(run, e));
   if (e.shape && e.b.kind === "face") all.push(["dashed", "the clip polygon, with what " +
     "earlier cuts have left of it"]);
