@@ -316,7 +316,15 @@ static json_t *shape_json(const struct frames *f,
              : NULL;
 }
 
+static bool is_named(const struct frames *f, const struct hsr_event *event,
+                     const char *name) {
+  const struct hsr_algorithm *a = f->run->setup.algorithm;
+  return !strcmp(a->counters[event->counter].name, name);
+}
+
 void frames_follow_shapes(struct frames *f, const struct hsr_event *event) {
+  if (is_named(f, event, "segments") && event->a.kind == HSR_OF_FACE)
+    f->segment = event->a.id[0];
   if (kind_of(f, event) != HSR_ACTIVATE || !event->part)
     return;
   json_decref(f->clip);
@@ -360,6 +368,19 @@ static bool mark_shapes(struct frames *f, const struct hsr_event *event,
   return true;
 }
 
+/* The face that is painted, at a bead of its row. */
+static void mark_painted(struct frames *f, const struct hsr_event *event,
+                         unsigned colour) {
+  if (!is_named(f, event, "X merge") || event->a.kind != HSR_OF_FACE ||
+      event->b.kind != HSR_OF_WINDOW || f->segment == HSR_NO_ID ||
+      f->segment == event->a.id[0])
+    return;
+  frames_add_face(f, f->segment);
+  frames_set_colour(f->cairo, colour, .06);
+  cairo_fill_preserve(f->cairo);
+  stroke(f, colour, 2, true);
+}
+
 /* The two faces that penetrate. */
 static void mark_implied(struct frames *f, const struct hsr_subject *subject,
                          unsigned colour) {
@@ -391,6 +412,8 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
     mark_bucket(f, event, colour);
   else if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
+  mark_painted(f, event, colour);
+  frames_mark_read(f, event, colour);
   frames_mark_planes(f, event, colour);
   frames_mark_boxes(f, event);
   frames_mark_test(f, event);

@@ -281,7 +281,7 @@ static void listen(void *context, const struct hsr_event *event) {
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
   frames_follow_shapes(f, event);
-  if (!frames_follow_markers(f, event)) {
+  if (!frames_follow_markers(f, event) || !frames_follow_texels(f, event)) {
     f->status = hsr_fail_nomem(f->err);
     return;
   }
@@ -347,6 +347,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
                      .step = slides->step,
                      .png = slides->png,
                      .pdf = pdf,
+                     .segment = HSR_NO_ID,
                      .err = err};
   enum hsr_status status = trace_run_open(&run, err);
   if (!status)

@@ -91,6 +91,8 @@ struct frames {
   bool has_list;             /* the algorithm makes lists of priority */
   json_t *lists;             /* as of lesson_lists_json */
   struct lesson_bytes notes; /* of them */
+  struct hsr_growing read; /* texels read for the pixel at hand: uint32_t[3] */
+  uint32_t segment;        /* the face of the last segment; HSR_NO_ID: none */
   json_t *clip;   /* the polygon that pieces are compared with; NULL: none */
   json_t *voxels; /* what the answer says of them; NULL: none */
   size_t list;    /* lists that have begun */
@@ -172,8 +174,14 @@ void frames_mark_test(struct frames *f, const struct hsr_event *event);
 void frames_mark_markers(struct frames *f, const struct hsr_event *event);
 bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
 
-/* Notes the polygon that later pieces are compared with: to be called for each event in
- * order. */
+/* Notes the texels that are read for a pixel: to be called for each event in order.
+ * frames_mark_read marks those so far. False: memory ran out. */
+bool frames_follow_texels(struct frames *f, const struct hsr_event *event);
+void frames_mark_read(struct frames *f, const struct hsr_event *event,
+                      unsigned colour);
+
+/* Notes the polygon that later pieces are compared with, and the face of a segment: to
+ * be called for each event in order. */
 void frames_follow_shapes(struct frames *f, const struct hsr_event *event);
 
 /* Notes a step of an edge and a volume: to be called for each event in order.
