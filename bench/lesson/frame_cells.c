@@ -19,24 +19,46 @@ static void add_wires(struct frames *f, const json_t *corners) {
     }
 }
 
-/* The box of a node. False: it has none. */
-static bool mark_cube(struct frames *f, const struct hsr_subject *subject,
-                      unsigned colour, enum frame_dash dash) {
-  json_int_t instance =
-      subject->id[1] == HSR_NO_ID ? -1 : (json_int_t)subject->id[1];
+/* Borrowed: [node, instance, corners, image]; NULL: there is none. */
+static const json_t *cube_of(const struct frames *f, json_int_t node,
+                             json_int_t instance) {
   size_t k;
   const json_t *cube;
-  bool found = false;
   json_array_foreach(json_object_get(f->structure, "cubes"), k, cube) {
-    if (json_integer_value(json_array_get(cube, 0)) != subject->id[0] ||
-        json_integer_value(json_array_get(cube, 1)) != instance)
-      continue;
-    add_wires(f, json_array_get(cube, 2));
-    found = true;
+    if (json_integer_value(json_array_get(cube, 0)) == node &&
+        json_integer_value(json_array_get(cube, 1)) == instance)
+      return cube;
   }
-  if (found)
-    frames_stroke(f, colour, 2, dash);
-  return found;
+  return NULL;
+}
+
+/* An opening between two cells. */
+static void mark_opening(struct frames *f, const json_t *image,
+                         unsigned colour) {
+  frames_add_polygon(f, image);
+  frames_set_colour(f->cairo, colour, .4);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 3.5, FRAME_SOLID);
+}
+
+/* The box of a node; of an opening, that of the cell beyond it, too. False: it has
+ * none. */
+static bool mark_cube(struct frames *f, const struct hsr_subject *subject,
+                      unsigned colour, enum frame_dash dash) {
+  json_int_t node = subject->id[0], instance = subject->id[1] == HSR_NO_ID
+                                                   ? -1
+                                                   : (json_int_t)subject->id[1];
+  const json_t *cube = cube_of(f, node, instance),
+               *image = json_array_get(cube, 3);
+  if (json_array_size(image) > 2)
+    mark_opening(f, image, colour);
+  if (json_is_array(image))
+    cube = cube_of(f, node, -1);
+  if (!cube)
+    return false;
+  add_wires(f, json_array_get(cube, 2));
+  frames_stroke(f, colour, 2, dash);
+  return true;
 }
 
 /* The end of the edge of cell number `at` along an axis of n voxels. */
