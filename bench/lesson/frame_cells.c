@@ -32,6 +32,36 @@ static const json_t *cube_of(const struct frames *f, json_int_t node,
   return NULL;
 }
 
+/* A cell, and the window through which it is looked at. */
+struct visit {
+  uint32_t cell;
+  struct hsr_window window;
+};
+
+bool frames_follow_visits(struct frames *f, const struct hsr_event *event) {
+  if (event->a.kind != HSR_OF_CELL || event->b.kind != HSR_OF_WINDOW ||
+      !json_object_get(f->structure, "isBoxes"))
+    return true;
+  if (!hsr_arena_grow(&f->arena, &f->visited, sizeof(struct visit)))
+    return false;
+  ((struct visit *)f->visited.items)[f->visited.n - 1] =
+      (struct visit){event->a.id[0], event->window};
+  return true;
+}
+
+/* The window of the last visit of a cell. */
+static void mark_visit(struct frames *f, uint32_t cell) {
+  const struct visit *visit = f->visited.items;
+  size_t k = f->visited.n;
+  while (k && visit[k - 1].cell != cell)
+    k--;
+  if (!k)
+    return;
+  const struct hsr_window *w = &visit[k - 1].window;
+  cairo_rectangle(f->cairo, w->x0, w->y0, w->x1 - w->x0, w->y1 - w->y0);
+  frames_stroke(f, FRAME_INK, 1.2, FRAME_SOLID);
+}
+
 /* An opening between two cells. */
 static void mark_opening(struct frames *f, const json_t *image,
                          unsigned colour) {
@@ -43,15 +73,18 @@ static void mark_opening(struct frames *f, const json_t *image,
 
 /* The box of a node; of an opening, that of the cell beyond it, too. False: it has
  * none. */
-static bool mark_cube(struct frames *f, const struct hsr_subject *subject,
-                      unsigned colour, enum frame_dash dash) {
+static bool mark_cube(struct frames *f, const struct hsr_event *event,
+                      const struct hsr_subject *subject, unsigned colour,
+                      enum frame_dash dash) {
   json_int_t node = subject->id[0], instance = subject->id[1] == HSR_NO_ID
                                                    ? -1
                                                    : (json_int_t)subject->id[1];
   const json_t *cube = cube_of(f, node, instance),
                *image = json_array_get(cube, 3);
-  if (json_array_size(image) > 2)
+  if (json_array_size(image) > 2) {
     mark_opening(f, image, colour);
+    mark_visit(f, event->a.id[0]);
+  }
   if (json_is_array(image))
     cube = cube_of(f, node, -1);
   if (!cube)
@@ -292,7 +325,7 @@ void frames_mark_cell(struct frames *f, const struct hsr_event *event,
     return;
   if (f->voxels)
     mark_voxels(f, subject, colour, dash);
-  else if (!has_third && mark_cube(f, subject, colour, dash))
+  else if (!has_third && mark_cube(f, event, subject, colour, dash))
     return;
   else if (json_object_get(f->structure, "separators") ||
            (json_object_get(f->structure, "nodes") && !has_third))

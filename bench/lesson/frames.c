@@ -281,7 +281,8 @@ static void listen(void *context, const struct hsr_event *event) {
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
   frames_follow_shapes(f, event);
-  if (!frames_follow_markers(f, event) || !frames_follow_texels(f, event)) {
+  if (!frames_follow_markers(f, event) || !frames_follow_texels(f, event) ||
+      !frames_follow_visits(f, event)) {
     f->status = hsr_fail_nomem(f->err);
     return;
   }

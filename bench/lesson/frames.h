@@ -86,11 +86,12 @@ struct frames {
   uint64_t steps;       /* of the whole run */
   uint64_t total[HSR_MAX_COUNTERS]; /* in the whole run */
   uint64_t count[HSR_MAX_COUNTERS];
-  json_t *header;            /* as of hsr trace: where the faces are */
-  json_t *structure;         /* as of lesson_structure_json */
-  bool has_list;             /* the algorithm makes lists of priority */
-  json_t *lists;             /* as of lesson_lists_json */
-  struct lesson_bytes notes; /* of them */
+  json_t *header;             /* as of hsr trace: where the faces are */
+  json_t *structure;          /* as of lesson_structure_json */
+  bool has_list;              /* the algorithm makes lists of priority */
+  json_t *lists;              /* as of lesson_lists_json */
+  struct lesson_bytes notes;  /* of them */
+  struct hsr_growing visited; /* cells, as frame_cells.c has them */
   struct hsr_growing read; /* texels read for the pixel at hand: uint32_t[3] */
   uint32_t segment;        /* the face of the last segment; HSR_NO_ID: none */
   json_t *clip;   /* the polygon that pieces are compared with; NULL: none */
@@ -173,6 +174,10 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event);
 void frames_mark_test(struct frames *f, const struct hsr_event *event);
 void frames_mark_markers(struct frames *f, const struct hsr_event *event);
 bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
+
+/* Notes the window through which a cell is looked at: to be called for each event in
+ * order. False: memory ran out. */
+bool frames_follow_visits(struct frames *f, const struct hsr_event *event);
 
 /* Notes the texels that are read for a pixel: to be called for each event in order.
  * frames_mark_read marks those so far. False: memory ran out. */
