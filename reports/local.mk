@@ -40,6 +40,7 @@ lesson_sources = \
   %D%/lesson/beside/tree.js \
   %D%/lesson/data/branches.js \
   %D%/lesson/data/fragments.js \
+  %D%/lesson/data/grids.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/lists.js \
   %D%/lesson/data/numbers.js \
@@ -94,6 +95,7 @@ lesson_sources = \
   %D%/lesson/looks/faces.js \
   %D%/lesson/looks/solids.js \
   %D%/lesson/looks/tests.js \
+  %D%/lesson/looks/texels.js \
   %D%/lesson/looks/windows.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/course.js \
@@ -112,6 +114,7 @@ lesson_sources = \
   %D%/lesson/parts/timeline.js \
   %D%/lesson/telling/figures.js \
   %D%/lesson/telling/glossary.js \
+  %D%/lesson/telling/legend.js \
   %D%/lesson/telling/moments.js \
   %D%/lesson/telling/pace.js \
   %D%/lesson/telling/questions.js \

@@ -75,10 +75,11 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
   return json_pack(
-      "{ss so sI sI so sO so so so ss? ss? so so so sb}", "schema",
+      "{ss so sI sI so sO sO so so so ss? ss? so so so sb}", "schema",
       "hsr-lesson/2", "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
-      "counts", lesson_counts_json(a, tally->count), "parts", parts, "answer",
+      "counts", lesson_counts_json(a, tally->count), "parts", parts, "shapes",
+      recorder->shapes, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
       lesson_costs_json(a, table), "letters", lesson_letters_json(table),
       "order", a->sort_order, "coherence", a->coherence, "lists",

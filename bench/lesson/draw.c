@@ -86,6 +86,8 @@ enum hsr_status lesson_record(struct trace_run *run, long most,
   recorder->run = run;
   recorder->most = (uint64_t)most;
   recorder->parts = json_array();
+  recorder->shapes = json_array();
+  recorder->places = json_object();
   recorder->has_list = lesson_has_list(&run->setup);
   enum hsr_status status = draw(recorder, &record->bytes, err);
   record->events = recorder->events;

@@ -19,24 +19,79 @@ static void add_wires(struct frames *f, const json_t *corners) {
     }
 }
 
-/* The box of a node. False: it has none. */
-static bool mark_cube(struct frames *f, const struct hsr_subject *subject,
-                      unsigned colour, enum frame_dash dash) {
-  json_int_t instance =
-      subject->id[1] == HSR_NO_ID ? -1 : (json_int_t)subject->id[1];
+/* Borrowed: [node, instance, corners, image]; NULL: there is none. */
+static const json_t *cube_of(const struct frames *f, json_int_t node,
+                             json_int_t instance) {
   size_t k;
   const json_t *cube;
-  bool found = false;
   json_array_foreach(json_object_get(f->structure, "cubes"), k, cube) {
-    if (json_integer_value(json_array_get(cube, 0)) != subject->id[0] ||
-        json_integer_value(json_array_get(cube, 1)) != instance)
-      continue;
-    add_wires(f, json_array_get(cube, 2));
-    found = true;
+    if (json_integer_value(json_array_get(cube, 0)) == node &&
+        json_integer_value(json_array_get(cube, 1)) == instance)
+      return cube;
   }
-  if (found)
-    frames_stroke(f, colour, 2, dash);
-  return found;
+  return NULL;
+}
+
+/* A cell, and the window through which it is looked at. */
+struct visit {
+  uint32_t cell;
+  struct hsr_window window;
+};
+
+bool frames_follow_visits(struct frames *f, const struct hsr_event *event) {
+  if (event->a.kind != HSR_OF_CELL || event->b.kind != HSR_OF_WINDOW ||
+      !json_object_get(f->structure, "isBoxes"))
+    return true;
+  if (!hsr_arena_grow(&f->arena, &f->visited, sizeof(struct visit)))
+    return false;
+  ((struct visit *)f->visited.items)[f->visited.n - 1] =
+      (struct visit){event->a.id[0], event->window};
+  return true;
+}
+
+/* The window of the last visit of a cell. */
+static void mark_visit(struct frames *f, uint32_t cell) {
+  const struct visit *visit = f->visited.items;
+  size_t k = f->visited.n;
+  while (k && visit[k - 1].cell != cell)
+    k--;
+  if (!k)
+    return;
+  const struct hsr_window *w = &visit[k - 1].window;
+  cairo_rectangle(f->cairo, w->x0, w->y0, w->x1 - w->x0, w->y1 - w->y0);
+  frames_stroke(f, FRAME_INK, 1.2, FRAME_SOLID);
+}
+
+/* An opening between two cells. */
+static void mark_opening(struct frames *f, const json_t *image,
+                         unsigned colour) {
+  frames_add_polygon(f, image);
+  frames_set_colour(f->cairo, colour, .4);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 3.5, FRAME_SOLID);
+}
+
+/* The box of a node; of an opening, that of the cell beyond it, too. False: it has
+ * none. */
+static bool mark_cube(struct frames *f, const struct hsr_event *event,
+                      const struct hsr_subject *subject, unsigned colour,
+                      enum frame_dash dash) {
+  json_int_t node = subject->id[0], instance = subject->id[1] == HSR_NO_ID
+                                                   ? -1
+                                                   : (json_int_t)subject->id[1];
+  const json_t *cube = cube_of(f, node, instance),
+               *image = json_array_get(cube, 3);
+  if (json_array_size(image) > 2) {
+    mark_opening(f, image, colour);
+    mark_visit(f, event->a.id[0]);
+  }
+  if (json_is_array(image))
+    cube = cube_of(f, node, -1);
+  if (!cube)
+    return false;
+  add_wires(f, json_array_get(cube, 2));
+  frames_stroke(f, colour, 2, dash);
+  return true;
 }
 
 /* The end of the edge of cell number `at` along an axis of n voxels. */
@@ -93,11 +148,10 @@ struct texture {
   uint32_t level, lo[2], hi[2];
 };
 
-static struct texture *texture_of(const struct frames *f,
-                                  const struct hsr_event *event) {
+static struct texture *texture_of(const struct frames *f, uint32_t level) {
   struct texture *t = f->textures.items;
   for (size_t k = 0; k < f->textures.n; k++)
-    if (t[k].level == event->a.id[0])
+    if (t[k].level == level)
       return &t[k];
   return NULL;
 }
@@ -122,7 +176,7 @@ void frames_note_cells(struct frames *f, const struct hsr_event *event) {
 bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
   if (!is_texel(f, event))
     return true;
-  struct texture *t = texture_of(f, event);
+  struct texture *t = texture_of(f, event->a.id[0]);
   const uint32_t *at = event->a.id + 1;
   if (!t) {
     if (!hsr_arena_grow(&f->arena, &f->textures, sizeof *t))
@@ -137,10 +191,116 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
   return true;
 }
 
+/* --- What is read for a pixel --------------------------------------------- */
+
+static bool is_named(const struct frames *f, const struct hsr_event *event,
+                     const char *name) {
+  const struct hsr_algorithm *a = f->run->setup.algorithm;
+  return !strncmp(a->name, "texture-", 8) &&
+         !strcmp(a->counters[event->counter].name, name);
+}
+
+bool frames_follow_texels(struct frames *f, const struct hsr_event *event) {
+  if (is_named(f, event, "rays"))
+    f->read.n = 0;
+  if (!is_named(f, event, "texels"))
+    return true;
+  if (!hsr_arena_grow(&f->arena, &f->read, sizeof event->a.id))
+    return false;
+  uint32_t(*read)[3] = f->read.items;
+  memcpy(read[f->read.n - 1], event->a.id, sizeof *read);
+  return true;
+}
+
+/* The middle of the layer at a texel, in the picture. */
+static void mark_in_picture(struct frames *f, const uint32_t texel[3],
+                            unsigned colour) {
+  const struct hsr_grid *grid = f->run->scene->grid;
+  int across = 0, axis[2] = {0, 0}, n = 0;
+  while (across < 3 && grid->n[across] != 1)
+    across++;
+  for (int k = 0; k < 3 && n < 2; k++)
+    if (k != across)
+      axis[n++] = k;
+  if (across == 3 || texel[1] >= grid->n[axis[0]] ||
+      texel[2] >= grid->n[axis[1]])
+    return;
+  double at[4][3];
+  for (int c = 0; c < 4; c++) {
+    at[c][across] = (grid->bound[across][0] + grid->bound[across][1]) / 2;
+    at[c][axis[0]] = grid->bound[axis[0]][texel[1] + (c == 1 || c == 2)];
+    at[c][axis[1]] = grid->bound[axis[1]][texel[2] + (c >= 2)];
+  }
+  json_t *image = lesson_image_json(&f->run->view, (const double(*)[3])at, 4);
+  frames_add_polygon(f, image);
+  frames_set_colour(f->cairo, colour, .15);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 1.2, FRAME_SOLID);
+  json_decref(image);
+}
+
+/* The left end of map number n, and the size of a texel there. */
+static double map_of(const struct frames *f, const struct texture *t, size_t n,
+                     double *unit) {
+  double across = t->hi[0] - t->lo[0] + 1., down = t->hi[1] - t->lo[1] + 1.;
+  *unit = .32 * f->run->view.m / fmax(across, down);
+  return 1 + (double)n * .35 * f->run->view.m;
+}
+
+static void mark_map(struct frames *f, const struct texture *t, size_t n) {
+  double unit, left = map_of(f, t, n, &unit);
+  cairo_rectangle(f->cairo, left, 1, unit * (t->hi[0] - t->lo[0] + 1.),
+                  unit * (t->hi[1] - t->lo[1] + 1.));
+  frames_stroke(f, FRAME_INK, 1.2, FRAME_SOLID);
+}
+
+static void mark_in_map(struct frames *f, const struct texture *t, size_t n,
+                        const uint32_t texel[3], unsigned colour) {
+  double unit, left = map_of(f, t, n, &unit);
+  cairo_rectangle(f->cairo, left + unit * (texel[1] - t->lo[0]),
+                  1 + unit * (texel[2] - t->lo[1]), unit, unit);
+  frames_set_colour(f->cairo, colour, .35);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, .8, FRAME_SOLID);
+}
+
+/* The number of the map of a level: as on the page, that of what was read last is the
+ * first. */
+static size_t map_number(const struct frames *f, uint32_t level) {
+  const uint32_t(*read)[3] = f->read.items;
+  size_t n = 0;
+  for (size_t k = f->read.n; k-- > 0 && read[k][0] != level;) {
+    bool is_new = true;
+    for (size_t l = k + 1; l < f->read.n; l++)
+      is_new = is_new && read[l][0] != read[k][0];
+    n += is_new;
+  }
+  return n;
+}
+
+void frames_mark_read(struct frames *f, const struct hsr_event *event,
+                      unsigned colour) {
+  const struct hsr_algorithm *a = f->run->setup.algorithm;
+  bool is_end = a->counters[event->counter].kind == HSR_ACCEPT;
+  if (!f->read.n || (!is_end && !is_named(f, event, "texels")))
+    return;
+  const uint32_t(*read)[3] = f->read.items;
+  for (size_t k = 0; k < f->read.n; k++) {
+    const struct texture *t = texture_of(f, read[k][0]);
+    size_t n = is_end ? map_number(f, read[k][0]) : 0;
+    if (t && is_end)
+      mark_map(f, t, n);
+    if (t && (is_end || read[k][0] == event->a.id[0]))
+      mark_in_map(f, t, n, read[k], colour);
+    if (!read[k][0] && !strstr(a->name, "table"))
+      mark_in_picture(f, read[k], colour);
+  }
+}
+
 /* A texel: in a small map of its level. */
 static void mark_texel(struct frames *f, const struct hsr_event *event,
                        unsigned colour) {
-  const struct texture *t = texture_of(f, event);
+  const struct texture *t = texture_of(f, event->a.id[0]);
   if (!t)
     return;
   double across = t->hi[0] - t->lo[0] + 1., down = t->hi[1] - t->lo[1] + 1.,
@@ -165,7 +325,7 @@ void frames_mark_cell(struct frames *f, const struct hsr_event *event,
     return;
   if (f->voxels)
     mark_voxels(f, subject, colour, dash);
-  else if (!has_third && mark_cube(f, subject, colour, dash))
+  else if (!has_third && mark_cube(f, event, subject, colour, dash))
     return;
   else if (json_object_get(f->structure, "separators") ||
            (json_object_get(f->structure, "nodes") && !has_third))

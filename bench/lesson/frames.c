@@ -280,7 +280,9 @@ static void listen(void *context, const struct hsr_event *event) {
   f->count[event->counter]++;
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
-  if (!frames_follow_markers(f, event)) {
+  frames_follow_shapes(f, event);
+  if (!frames_follow_markers(f, event) || !frames_follow_texels(f, event) ||
+      !frames_follow_visits(f, event)) {
     f->status = hsr_fail_nomem(f->err);
     return;
   }
@@ -346,6 +348,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
                      .step = slides->step,
                      .png = slides->png,
                      .pdf = pdf,
+                     .segment = HSR_NO_ID,
                      .err = err};
   enum hsr_status status = trace_run_open(&run, err);
   if (!status)
@@ -354,6 +357,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
   json_decref(f.structure);
   json_decref(f.lists);
   json_decref(f.voxels);
+  json_decref(f.clip);
   lesson_bytes_free(&f.notes);
   free(f.colour);
   free(f.touches);

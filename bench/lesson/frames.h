@@ -86,13 +86,17 @@ struct frames {
   uint64_t steps;       /* of the whole run */
   uint64_t total[HSR_MAX_COUNTERS]; /* in the whole run */
   uint64_t count[HSR_MAX_COUNTERS];
-  json_t *header;            /* as of hsr trace: where the faces are */
-  json_t *structure;         /* as of lesson_structure_json */
-  bool has_list;             /* the algorithm makes lists of priority */
-  json_t *lists;             /* as of lesson_lists_json */
-  struct lesson_bytes notes; /* of them */
-  json_t *voxels;            /* what the answer says of them; NULL: none */
-  size_t list;               /* lists that have begun */
+  json_t *header;             /* as of hsr trace: where the faces are */
+  json_t *structure;          /* as of lesson_structure_json */
+  bool has_list;              /* the algorithm makes lists of priority */
+  json_t *lists;              /* as of lesson_lists_json */
+  struct lesson_bytes notes;  /* of them */
+  struct hsr_growing visited; /* cells, as frame_cells.c has them */
+  struct hsr_growing read; /* texels read for the pixel at hand: uint32_t[3] */
+  uint32_t segment;        /* the face of the last segment; HSR_NO_ID: none */
+  json_t *clip;   /* the polygon that pieces are compared with; NULL: none */
+  json_t *voxels; /* what the answer says of them; NULL: none */
+  size_t list;    /* lists that have begun */
   struct hsr_growing
       marked;    /* pieces of the last one with a marker: uint32_t */
   uint32_t head; /* its P; HSR_NO_ID: not known */
@@ -170,6 +174,20 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event);
 void frames_mark_test(struct frames *f, const struct hsr_event *event);
 void frames_mark_markers(struct frames *f, const struct hsr_event *event);
 bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
+
+/* Notes the window through which a cell is looked at: to be called for each event in
+ * order. False: memory ran out. */
+bool frames_follow_visits(struct frames *f, const struct hsr_event *event);
+
+/* Notes the texels that are read for a pixel: to be called for each event in order.
+ * frames_mark_read marks those so far. False: memory ran out. */
+bool frames_follow_texels(struct frames *f, const struct hsr_event *event);
+void frames_mark_read(struct frames *f, const struct hsr_event *event,
+                      unsigned colour);
+
+/* Notes the polygon that later pieces are compared with, and the face of a segment: to
+ * be called for each event in order. */
+void frames_follow_shapes(struct frames *f, const struct hsr_event *event);
 
 /* Notes a step of an edge and a volume: to be called for each event in order.
  * frames_mark_fragment marks the fragment of the last one, and what the volume

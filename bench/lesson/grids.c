@@ -3,6 +3,7 @@
 #include "bench/lesson/lesson.h"
 #include "common/answers/coded.h"
 #include "common/files/json/json.h"
+#include "common/grids/order.h"
 
 /* What is larger is left out of the page. */
 enum { MOST_CELLS = 4096 };
@@ -36,6 +37,38 @@ bool lesson_has_cells(const struct trace_run *run) {
          !hsr_setup_show(&run->setup).boxes;
 }
 
+/* Where each cell is in the grid. */
+static json_t *places_json(const struct hsr_grid *grid) {
+  json_t *places = json_array();
+  for (uint32_t row = 0; row < grid->n[1] * grid->n[2]; row++)
+    for (uint32_t c = grid->row[row]; c < grid->row[row + 1]; c++)
+      hsr_json_append(&places, json_pack("[I I I]", (json_int_t)grid->x[c],
+                                         (json_int_t)(row % grid->n[1]),
+                                         (json_int_t)(row / grid->n[1])));
+  return places;
+}
+
+/* The planes between the slices of cells, along each axis. */
+static json_t *bounds_json(const struct hsr_grid *grid) {
+  json_t *bounds = json_array();
+  for (int k = 0; k < 3; k++) {
+    json_t *along = json_array();
+    for (uint32_t c = 0; c <= grid->n[k]; c++)
+      hsr_json_append(&along, json_real(grid->bound[k][c]));
+    hsr_json_append(&bounds, along);
+  }
+  return bounds;
+}
+
+static json_t *eye_json(const struct trace_run *run) {
+  const struct hsr_grid *grid = run->scene->grid;
+  json_t *at = json_array();
+  for (int k = 0; k < 3; k++)
+    hsr_json_append(&at, json_integer(hsr_grid_split(grid->bound[k], grid->n[k],
+                                                     run->view.eye[k])));
+  return at;
+}
+
 bool lesson_add_cells(json_t *to, const struct trace_run *run) {
   const struct hsr_grid *grid = run->scene->grid;
   json_t *cubes = json_array();
@@ -43,5 +76,8 @@ bool lesson_add_cells(json_t *to, const struct trace_run *run) {
     for (uint32_t j = 0; j < grid->n[1]; j++)
       add_row(&cubes, run, j, k);
   return !json_object_set_new(to, "isGrid", json_true()) &&
+         !json_object_set_new(to, "places", places_json(grid)) &&
+         !json_object_set_new(to, "bounds", bounds_json(grid)) &&
+         !json_object_set_new(to, "eyeCell", eye_json(run)) &&
          !json_object_set_new(to, "cubes", cubes);
 }

@@ -54,7 +54,8 @@ char *lesson_squeeze(const struct lesson_bytes *bytes);
 /* --- The listener --------------------------------------------------------- */
 
 /* What is recorded of an event, beside its counter. Where there is no number,
- * -1. The part is its place in the list of parts, from 1; 0: none. */
+ * -1. The part is its place in the list of parts, or of shapes if the step is not of
+ * kind HSR_ACCEPT, from 1; 0: none. */
 enum lesson_field {
   LESSON_A_KIND,
   LESSON_A0,
@@ -87,6 +88,8 @@ struct lesson_recorder {
   struct lesson_bytes counters; /* of the events kept */
   struct lesson_column column[HSR_MAX_COUNTERS];
   json_t *parts;
+  json_t *shapes; /* what steps are about that add nothing to the answer */
+  json_t *places; /* of each shape, by its text, in the list, from 1 */
   bool has_list;
   struct lesson_bytes notes; /* of its list */
 };
@@ -127,7 +130,8 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *   cubes       of octrees, or boxes in them: [node, instance or -1, the images
  *   of its corners, or
  *               null for those that have none]; isBoxes: boxes of the algorithm's
- *               own, [a, b, corners] for its subject HSR_CELL(a, b, 0)
+ *               own, [a, b, corners, image] for its subject HSR_CELL(a, b, 0); the
+ *               image of one that is a rectangle, else null
  *
  *   bodies      of an algorithm that puts edges to volumes: the faces of each
  *   volumes     likewise: the faces in whose planes each one is
@@ -139,8 +143,14 @@ json_t *lesson_lists_json(const struct trace_run *run,
 json_t *lesson_structure_json(const struct trace_run *run);
 
 /* Whether the scene is a grid whose cells the steps name by number, and these as
- * cubes of instance 0; then there is also a member isGrid, which is true. Not where
- * the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
+ * cubes of instance 0. Then there are also the members
+ *
+ *   isGrid   true
+ *   places   where each cell is in the grid, along the three axes
+ *   bounds   along each axis, the planes between its cells
+ *   eyeCell  along each axis, the cell that holds the eye: hsr_grid_split
+ *
+ * Not where the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
 bool lesson_has_cells(const struct trace_run *run);
 bool lesson_add_cells(json_t *structure, const struct trace_run *run);
 

@@ -2,6 +2,8 @@
 #include "bench/lesson/lesson.h"
 #include "common/files/json/json.h"
 
+#include <stdlib.h>
+
 static int64_t id_of(uint32_t id) {
   return id == HSR_NO_ID ? -1 : (int64_t)id;
 }
@@ -12,14 +14,38 @@ static void put_subject(const struct hsr_subject *subject, int64_t to[4]) {
     to[k + 1] = subject->kind == HSR_OF_NOTHING ? 0 : id_of(subject->id[k]);
 }
 
-/* The place of the event's part in the list, from 1; 0: it has none. */
+/* The place of a shape in the list, from 1. Shapes that are equal have one. */
+static int64_t place_of(struct lesson_recorder *recorder, json_t *shape) {
+  char *text = shape ? json_dumps(shape, JSON_COMPACT) : NULL;
+  json_t *known = text ? json_object_get(recorder->places, text) : NULL;
+  if (text && !known) {
+    hsr_json_append(&recorder->shapes, json_incref(shape));
+    json_object_set_new(
+        recorder->places, text,
+        json_integer((json_int_t)json_array_size(recorder->shapes)));
+    known = json_object_get(recorder->places, text);
+  }
+  free(text);
+  json_decref(shape);
+  if (!known) {
+    json_decref(recorder->shapes); /* lesson_describe will fail */
+    recorder->shapes = NULL;
+  }
+  return json_integer_value(known);
+}
+
+/* The place of the event's part in the list of parts, or in that of shapes if it adds
+ * nothing to the answer, from 1; 0: it has none. */
 static int64_t put_part(struct lesson_recorder *recorder,
                         const struct hsr_event *event) {
   if (!event->part)
     return 0;
   const struct trace_answer *answer = &recorder->run->answer;
-  hsr_json_append(&recorder->parts, answer->drawn.form.type->part_json(
-                                        event->part, answer->view));
+  const struct hsr_algorithm *a = recorder->run->setup.algorithm;
+  json_t *part = answer->drawn.form.type->part_json(event->part, answer->view);
+  if (a->counters[event->counter].kind != HSR_ACCEPT)
+    return place_of(recorder, part);
+  hsr_json_append(&recorder->parts, part);
   return (int64_t)json_array_size(recorder->parts);
 }
 
@@ -69,4 +95,6 @@ void lesson_recorder_free(struct lesson_recorder *recorder) {
     for (int k = 0; k < LESSON_N_FIELDS; k++)
       lesson_bytes_free(&recorder->column[c].field[k]);
   json_decref(recorder->parts);
+  json_decref(recorder->shapes);
+  json_decref(recorder->places);
 }

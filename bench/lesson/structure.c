@@ -292,6 +292,24 @@ struct boxes {
   json_t *all;
 };
 
+/* The image of a box that is flat across an axis: a rectangle. null: it is not flat. */
+static json_t *rectangle_json(const struct hsr_view *view,
+                              const struct hsr_box *box) {
+  for (int axis = 0; axis < 3; axis++) {
+    if (box->lo[axis] < box->hi[axis])
+      continue;
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    double at[4][3];
+    for (int c = 0; c < 4; c++) {
+      at[c][axis] = box->lo[axis];
+      at[c][u] = c == 1 || c == 2 ? box->hi[u] : box->lo[u];
+      at[c][v] = c >= 2 ? box->hi[v] : box->lo[v];
+    }
+    return lesson_image_json(view, (const double(*)[3])at, 4);
+  }
+  return json_null();
+}
+
 static void add_box(void *to, uint32_t a, uint32_t b,
                     const struct hsr_box *box) {
   struct boxes *boxes = to;
@@ -307,9 +325,9 @@ static void add_box(void *to, uint32_t a, uint32_t b,
     hsr_json_append(&corners, hsr_point_json(boxes->view, point));
   }
   hsr_json_append(&boxes->all,
-                  json_pack("[I I o]", (json_int_t)a,
+                  json_pack("[I I o o]", (json_int_t)a,
                             b == HSR_NO_ID ? (json_int_t)-1 : (json_int_t)b,
-                            corners));
+                            corners, rectangle_json(boxes->view, box)));
 }
 
 /* Around all points of the world, a little wider. */

@@ -16,12 +16,19 @@ static bool do_meet(const struct hsr_window *a, const struct hsr_window *b) {
   return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
 }
 
+/* Whether the event adds a part to the answer. */
+static bool adds_part(const struct tracer *tracer,
+                      const struct hsr_event *event) {
+  return event->part &&
+         tracer->algorithm->counters[event->counter].kind == HSR_ACCEPT;
+}
+
 /* Why an event is left out. An accepted event of a line drawing is always kept:
  * a line may reach into the window from anywhere. */
 static enum trace_reason choose(struct tracer *tracer,
                                 const struct hsr_event *event) {
   const struct trace_filter *filter = tracer->filter;
-  if (event->part)
+  if (adds_part(tracer, event))
     return TRACE_KEPT;
   if (filter->has_window && !is_empty(&event->window) &&
       !do_meet(&filter->window, &event->window))
@@ -69,9 +76,10 @@ static json_t *event_json(const struct tracer *tracer,
   hsr_json_append(&line, window_json(&event->window));
   hsr_json_append(&line, counter->outcomes ? json_integer(event->outcome)
                                            : json_null());
-  hsr_json_append(&line, event->part ? kind_of(tracer)->part_json(
-                                           event->part, tracer->answer->view)
-                                     : json_null());
+  hsr_json_append(
+      &line, adds_part(tracer, event)
+                 ? kind_of(tracer)->part_json(event->part, tracer->answer->view)
+                 : json_null());
   for (size_t n = json_array_size(line);
        n && json_is_null(json_array_get(line, n - 1)); n--)
     json_array_remove(line, n - 1);

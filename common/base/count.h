@@ -152,8 +152,9 @@ struct hsr_event {
   int outcome;              /* index of one of the counter's outcomes, or 0 */
   const void *part; /* of a step of kind HSR_ACCEPT, if the answer is not ids:
                        what the step adds to the answer, in a form that the kind
-                       of answer defines. Else NULL. Borrowed for the call of
-                       `listen` */
+                       of answer defines. Of a step of another kind: the piece
+                       that it is about, in that form, if the module tells it.
+                       Else NULL. Borrowed for the call of `listen` */
 };
 
 /* The listener of a run. A traced run has one listener and one thread, so that

@@ -12,6 +12,7 @@ import { readTrace } from "./data/trace.js";
 import { eventWords } from "./data/words.js";
 import { lessonOf, LESSONS } from "./lessons/all.js";
 import { looksOf, unseen } from "./looks/all.js";
+import { areaOf } from "./looks/clipped.js";
 import { markerLooks } from "./looks/tests.js";
 import { keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { courseIndex } from "./parts/course.js";
@@ -203,7 +204,7 @@ globalThis.lesson = { names, state, go: playing.go, run: runNamed, lessons: LESS
   story: (name, at) => runs.get(name).story(at), closeness, words: eventWords,
   moments: momentsOf, questions: questionsOf, lesson: lessonOf, unseen, numbersOf,
   contradicts, drawing: stepDrawing, seconds: secondsOf, looks: looksOf, searchAt,
-  markers: markerLooks, glossary: GLOSSARY };
+  markers: markerLooks, areaOf, glossary: GLOSSARY };
 
 readAddress();
 keys(playing.act);

@@ -95,20 +95,32 @@ function told(name) {
           say(out.sentences, `step ${ks[p] + 1}: ${words}`);
       }
 
-    // What is inside of a clip polygon, and what is outside, makes up the face.
+    // The pieces that a clip polygon makes are together the polygon that it cuts, and
+    // that is a piece which was made before. What is drawn is the piece.
     const area = (points) => Math.abs(points.reduce((sum, [x, y], k) => {
       const [u, v] = points[(k + 1) % points.length];
       return sum + x * v - u * y;
     }, 0)) / 2;
-    const areaOf = (e) => lesson.looks(run, e).where.filter(({ width }) => width === 0)
-      .reduce((sum, { points }) => sum + area(points), 0);
-    for (let k = 0; name === "weiler-atherton" && k + 1 < trace.kept; k++) {
-      const [e, next] = [run.event(k), run.event(k + 1)];
-      if (e.outcome !== "inside" || next.outcome !== "outside" ||
-          next.counter.name !== "pieces" || !areaOf(e)) continue;
-      const whole = area(header.faces[e.a.ids[0]][4]), sum = areaOf(e) + areaOf(next);
-      if (Math.abs(sum - whole) > 1e-6 * whole) say(out.cut, `step ${k + 1}: ${
-        sum} of ${whole}`);
+    // Corners have nine digits.
+    const differ = (p, q, { a: { ids: [f] } }) => Math.abs(p - q) >
+      1e-6 * area(header.faces[f][4]) + 1e-8 * (run.width + run.height);
+    const known = new Set();
+    for (let k = 0; name === "weiler-atherton" && k < trace.kept; k++) {
+      const e = run.event(k), own = e.shape ?? e.part, is = e.counter.name;
+      if (/^(polygons|pieces)$/.test(is) || (is === "culled" &&
+          run.event(k - 1).outcome === "both")) known.add(own);
+      const drawn = lesson.looks(run, e).a.filter(({ width }) => width === 0)
+        .reduce((sum, { points }) => sum + area(points), 0);
+      if (differ(drawn, lesson.areaOf(own), e)) say(out.cut, `step ${k + 1}: ${
+        drawn} is drawn, of ${lesson.areaOf(own)}`);
+      if (is !== "examinations" || e.outcome !== "divided or inside") continue;
+      let sum = 0;
+      for (let p = k + 1; run.event(p).counter.name === "pieces"; p++)
+        sum += lesson.areaOf(run.event(p).shape);
+      if (differ(sum, lesson.areaOf(own), e)) say(out.cut, `step ${k + 1}: ${sum} of ${
+        lesson.areaOf(own)}`);
+      if (!known.has(own) && !header.counters.some(({ name: c }, n) =>
+        c === "penetrations" && trace.counts[n])) say(out.cut, `step ${k + 1}: not made`);
     }
 
     // Key moments: in order, within the run, each with its own words.

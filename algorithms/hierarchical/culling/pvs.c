@@ -142,7 +142,7 @@ static void visit(struct pvs *s, uint32_t cell) {
     int outcome = b.x0 >= b.x1 || b.y0 >= b.y1 ? IS_OUTSIDE
                   : widen(s, beyond, &b)       ? IS_SEEN
                                                : SEEN_BEFORE;
-    HSR_STEP(s->tally, PORTALS, here, HSR_CELL(beyond, HSR_NO_ID, 0),
+    HSR_STEP(s->tally, PORTALS, here, HSR_CELL(beyond, p->of_cell[k], 0),
              window_of(&b), outcome);
   }
 }
@@ -355,6 +355,7 @@ static const struct hsr_line outline[] = {
     {"        instead of another", HSR_RAISES(OVERWRITES)},
     {NULL}};
 
+/* The cells; and each portal, by the cell beyond it and its own number. */
 static void put_boxes(const void *prepared, const struct hsr_scene *scene,
                       hsr_take_box *put, void *to) {
   const struct hsr_portals *portals =
@@ -362,6 +363,9 @@ static void put_boxes(const void *prepared, const struct hsr_scene *scene,
   (void)scene;
   for (uint32_t c = 0; c < portals->n_cells; c++)
     put(to, c, HSR_NO_ID, &portals->cell[c]);
+  for (uint32_t k = 0; k < portals->n_portals; k++)
+    for (int side = 0; side < 2; side++)
+      put(to, portals->portal[k].cell[side], k, &portals->portal[k].box);
 }
 
 static void show(const void *prepared, struct hsr_shown *shown) {

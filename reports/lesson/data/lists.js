@@ -171,3 +171,14 @@ function priorityList(run) {
   return { title: "The priority list, the far end first", at, faults, ofPieces: true,
     numberOf: (c, p) => c === search ? places[p] : p };
 }
+
+// The face whose segment is merged among the beads of its row at event k: that of the
+// last segment. -1: the step merges none.
+export function mergedFace(run, { k, counter, a, b }) {
+  const segments = run.counterOf("list-segment");
+  if (segments < 0 || counter.name !== "X merge" || a.kind !== "face" ||
+      b.kind !== "window") return -1;
+  const { trace } = run;
+  while (k >= 0 && trace.counter[k] !== segments) k--;
+  return k < 0 ? -1 : trace.a0[k];
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps that have words of their own: what is done, in the words of the lesson. What
 // comes of it follows after a colon. a, b: both subjects, in words.
+import { mergedFace } from "./lists.js";
+
 const splats = {
   rows: (a, b) => a === b ? `A row of samples, of ${a}`
     : `A row of samples, from ${a} to ${b}`,
@@ -155,8 +157,12 @@ export const outcomeWords = ({ header: { algorithm } }, { outcome }) =>
   OUTCOMES[algorithm.name]?.[outcome] ?? outcome;
 
 // null: the step has none.
-export const ownWords = ({ header: { algorithm } }, { counter }, a, b, where) =>
-  OWN[algorithm.name]?.[counter.name]?.(a, b, where) ?? null;
+export function ownWords(run, e, a, b, where) {
+  const merged = mergedFace(run, e);
+  if (merged >= 0) return `The segment of ${run.faceName(merged)} against the bead of ${
+    a}, ${where}`;
+  return OWN[run.header.algorithm.name]?.[e.counter.name]?.(a, b, where) ?? null;
+}
 
 // --- Cells ---
 

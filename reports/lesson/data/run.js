@@ -36,7 +36,7 @@ export function runOf(trace) {
       return { k, counter: counters[c], number: c, kind: counters[c].kind,
         a: subject("a", k), b: subject("b", k), window: windowOf(trace, k),
         outcome: counters[c].outcomes?.[trace.outcome[k]] ?? null,
-        part: trace.part[k] ? trace.parts[trace.part[k] - 1] : null };
+        ...partsAt(k) };
     },
 
     // How often each counter was raised in the first k steps; null: not known
@@ -78,6 +78,13 @@ export function runOf(trace) {
   };
 
   const { aKind, a0, a1, a2, bKind, b0, b1, b2 } = trace;
+  // What it adds to the answer; else the piece that it is about.
+  function partsAt(k) {
+    const list = isAccept[trace.counter[k]] ? trace.parts : trace.shapes;
+    const one = trace.part[k] ? list[trace.part[k] - 1] : null;
+    return isAccept[trace.counter[k]] ? { part: one, shape: null }
+      : { part: null, shape: one };
+  }
   function subject(which, k) {
     const s = which === "a"
       ? { kind: subjects[aKind[k]], ids: [a0[k], a1[k], a2[k]] }

@@ -9,13 +9,19 @@ import { treeOf } from "./trees.js";
 
 export const structureOf = (run) => ({ list: listOf(run), tree: treeOf(run),
   pyramid: pyramidOf(run), ...piecesOf(run), ...regionsOf(run),
-  cubes: cubesOf(run),
+  cubes: cubesOf(run), openings: openingsOf(run),
   isCube: cubeSides(run) });
 
 // "node,instance" -> the images of a cube's corners.
 function cubesOf(run) {
   return new Map((run.trace.structure.cubes ?? []).map(([node, instance, at]) =>
     [`${node},${instance}`, at]));
+}
+
+// Likewise, the image of a rectangle: an opening between two cells, by the cell beyond.
+function openingsOf(run) {
+  return new Map((run.trace.structure.cubes ?? []).filter(([, , , image]) => image)
+    .map(([node, number, , image]) => [`${node},${number}`, image]));
 }
 
 // (counter, "a" or "b") -> whether its cells are cubes: all of them are known.

@@ -24,7 +24,8 @@ export function subjectWords(run, { kind, ids }, window, e) {
     case "vertex": return `vertex ${p}`;
     case "volume": return `${e && isOfBody(e) ? "body" : "volume"} ${p}`;
     case "cube": return run.trace.structure.isGrid ? `cell ${p}`
-      : run.trace.structure.isBoxes ? q < 0 ? `cell ${p}` : `cube ${p} of layer ${q}`
+      : run.trace.structure.isBoxes ? q < 0 || run.openings.has(`${p},${q}`)
+        ? `cell ${p}` : `cube ${p} of layer ${q}`
       : q < 0 || isOneInstance(run) ? `cube ${p}` : `cube ${p} of instance ${q}`;
     case "cell": return ownCellWords(run, ids) ?? (e && run.pyramid?.of(e.number)
       ? `cell ${q}, ${r} of level ${p}` : cellWords(p, Math.max(q, 0), Math.max(r, 0)));

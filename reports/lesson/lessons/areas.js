@@ -55,6 +55,9 @@ export const warnockEdges = {
   }],
 };
 
+// Whether both are of two faces.
+const areOfTwo = (run, { a, b }) => a.ids[0] !== b.ids[0];
+
 export const weilerAtherton = {
   idea: "Cut the picture along the borders of faces",
   text: ["The nearest polygon of the list becomes the clip polygon. All others are cut by its " +
@@ -74,7 +77,7 @@ export const weilerAtherton = {
     ["A polygon becomes the clip polygon", { name: "clip polygons", pick: "largest",
       id: "clip" }],
     ["The boxes of these two are apart: nothing is cut", { name: "examinations",
-      outcome: "boxes apart", after: "clip" }],
+      outcome: "boxes apart", after: "clip", where: areOfTwo }],
     ["A piece of a polygon is inside the clip polygon", { name: "pieces", outcome: "inside",
       after: "clip", pick: "largest", among: 12, id: "inside" }],
     ["Another piece of it is outside: it stays in the list", { name: "pieces",
@@ -83,7 +86,7 @@ export const weilerAtherton = {
       outcome: "behind", after: "inside", with: ["inside", "a"],
       or: { name: "depth comparisons", outcome: "behind", pick: "largest" } },
     "Is the solid piece behind the dashed polygon, or before it?"],
-    ["So it is hidden, and thrown away", { name: "culled", after: "inside",
+    ["A piece that is behind is hidden: it is thrown away", { name: "culled", after: "inside",
       with: ["inside", "a"], or: { name: "culled", pick: "largest" } }],
     ["This piece inside is before the clip polygon: the rough order was wrong",
       { name: "depth comparisons", outcome: "before", after: "clip", pick: "largest",

@@ -83,8 +83,12 @@ export const octreeRaycast = {
 const isNarrow = (run, { window: w }) => Boolean(w) &&
   (w.width < run.width || w.height < run.height);
 
-// Whether something of the face is in the picture.
-const isInView = ({ header }, { a }) => header.faces[a.ids[0]]?.[4].length > 0;
+// Whether something of the face is in the picture: its box meets it.
+function isInView({ header, width, height }, { a }) {
+  const points = header.faces[a.ids[0]]?.[4] ?? [];
+  return points.some(([x]) => x > 0) && points.some(([x]) => x < width) &&
+    points.some(([, y]) => y > 0) && points.some(([, y]) => y < height);
+}
 
 export const pvs = {
   idea: "Look from room to room, through the doors",
@@ -106,12 +110,13 @@ export const pvs = {
   needs: [{ name: "portals", instead: "rooms:4",
     why: "This scene has no rooms with openings between them." }],
   moments: [
-    ["The eye is in this cell", { name: "start cells", nth: 1 }],
+    ["The eye is in this cell", { name: "start cells", nth: 1, id: "start" }],
     ["Its cull box is the whole picture", { name: "cells visited", nth: 1 }],
-    ["A portal of it is seen. The window is the cull box of the cell behind it",
-      { name: "portals", outcome: "seen", pick: "over", id: "seen" }],
-    ["Through this portal nothing is seen: the search ends here", { name: "portals",
-      outcome: "outside", pick: "largest" }],
+    ["A portal of it is seen. The window around it is the cull box of the cell beyond",
+      { name: "portals", outcome: "seen", with: ["start", "a"], where: isNarrow,
+        pick: "widest", id: "seen" }],
+    ["This portal is outside of its cell’s cull box, the thin frame: the search ends here",
+      { name: "portals", outcome: "outside", pick: "largest" }],
     ["This way leads to a cell that is known, and shows no more of it",
       { name: "portals", outcome: "seen before", pick: "largest" }],
     ["Another cell is looked at, through a part of the picture only",

@@ -138,7 +138,7 @@ export const newell = {
     ["Another circle, another division", { of: "list-division", after: "cut" }],
     ["P is in order: its rows are generated", { of: "list-segment", pick: "widest",
       id: "rows" }],
-    ["The new piece overwrites what it covers on this row: here, all of this face",
+    ["P, dashed, overwrites what it covers on this row: here, all that the other face shows",
       { name: "X merge", outcome: "covered", after: "rows", pick: "widest",
         or: { name: "X merge", outcome: "covered" } }],
     ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes: the orders in which the cells of a grid are visited, splats, textures that
 // they are compared with, and solids as voxels. all.js says what a lesson is.
+import { beginsPart, rowAcross } from "../data/grids.js";
 import { perEach } from "../telling/figures.js";
+import { paintsWrong } from "../telling/wrong.js";
 
 const THESIS = "J. E. Swan II, Object-Order Rendering of Discrete Objects, thesis 1998";
 const ORDERS = {
@@ -35,8 +37,32 @@ const ORDERS = {
     "the one opposite to the eye first, and the eye’s own one last."],
 };
 
+const begins = (where) => ({ name: "runs", where });
+const lastOf = (where) => ({ name: "runs", where, nth: -1 });
+
+// What each order has of its own: the parts that it goes by.
+const SLICES = [
+  ["The first slice is done. The one beside it is next", begins(beginsPart)],
+  ["The last slice, at the other end of the axis", lastOf(beginsPart)]];
+const PARTS = {
+  btf: SLICES, wbtf: SLICES,
+  vbuffer: [...SLICES, ["Within a slice: the next cell, by its distance from the view plane",
+    { name: "runs", at: 0.2 }]],
+  pbtf: [["The first octant is done. The next one begins", begins(beginsPart)],
+    ["The last octant begins: nothing in the others hides it", lastOf(beginsPart)]],
+  ippbtf: [["The cells before were on the other side of the eye: the sides take turns",
+    begins((run, e) => isSeen(run, e) && rowAcross(run, e) !== null)]],
+};
+
+// Whether both ends of the turn are in the picture.
+function isSeen(run, e) {
+  const before = rowAcross(run, e);
+  return [e, before].every((row) => row && (run.cubes.get(`${row.a.ids[0]},0`) ?? [])
+    .some((p) => p && p[0] > 0 && p[1] > 0 && p[0] < run.width && p[1] < run.height));
+}
+
 // The lesson of an order of the cells of a grid.
-const orderLesson = ([idea, ...how]) => ({
+const orderLesson = ([idea, ...how], parts) => ({
   idea,
   text: ["The scene is a grid of cells, in slices along each of three axes. A plane between two " +
     "slices parts them: what is on the eye’s side of it cannot be hidden by what is beyond. " +
@@ -49,11 +75,15 @@ const orderLesson = ([idea, ...how]) => ({
     ["The first cell that is drawn", { name: "cells", outcome: "drawn" }],
     ["A side of it that faces the eye is drawn", { name: "sides", nth: 1 }],
     ["A cell that comes later covers what was there", { name: "writes", covers: true }],
-    ["A cell is out of sight: it is passed over", { name: "cells", outcome: "out of sight" }],
+    ["This cell is passed over: it shows at no sample of the picture", { name: "cells",
+      outcome: "out of sight" }],
     ["A quarter of the sides are drawn", { name: "sides", at: 0.25 }],
     ["Half of the sides are drawn", { name: "sides", at: 0.5 }],
     ["Three quarters of the sides are drawn", { name: "sides", at: 0.75 }],
-    ["The last side of the order: what is before all others", { name: "sides", nth: -1 }],
+    ["A farther cell comes later, and covers a nearer one: that is wrong", { name: "writes",
+      where: (run, e) => run.trace.knownWrong && paintsWrong(run, e), at: 0.5 }],
+    ["The last side of the order", { name: "sides", nth: -1 }],
+    ...parts,
   ],
   find: ["How often is a sample written on the mean, of those that show something?", (run) => {
     const covered = run.painting.at(run.n).reduce((n, f) => n + (f >= 0 ? 1 : 0), 0);
@@ -62,7 +92,7 @@ const orderLesson = ([idea, ...how]) => ({
 });
 
 export const orders = Object.fromEntries(Object.entries(ORDERS).map(([name, words]) =>
-  [name, orderLesson(words)]));
+  [name, orderLesson(words, PARTS[name] ?? [])]));
 
 const SPLATS = "Each sample of the grid is thrown at the picture like a ball of paint that is " +
     "soft " +
@@ -78,7 +108,9 @@ const SPLAT_MOMENTS = [
   ["The rectangle around its splat is in the picture", { name: "splats", outcome: "drawn",
     after: "sample", with: ["sample", "a"] }],
   ["A pixel gets its part of the splat, by the distance from the middle", { name: "updates",
-    after: "sample", with: ["sample", "a"], pick: "over" }],
+    after: "sample", with: ["sample", "a"], pick: "over", id: "pixel" }],
+  ["A later splat touches the same pixel", { name: "updates", after: "pixel",
+    with: ["pixel", "place"] }],
   ["Half of the splats", { name: "splats", at: 0.5 }],
   ["All splats are done. Now the pixels get their colors", { name: "writes", nth: 1 }],
 ];
@@ -131,13 +163,13 @@ const textureLesson = (idea, how, source, reads, built) => ({ idea, text: [TEXTU
       ["All of that is made beforehand", { name: "built", nth: -1 }]] : [],
     ["The ray of this pixel misses the layer: it shows the background", { name: "rays",
       outcome: "misses", nth: 1 }],
-    ["The ray of this pixel meets the layer", { name: "rays", outcome: "meets", nth: 1,
+    ["The ray of this pixel meets the layer", { name: "rays", outcome: "meets", at: 0.02,
       id: "ray" }],
     [reads, { name: "texels", after: "ray", with: ["ray", "place"], id: "read" }],
-    ["The pixel gets its color", { name: "writes", after: "ray" }],
-    ["A pixel that is far away", { name: "writes", at: 0.1 }],
-    ["Half of the pixels have their color", { name: "writes", at: 0.5 }],
-    ["A pixel that is near", { name: "writes", nth: -1 }],
+    ["The pixel gets its color, from what was read", { name: "writes", after: "ray",
+      nth: 1 }],
+    ["A pixel that is far away, and what was read for it", { name: "writes", at: 0.1 }],
+    ["A pixel that is near, and what was read for it", { name: "writes", at: 0.95 }],
   ],
   find: ["How many texels are read for a pixel?", (run) => perEach(run, "texels", "writes")] });
 

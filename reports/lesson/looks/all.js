@@ -5,9 +5,11 @@
 // kind of step, or "ink".
 import { boxLooks } from "./boxes.js";
 import { clippedLook } from "./clipped.js";
-import { faceLook, edgeLook, impliedLook, pieceLook, vertexLook } from "./faces.js";
-import { cellLook, cubeLook, isRegion, planeLook, volumeLook } from "./solids.js";
+import { faceLook, edgeLook, impliedLook, mergedLook, pieceLook, vertexLook } from "./faces.js";
+import { cellLook, cubeLook, isRegion, openingLook, planeLook, rowLook, volumeLook }
+  from "./solids.js";
 import { testLook } from "./tests.js";
+import { readLook } from "./texels.js";
 import { bucketLook, halvedLook, windowLook } from "./windows.js";
 
 const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
@@ -18,13 +20,14 @@ const LOOKS = { face: faceLook, piece: pieceLook, edge: edgeLook,
 export function looksOf(run, e) {
   const isAccept = e.kind === "accept";
   const pieces = clippedLook(run, e);
+  if (pieces) return pieces;
   const of = (s, isOther) => (LOOKS[s.kind]?.(run, e, s) ?? []).map((shape) =>
-    ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}),
-      ...(pieces.length ? { fill: 0.06 } : {}) }));
+    ({ ...shape, dashed: isOther, ...(isAccept ? { fill: 0, width: 1.5 } : {}) }));
   return { a: of(e.a, false), b: of(e.b, true),
     where: [...windowLook(run, e), ...bucketLook(run, e), ...boxLooks(run, e),
       ...halves(run, e), ...partLook(run, e), ...nodeLook(run, e), ...testLook(run, e),
-      ...halvedLook(run, e), ...pieces] };
+      ...halvedLook(run, e), ...openingLook(run, e), ...rowLook(run, e), ...mergedLook(run, e),
+      ...readLook(run, e)] };
 }
 
 // The halves of a piece that is divided, and between them the line of the plane.
@@ -37,7 +40,7 @@ function halves(run, e) {
 }
 
 // The plane of the node of a BSP tree at which the walk is.
-function nodeLook(run, e) {
+export function nodeLook(run, e) {
   if (e.counter.key !== "piece" || !run.tree || !run.trace.structure.nodes) return [];
   const face = run.tree.nodes[run.tree.at(e.k + 1).now]?.face ?? -1;
   return face < 0 ? [] : planeLook(run, { face }).map((shape) => ({ ...shape,

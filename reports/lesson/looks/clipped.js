@@ -1,53 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a face that is inside of a clip polygon, or outside of it. The trace names
-// only the faces: what other clip polygons have cut off is not taken away here.
-const OF_PIECES = /^(pieces|depth comparisons|culled|penetrations)$/;
+// Pieces that are cut by clip polygons, as the run has them when a step is about them:
+// all earlier cuts are in their shapes.
 
+// What a step with a shape looks like: { a, b, where }; null: it has none.
 export function clippedLook(run, e) {
-  if (run.header.algorithm.name !== "weiler-atherton" ||
-      !OF_PIECES.test(e.counter.name)) return [];
-  const [face, clip] = [e.a, e.b].map(({ ids: [f] }) => run.header.faces[f]?.[4] ?? []);
-  if (clip.length < 3 || !isConvex(clip)) return [];
-  const { inside, outside } = clipped(face, clip);
-  return (e.outcome === "outside" ? outside : [inside])
-    .filter((points) => points.length > 2)
-    .map((points) => ({ points, closed: true, width: 0, fill: 0.55 }));
+  const own = e.shape ?? (e.kind === "accept" && run.kind.name === "polygons"
+    ? e.part : null);
+  if (!own) return null;
+  const clip = e.b.kind === "face" ? shapeOfClip(run, e.k) : null;
+  const fill = e.kind === "accept" ? 0 : isCut(e) || !OF_PIECES.test(e.counter.name)
+    ? 0.22 : 0.55;
+  return { a: shapesOf(own, { fill, width: e.kind === "accept" ? 2.5 : 2 }),
+    b: clip ? shapesOf(clip, { fill: 0.2, width: 2, dashed: true }) : [],
+    where: whereLook(run, e, own, clip) };
 }
 
-// Twice the area of the triangle of a, b and c, with its sign.
-const turn = ([ax, ay], [bx, by], [cx, cy]) =>
-  (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+const OF_PIECES = /^(pieces|depth comparisons|culled)$/;
 
-export function isConvex(points) {
-  const turns = points.map((p, k) => turn(p, points[(k + 1) % points.length],
-    points[(k + 2) % points.length])).filter((t) => Math.abs(t) > 1e-9);
-  return turns.every((t) => t > 0) || turns.every((t) => t < 0);
+// The boxes that are compared; what is behind, of a piece that is divided; the
+// polygons of a new list.
+function whereLook(run, e, own, clip) {
+  if (e.outcome === "boxes apart") return [own, clip].filter(Boolean).map((shape, k) =>
+    ({ points: boxAround(shape), closed: true, width: 1.2, role: "ink", dashed: k === 1 }));
+  return (isCut(e) ? partsBehind(run, e.k) : e.kind === "subdivide" ? listOf(run, e.k)
+    : []).flatMap((shape) => shapesOf(shape, { fill: 0.55, width: 1.2 }));
 }
 
-// { inside, outside: [...] }: polygons of points.
-export function clipped(face, clip) {
-  const area = clip.reduce((sum, p, k) => sum + turn(clip[0], p,
-    clip[(k + 1) % clip.length]), 0);
-  const outside = [];
-  let inside = face;
-  clip.forEach((p, k) => {
-    const q = clip[(k + 1) % clip.length];
-    const side = (x) => (area < 0 ? -1 : 1) * turn(p, q, x);
-    outside.push(half(inside, (x) => -side(x)));
-    inside = half(inside, side);
-  });
-  return { inside, outside };
+function boxAround([, [outer]]) {
+  const [x, y] = [3, 4].map((c) => outer.map((side) => side[c]));
+  const [left, right] = [Math.min(...x), Math.max(...x)];
+  const [top, bottom] = [Math.min(...y), Math.max(...y)];
+  return [[left, top], [right, top], [right, bottom], [left, bottom]];
 }
 
-// What of a polygon is on the positive side.
-function half(points, side) {
-  const kept = [];
-  points.forEach((p, k) => {
-    const q = points[(k + 1) % points.length];
-    const [s, t] = [side(p), side(q)];
-    if (s >= 0) kept.push(p);
-    if ((s > 0 && t < 0) || (s < 0 && t > 0))
-      kept.push(p.map((x, c) => x + s / (s - t) * (q[c] - x)));
-  });
-  return kept;
+const isCut = ({ counter: { name } }) => name === "penetrations";
+
+// A shape is filled at once, with its holes; each of its cycles is a line.
+function shapesOf([, cycles], { fill, ...look }) {
+  const points = cycles.map((sides) => sides.map(([, , , x, y]) => [x, y]));
+  return [{ points: bridged(points), closed: true, width: 0, fill, dashed: look.dashed },
+    ...points.map((cycle) => ({ points: cycle, closed: true, ...look }))];
 }
+
+// The outer cycle, and from its first corner a way to each hole, around it and back.
+// Holes run the other way round, so that they stay empty.
+const bridged = ([outer, ...holes]) => [...outer, ...holes.flatMap((hole) =>
+  [outer[0], ...hole, hole[0]]), ...(holes.length ? [outer[0]] : [])];
+
+const nameAt = ({ trace, header }, k) => header.counters[trace.counter[k]].name;
+
+// The clip polygon at hand.
+function shapeOfClip(run, k) {
+  for (let c = k; c >= 0; c--)
+    if (nameAt(run, c) === "clip polygons") return run.event(c).shape;
+  return null;
+}
+
+// What is thrown away of a piece that is divided where two planes meet.
+function partsBehind(run, k) {
+  const parts = [];
+  for (let c = k + 1; c < run.trace.kept && nameAt(run, c) === "culled"; c++)
+    parts.push(run.event(c).shape);
+  return parts;
+}
+
+// The polygons of a list that is begun, but for its last one: the first of them is the
+// next clip polygon, against which the others are examined.
+function listOf(run, k) {
+  const list = [];
+  for (let c = k + 1; c < run.trace.kept; c++) {
+    const name = nameAt(run, c);
+    if (/^(clip polygons|examinations)$/.test(name)) list.push(run.event(c).shape);
+    if (/^(recursions|regions)$/.test(name) || (name === "clip polygons" &&
+        list.length > 1)) break;
+  }
+  return list.filter(Boolean).slice(0, -1);
+}
+
+// --- Areas ---
+
+// The area of a shape, in samples.
+export const areaOf = ([, cycles]) => Math.abs(cycles.reduce((sum, sides) => sum +
+  sides.reduce((turn, [, , , x, y], k) => {
+    const [, , , u, v] = sides[(k + 1) % sides.length];
+    return turn + x * v - u * y;
+  }, 0), 0)) / 2;

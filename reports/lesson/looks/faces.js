@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of faces, of pieces of them, of edges and of vertices.
 import { fragmentAt } from "../data/fragments.js";
+import { mergedFace } from "../data/lists.js";
 import { imageOf } from "./solids.js";
 
 // The image of face f, or nothing if it is outside of the picture.
 export function faceShapes(run, f, fill = 0.22, width = 2) {
   const polygon = run.header.faces[f]?.[4];
   return polygon?.length ? [{ points: polygon, closed: true, fill, width }] : [];
+}
+
+// The piece that is painted, at a bead of its row.
+export function mergedLook(run, e) {
+  const face = mergedFace(run, e);
+  return face < 0 || face === e.a.ids[0] ? []
+    : faceShapes(run, face, 0.1, 2).map((shape) => ({ ...shape, dashed: true }));
 }
 
 export const faceLook = (run, e, { ids: [f] }) => faceShapes(run, f);

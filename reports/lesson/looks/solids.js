@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
+import { cellsOfRow, cornersOf, partOfRow, rowAcross } from "../data/grids.js";
 import { squareOfCell } from "../data/own_words.js";
 import { projection } from "../data/projection.js";
+import { windowOf } from "../data/run.js";
 import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
+import { texelLook } from "./texels.js";
 
 const BODY = /body|bodies|collections/;
 
@@ -28,19 +31,57 @@ export function volumeLook(run, e, { ids: [v] }) {
 const partShapes = (run, v) => partOf(run, v).filter((points) => points.length > 2)
   .map((points) => ({ points, closed: true, fill: 0.1, width: 1.4 }));
 
+// Of an opening, the cell beyond it.
 export function cubeLook(run, e, { ids: [node, instance] }) {
-  return wires(run.cubes.get(`${node},${instance}`) ?? []);
+  const own = run.openings.has(`${node},${instance}`) ? -1 : instance;
+  return wires(run.cubes.get(`${node},${own}`) ?? []);
 }
 
-// The edges of a box, by the images of its corners.
-function wires(corners) {
-  const shapes = [];
-  for (let c = 0; c < 8; c++)
-    for (const d of [c | 1, c | 2, c | 4])
-      if (d !== c && corners[c] && corners[d])
-        shapes.push({ points: [corners[c], corners[d]], width: 2 });
-  return shapes;
+// The part of the order of a grid that a row begins in, dashed, and the row; where both
+// sides of the eye take turns, the row before it, dotted.
+export function rowLook(run, e) {
+  const [part, row] = [partOfRow(run, e), cellsOfRow(run, e)];
+  const before = run.header.algorithm.name === "ippbtf" ? rowAcross(run, e) : null;
+  return [...boxAhead(run, part, { width: 2, role: "ink", dashed: true }),
+    ...boxAhead(run, before && cellsOfRow(run, before), { width: 2.5, dotted: true }),
+    ...boxAhead(run, row, { width: 2.5 })];
 }
+
+// The edges of a box of cells, as far as they lie before the eye.
+function boxAhead(run, cells, look) {
+  if (!cells) return [];
+  const corners = cornersOf(run, cells);
+  return edgesOfBox.map(([c, d]) => imageOf(run, [corners[c], corners[d]]).slice(0, 2))
+    .filter((points) => points.length === 2).map((points) => ({ points, ...look }));
+}
+
+// The opening between two cells, and the cull box of the first one, thin.
+export function openingLook(run, e) {
+  const { kind, ids: [node, k] } = e.b;
+  const points = kind === "cube" ? run.openings.get(`${node},${k}`) ?? [] : [];
+  return points.length < 3 ? [] : [{ points, closed: true, width: 3.5, fill: 0.4 },
+    ...cullBoxLook(run, e)];
+}
+
+// The window through which the cell is looked at: that of its last visit.
+function cullBoxLook(run, { k, a: { ids: [cell] } }) {
+  const { trace, header } = run;
+  for (let c = k - 1; c >= 0; c--) {
+    if (header.counters[trace.counter[c]].b !== "window" || trace.a0[c] !== cell) continue;
+    const { x, y, width, height } = windowOf(trace, c) ?? { width: 0 };
+    return width ? [{ closed: true, width: 1.2, role: "ink", points: [[x, y],
+      [x + width, y], [x + width, y + height], [x, y + height]] }] : [];
+  }
+  return [];
+}
+
+// Of the corners of a box, the pairs with an edge between them.
+const edgesOfBox = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((c) => [c | 1, c | 2, c | 4]
+  .filter((d) => d !== c).map((d) => [c, d]));
+
+// The edges of a box, by the images of its corners.
+const wires = (corners) => edgesOfBox.filter(([c, d]) => corners[c] && corners[d])
+  .map(([c, d]) => ({ points: [corners[c], corners[d]], width: 2 }));
 
 // A cell is a node of a tree of planes, or a square of a pyramid.
 export function cellLook(run, e, { ids: [p, q, r] }) {
@@ -51,7 +92,7 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
   if (plane) return planeLook(run, plane);
   const square = squareOfCell(run, [p, q, r]);
   if (square) return squareLook(square);
-  const texel = texelLook(run, e, p, q, r);
+  const texel = texelLook(run, p, q, r);
   if (texel) return texel;
   const level = run.pyramid?.of(e.number)
     ? run.pyramid.levels[run.pyramid.placeOf(p)] : null;
@@ -81,37 +122,6 @@ function voxelLook(run, level, k) {
 
 const squareLook = ({ x, y, side }) => [{ closed: true, width: 2, fill: 0.3,
   points: [[x, y], [x + side, y], [x + side, y + side], [x, y + side]] }];
-
-const INSET = 0.32; // of the picture's width: where a texture is shown
-
-// A texel of a texture: in a small map of its level.
-function texelLook(run, e, level, p, q) {
-  const size = texturesOf(run).get(level);
-  if (!size) return null;
-  const unit = INSET * run.width / Math.max(...size);
-  const box = (x, y, w, h, look) => ({ points: [[x, y], [x + w, y], [x + w, y + h],
-    [x, y + h]].map(([u, v]) => [1 + unit * u, 1 + unit * v]), closed: true, ...look });
-  return [box(0, 0, size[0], size[1], { width: 1.2, role: "ink" }),
-    box(p - size[2], q - size[3], 1, 1, { width: 2, fill: 0.7 })];
-}
-
-// level -> how many texels it has along each axis, and the numbers of the first.
-function texturesOf(run) {
-  if (run.textures) return run.textures;
-  const { trace, header } = run, levels = new Map();
-  const isTexel = header.algorithm.name.startsWith("texture-")
-    ? header.counters.map(({ a }) => a === "cell") : [];
-  for (let k = 0; k < trace.kept && isTexel.length; k++) {
-    if (!isTexel[trace.counter[k]]) continue;
-    const [l, p, q] = [trace.a0[k], trace.a1[k], trace.a2[k]];
-    const [, , p0, q0, p1, q1] = levels.get(l) ?? [0, 0, p, q, p, q];
-    const [pl, ql, ph, qh] = [Math.min(p0, p), Math.min(q0, q), Math.max(p1, p),
-      Math.max(q1, q)];
-    levels.set(l, [ph - pl + 1, qh - ql + 1, pl, ql, ph, qh]);
-  }
-  run.textures = levels;
-  return levels;
-}
 
 // The plane of a node: of a tree between clusters, or of a BSP tree.
 export function planeOfCell(run, counter, node) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The outline of the algorithm: the lines that this run comes to. The line that a step
 // takes is marked; where the step asks in one line and goes on in another, both are.
+// Below it, what its words mean, and what is drawn.
 import { branchOf, unusedLines } from "../data/branches.js";
-import { glossed } from "../telling/glossary.js";
+import { explained, glossed } from "../telling/glossary.js";
+import { legendOf } from "../telling/legend.js";
 import { h } from "../../page/parts/dom.js";
 
 export function outlineOf(run) {
@@ -14,7 +16,7 @@ export function outlineOf(run) {
     title: unused[k] ? "not in this run" : null }, text.trim()));
   const list = h("ol", { class: "outline", tabindex: 0,
     "aria-label": `What ${run.name} does` }, lines);
-  const gloss = h("p", { class: "gloss" });
+  const gloss = h("p", { class: "gloss" }), legend = h("p", { class: "gloss legend" });
   const idle = unused.filter(Boolean).length;
   const all = h("label", { class: "wider" }, h("input", { type: "checkbox",
     name: "all-lines", onchange: (e) => list.classList.toggle("whole",
@@ -42,7 +44,10 @@ export function outlineOf(run) {
     list.scrollTop = current.offsetTop - list.clientHeight / 2;
   };
 
-  const show = (k, e) => mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);
+  const show = (k, e) => {
+    legend.replaceChildren(...explained(e && k < run.n ? legendOf(run, e) : []));
+    mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);
+  };
   return { element: h("div", { class: "outline-box" }, list, gloss,
-    idle ? all : null), show };
+    legend, idle ? all : null), show };
 }

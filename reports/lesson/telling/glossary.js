@@ -108,6 +108,8 @@ export const GLOSSARY = [
 const SHOWN = 3; // terms at most below an outline
 
 // The words of a text that want to be explained, as elements.
-export const glossed = (text) => GLOSSARY.filter(([, , pattern]) => pattern.test(text))
-  .slice(0, SHOWN).map(([word, meaning]) => h("span", {}, h("b", {}, word),
-    `: ${meaning}. `));
+export const glossed = (text) => explained(GLOSSARY.filter(([, , pattern]) =>
+  pattern.test(text)).slice(0, SHOWN));
+
+export const explained = (all) => all.map(([word, meaning]) => h("span", {},
+  h("b", {}, word), `: ${meaning}. `));

@@ -77,10 +77,48 @@ struct state {
   struct hsr_clipper c;
   struct hsr_area_slots slots; /* the lists that are still to be done */
   struct hsr_polygons *polygons;
+  struct hsr_polygons shape; /* of the piece that a step is about */
   bool integrates; /* areas are wanted: the polygons are not the answer */
   uint64_t left;   /* polygons that may still be clipped */
   bool refused;
 };
+
+/* --- Areas as polygons ---------------------------------------------------- */
+
+static enum hsr_status add_region(const struct state *s, struct hsr_polygons *p,
+                                  const struct hsr_area *area) {
+  enum hsr_status status = hsr_polygons_add_region(p, area->face);
+  for (uint32_t k = 0; k < area->n_cycles && !status; k++) {
+    status = hsr_polygons_add_cycle(p);
+    for (uint32_t e = area->start[k]; e < area->start[k + 1] && !status; e++) {
+      const struct hsr_border_edge *edge = &area->edge[e];
+      struct hsr_polygon_side side = {hsr_line_name_of(s->c.lines, edge->line),
+                                      {edge->at[0][0], edge->at[0][1]}};
+      status = hsr_polygons_add_side(p, &side);
+    }
+  }
+  return status;
+}
+
+/* The polygon of an area, for who listens; until the next call. NULL: none, as the
+ * polygons are not the answer. */
+static const struct hsr_polygons *shape_of(struct state *s,
+                                           const struct hsr_area *area) {
+  if (s->integrates || !area)
+    return NULL;
+  hsr_polygons_clear(&s->shape);
+  s->shape.world = s->job->world;
+  if (add_region(s, &s->shape, area)) {
+    s->c.failed = true;
+    return NULL;
+  }
+  return &s->shape;
+}
+
+/* A step about a piece, against the clip polygon. */
+#define STEP_ON(s, counter, piece, clip, outcome)                              \
+  HSR_TOLD((s)->tally, counter, HSR_FACE((piece)->face), clip, HSR_NOWHERE,    \
+           outcome, shape_of(s, piece))
 
 /* --- Sorting -------------------------------------------------------------- */
 
@@ -133,33 +171,16 @@ static void sort(struct state *s, struct hsr_area_list *list) {
   if (s->job->option[SORT] == ROUGH)
     qsort(order, n, sizeof *order, by_depth);
   for (size_t k = 0; k < n; k++) {
-    HSR_STEP(s->tally, SORTED, HSR_FACE(order[k]->face), HSR_NOTHING,
-             HSR_NOWHERE, 0);
+    STEP_ON(s, SORTED, order[k], HSR_NOTHING, 0);
     hsr_areas_push(list, order[k]);
   }
 }
 
 /* --- Displaying ----------------------------------------------------------- */
 
-static enum hsr_status add_region(struct state *s,
-                                  const struct hsr_area *area) {
-  struct hsr_polygons *p = s->polygons;
-  enum hsr_status status = hsr_polygons_add_region(p, area->face);
-  for (uint32_t k = 0; k < area->n_cycles && !status; k++) {
-    status = hsr_polygons_add_cycle(p);
-    for (uint32_t e = area->start[k]; e < area->start[k + 1] && !status; e++) {
-      const struct hsr_border_edge *edge = &area->edge[e];
-      struct hsr_polygon_side side = {hsr_line_name_of(s->c.lines, edge->line),
-                                      {edge->at[0][0], edge->at[0][1]}};
-      status = hsr_polygons_add_side(p, &side);
-    }
-  }
-  return status;
-}
-
 static void display(struct state *s, struct hsr_area *area) {
   struct hsr_polygons *p = s->polygons;
-  if (add_region(s, area)) {
+  if (add_region(s, p, area)) {
     s->c.failed = true;
     return;
   }
@@ -223,16 +244,14 @@ static void cut(struct state *s, struct hsr_area *piece,
                 struct hsr_area_list *before) {
   struct hsr_area_list behind = {NULL, NULL};
   struct hsr_area *half = hsr_area_of_half(&s->c, line, sign), *part;
-  HSR_STEP(s->tally, CUT, HSR_FACE(piece->face), HSR_FACE(clip->face),
-           HSR_NOWHERE, 0);
+  STEP_ON(s, CUT, piece, HSR_FACE(clip->face), 0);
   if (!half || !hsr_areas_clip(&s->c, piece, half, before, &behind)) {
     s->c.faulty = true; /* it has points on both sides */
     return;
   }
   hsr_area_free(&s->c, half);
   while ((part = hsr_areas_pop(&behind))) {
-    HSR_STEP(s->tally, CULLED, HSR_FACE(part->face), HSR_FACE(clip->face),
-             HSR_NOWHERE, 0);
+    STEP_ON(s, CULLED, part, HSR_FACE(clip->face), 0);
     hsr_area_free(&s->c, part);
   }
 }
@@ -244,15 +263,13 @@ static void cull(struct state *s, struct hsr_area_list *pieces,
   while ((piece = hsr_areas_pop(pieces)) && !s->c.failed && !s->c.faulty) {
     uint32_t line;
     int sign, found = compare_depths(s, piece, clip, &line, &sign);
-    HSR_STEP(s->tally, COMPARED, HSR_FACE(piece->face), HSR_FACE(clip->face),
-             HSR_NOWHERE, found);
+    STEP_ON(s, COMPARED, piece, HSR_FACE(clip->face), found);
     if (found == BOTH) {
       cut(s, piece, clip, line, sign, before);
     } else if (found == BEFORE) {
       hsr_areas_push(before, piece);
     } else {
-      HSR_STEP(s->tally, CULLED, HSR_FACE(piece->face), HSR_FACE(clip->face),
-               HSR_NOWHERE, 0);
+      STEP_ON(s, CULLED, piece, HSR_FACE(clip->face), 0);
       hsr_area_free(&s->c, piece);
     }
   }
@@ -263,8 +280,7 @@ static void cull(struct state *s, struct hsr_area_list *pieces,
 static void count_pieces(struct state *s, const struct hsr_area_list *list,
                          const struct hsr_area *clip, int outcome) {
   for (const struct hsr_area *a = list->first; a && HSR_COUNTING; a = a->next)
-    HSR_STEP(s->tally, CLIPPED, HSR_FACE(a->face), HSR_FACE(clip->face),
-             HSR_NOWHERE, outcome);
+    STEP_ON(s, CLIPPED, a, HSR_FACE(clip->face), outcome);
 }
 
 /* Examines a polygon against the clip polygon: what is outside of it goes to
@@ -273,6 +289,8 @@ static void examine(struct state *s, struct hsr_area *polygon,
                     const struct hsr_area *clip, struct hsr_area_list *inside,
                     struct hsr_area_list *outside) {
   uint32_t face = polygon->face;
+  const struct hsr_polygons *shape =
+      HSR_LISTENED(s->tally) ? shape_of(s, polygon) : NULL;
   struct hsr_area_list in = {NULL, NULL}, out = {NULL, NULL};
   bool apart = face == clip->face || hsr_areas_apart(polygon, clip);
   bool outside_it = apart || hsr_areas_beside(polygon, clip);
@@ -280,11 +298,12 @@ static void examine(struct state *s, struct hsr_area *polygon,
     s->refused = s->c.failed = true;
   bool divided = !outside_it && !s->c.failed &&
                  hsr_areas_clip(&s->c, polygon, clip, &in, &out);
-  HSR_STEP(s->tally, EXAMINED, HSR_FACE(face), HSR_FACE(clip->face),
+  HSR_TOLD(s->tally, EXAMINED, HSR_FACE(face), HSR_FACE(clip->face),
            HSR_NOWHERE,
            apart     ? 0
            : divided ? 2
-                     : 1);
+                     : 1,
+           shape);
   if (!divided) {
     hsr_areas_push(outside, polygon);
     return;
@@ -299,9 +318,9 @@ static void examine(struct state *s, struct hsr_area *polygon,
 static void count_apart(struct state *s, size_t k,
                         const struct hsr_area *clip) {
   const struct hsr_area_slot *slot = hsr_area_slot(&s->slots, k);
-  for (uint32_t i = 0; i < slot->n && HSR_COUNTING; i++)
-    HSR_STEP(s->tally, EXAMINED, HSR_FACE(slot->face), HSR_FACE(clip->face),
-             HSR_NOWHERE, 0);
+  const struct hsr_area *a = slot->list.first;
+  for (; a && HSR_COUNTING; a = a->next)
+    STEP_ON(s, EXAMINED, a, HSR_FACE(clip->face), 0);
 }
 
 /* Examines the polygons of a slot. Returns whether none is left. */
@@ -350,11 +369,10 @@ static void process(struct state *s, struct hsr_area_list *list) {
       continue;
     }
     struct hsr_area_list inside = {NULL, NULL};
-    HSR_STEP(s->tally, CLIP, HSR_FACE(clip->face), HSR_NOTHING, HSR_NOWHERE, 0);
+    STEP_ON(s, CLIP, clip, HSR_NOTHING, 0);
     empty += examine_all(s, k, clip, &inside);
     if (inside.first) {
-      HSR_STEP(s->tally, RECURSION, HSR_FACE(clip->face), HSR_NOTHING,
-               HSR_NOWHERE, 0);
+      STEP_ON(s, RECURSION, clip, HSR_NOTHING, 0);
       hsr_areas_push(&inside, clip);
       process(s, &inside);
     } else {
@@ -387,6 +405,7 @@ static enum hsr_status find_polygons(const struct hsr_job *job,
   sort(&s, &list);
   process(&s, &list);
   hsr_polygons_sort(s.polygons);
+  hsr_polygons_free(&s.shape);
   bool failed = s.c.failed || hsr_named_lines_failed(s.c.lines);
   job->tally->exact[HSR_ASK_EDGE] += hsr_named_lines_exact(s.c.lines);
   hsr_named_lines_free(s.c.lines);
