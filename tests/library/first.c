@@ -1,6 +1,8 @@
-/* Draws the house by Watkins' algorithm, and has it judged. */
+/* Draws the house by Watkins' algorithm, and has it judged: as it is, and with one
+ * sample changed. */
 #include <hsr.h>
 #include <stdio.h>
+#include <string.h>
 
 static int fail(const struct hsr_error *err) {
   fprintf(stderr, "%s\n", err->text);
@@ -14,6 +16,7 @@ int main(void) {
   struct hsr_request request = {sizeof request};
   struct hsr_verdict verdict = {sizeof verdict};
   const uint32_t *ids;
+  uint32_t changed[320 * 240];
   request.algorithm = "watkins";
   request.m = 320;
   request.n = 240;
@@ -26,6 +29,12 @@ int main(void) {
   printf("face %u is in the middle\n", ids[120 * 320 + 160]);
   printf("%lu samples, %lu differ\n", (unsigned long)verdict.compared,
          (unsigned long)verdict.differing);
+  memcpy(changed, ids, sizeof changed);
+  changed[0] = 7;
+  if (hsr_judge_ids(scene, &request, changed, &verdict, &err))
+    return fail(&err);
+  printf("with one changed, %lu: %s\n", (unsigned long)verdict.differing,
+         verdict.first);
   hsr_free(answer);
   hsr_close(scene);
   return 0;

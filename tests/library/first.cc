@@ -1,6 +1,8 @@
-/* Draws the house by Watkins' algorithm, and has it judged. */
+/* Draws the house by Watkins' algorithm, and has it judged: as it is, and with one
+ * sample changed. */
 #include <hsr.h>
 #include <cstdio>
+#include <vector>
 
 static int fail(const hsr_error *err) {
   std::fprintf(stderr, "%s\n", err->text);
@@ -28,6 +30,12 @@ int main() {
   std::printf("face %u is in the middle\n", ids[120 * 320 + 160]);
   std::printf("%lu samples, %lu differ\n", (unsigned long)verdict.compared,
               (unsigned long)verdict.differing);
+  std::vector<uint32_t> changed(ids, ids + 320 * 240);
+  changed[0] = 7;
+  if (hsr_judge_ids(scene, &request, changed.data(), &verdict, &err))
+    return fail(&err);
+  std::printf("with one changed, %lu: %s\n", (unsigned long)verdict.differing,
+              verdict.first);
   hsr_free(answer);
   hsr_close(scene);
   return 0;

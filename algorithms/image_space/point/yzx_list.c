@@ -436,7 +436,7 @@ static void find_places(struct yzx_list *s, size_t *behind, size_t *before) {
 
 /* Puts x into order[], unless it is divided. */
 static void place(struct yzx_list *s, struct yzx_piece *x) {
-  size_t behind, before;
+  size_t behind = 0, before = 0;
   while (!s->out_of_memory) {
     find_places(s, &behind, &before);
     struct yzx_piece *last =
