@@ -67,7 +67,8 @@ static void spread_row(const double sum[HSR_TERMS], int at, int n,
         l->row[t][at + k + lane] = sum[t];
 }
 
-/* The samples of a batch come in rows. */
+/* The samples of a batch come in rows. The lanes behind the last sample get its
+ * numbers, so that they are not computed from nothing. */
 static void gather(const struct hsr_splats *s, struct lanes *l) {
   const struct hsr_splat_samples *b = s->batch->of;
   const struct hsr_view *v = s->view;
@@ -81,10 +82,10 @@ static void gather(const struct hsr_splats *s, struct lanes *l) {
     sum[HSR_TERM_W] += v->parallel ? 1 : 0;
     for (end = at + 1; end < b->n && j[end] == j[at] && k[end] == k[at];)
       end++;
-    spread_row(sum, at, end - at, l);
+    spread_row(sum, at, (end < b->n ? end : HSR_SPLAT_BATCH) - at, l);
   }
-  for (int n = 0; n < b->n; n++) {
-    uint32_t i = b->at[0][n];
+  for (int n = 0; n < HSR_SPLAT_BATCH; n++) {
+    uint32_t i = b->at[0][n < b->n ? n : b->n - 1];
     l->far[n] = s->far[0][i];
     l->V[n] = v->parallel ? v->F[0] : s->far[0][i];
     l->per_size[n] = s->per_size[0][i];
