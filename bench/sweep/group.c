@@ -735,7 +735,7 @@ static const char *reason_of(const struct sweep_options *o,
   else if (cell->compared && names_cells(entrant))
     return "compared by cells, not by their sides";
   else if (cell->compared && !strcmp(entrant->kind, "groups"))
-    return "wrong are hidden groups of faces of which one is visible";
+    return "a group is wrong if it is called hidden and shows a face";
   else
     return NULL;
   return text;

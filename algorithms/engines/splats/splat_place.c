@@ -68,7 +68,8 @@ static void spread_row(const double sum[HSR_TERMS], int at, int n,
 }
 
 /* The samples of a batch come in rows. The lanes behind the last sample get its
- * numbers, so that they are not computed from nothing. */
+ * numbers: what they compute is not used, but it must not come from memory that
+ * nobody has written. */
 static void gather(const struct hsr_splats *s, struct lanes *l) {
   const struct hsr_splat_samples *b = s->batch->of;
   const struct hsr_view *v = s->view;

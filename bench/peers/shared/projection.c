@@ -17,6 +17,14 @@ struct box box_of_world(const struct hsr_world *world) {
   return box;
 }
 
+double box_nearest(const struct box *box, const struct hsr_view *view) {
+  double nearest = 0;
+  for (int k = 0; k < 3; k++)
+    nearest += fmin(view->depth[k] * (box->low[k] - view->E[k]),
+                    view->depth[k] * (box->high[k] - view->E[k]));
+  return nearest;
+}
+
 void box_depths(const struct box *box, const struct hsr_view *view,
                 double *nearest, double *farthest) {
   *nearest = INFINITY;

@@ -17,6 +17,9 @@ struct box {
 /* The bounding box of the world's vertices. */
 struct box box_of_world(const struct hsr_world *world);
 
+/* The least depth t of any point of a box. */
+double box_nearest(const struct box *box, const struct hsr_view *view);
+
 /* The least and greatest depth t that OpenGL resolves: those of the box's
  * corners, if they lie in front of the eye and beyond the view's near. *nearest
  * is at least a thousandth of *farthest, which is VTK's rule too. Whatever is

@@ -12,8 +12,8 @@
 //             their boxes. The box of each is tested. If it may be seen, the
 //             group's triangles are drawn into the culler's buffer.
 // Sides       The culler drops the backs of one-sided triangles itself.
-// Judged      against the oracle's picture: a group that it calls hidden, and of
-//             which a face is visible at a sample, is wrong.
+// Judged      against the oracle's picture. A group is wrong if the culler calls it
+//             hidden and one of its faces is visible at a sample.
 // Refused     parallel projection: the culler compares 1/w. And pictures whose
 //             width is no multiple of 8 or whose height is none of 4: its buffer
 //             would have other samples than the picture.
@@ -101,21 +101,13 @@ hsr_status setup(const peer *, const peer_canvas *canvas, void **state,
 
 // --- A frame -----------------------------------------------------------------
 
-float corner(const Group &g, int which, int axis) {
-  return which >> axis & 1 ? g.high[axis] : g.low[axis];
-}
-
-double nearest_depth(const Group &g, const hsr_view *view) {
-  double nearest = 0;
-  for (int k = 0; k < 3; k++)
-    nearest += std::min(view->depth[k] * (g.low[k] - view->E[k]),
-                        view->depth[k] * (g.high[k] - view->E[k]));
-  return nearest;
+double corner(const box &bounds, int which, int axis) {
+  return which >> axis & 1 ? bounds.high[axis] : bounds.low[axis];
 }
 
 void sort_groups(Culler &c, const hsr_view *view) {
   for (size_t g = 0; g < c.groups.group.size(); g++)
-    c.depth[g] = nearest_depth(c.groups.group[g], view);
+    c.depth[g] = box_nearest(&c.groups.group[g].bounds, view);
   std::sort(c.order.begin(), c.order.end(), [&](uint32_t a, uint32_t b) {
     return c.depth[a] < c.depth[b] || (c.depth[a] == c.depth[b] && a < b);
   });
@@ -132,7 +124,7 @@ bool is_culled(const Masked &masked, const Group &g, const double matrix[16],
     for (int r = 0; r < 4; r++) {
       at[r] = matrix[12 + r];
       for (int k = 0; k < 3; k++)
-        at[r] += matrix[4 * k + r] * corner(g, which, k);
+        at[r] += matrix[4 * k + r] * corner(g.bounds, which, k);
     }
     least = std::min(least, at[3]);
     most = std::max(most, at[3]);
@@ -254,12 +246,11 @@ peer make_peer() {
   p.source = "J. Hasselgren, M. Andersson and T. Akenine-Moeller, \"Masked "
              "Software Occlusion Culling\", HPG 2016; "
              "https://github.com/GameTechDev/MaskedOcclusionCulling";
-  p.what =
-      "Culling alone, without a picture: groups of at most 32 faces "
-      "are sorted by depth, the box of each is tested, and those that may "
-      "be seen are drawn into its buffer. Set-up, which is not part of a "
-      "frame, makes the groups and copies the vertices as floats. A hidden "
-      "group of which a face is visible is wrong.";
+  p.what = "Culling alone, without a picture: groups of at most 32 faces "
+           "are sorted by depth, the box of each is tested, and those that may "
+           "be seen are drawn into its buffer. Set-up, which is not part of a "
+           "frame, makes the groups and copies the vertices as floats. A group "
+           "is wrong if it is called hidden and shows a face.";
   p.kind = "groups";
   p.demands = &takes_triangles;
   p.version = version;

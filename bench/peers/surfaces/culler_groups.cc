@@ -62,8 +62,10 @@ struct Divider {
       }
     g.n = static_cast<uint32_t>(groups.triangle.size()) - g.first;
     for (int k = 0; k < 3; k++) {
-      g.low[k] = std::nextafter(static_cast<float>(box.low[k]), -INFINITY);
-      g.high[k] = std::nextafter(static_cast<float>(box.high[k]), INFINITY);
+      g.bounds.low[k] =
+          std::nextafter(static_cast<float>(box.low[k]), -INFINITY);
+      g.bounds.high[k] =
+          std::nextafter(static_cast<float>(box.high[k]), INFINITY);
     }
     groups.group.push_back(g);
   }

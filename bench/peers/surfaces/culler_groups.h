@@ -4,6 +4,7 @@
 #ifndef HSR_BENCH_PEERS_SURFACES_CULLER_GROUPS_H
 #define HSR_BENCH_PEERS_SURFACES_CULLER_GROUPS_H
 
+#include "bench/peers/shared/projection.h"
 #include "common/scene/world.h"
 
 #include <vector>
@@ -12,8 +13,8 @@ namespace culler {
 
 struct Group {
   uint32_t first, n; // triangle[first], ... triangle[first + n - 1]
-  float low[3], high[3];
-  bool one_sided; // all of them; else none is
+  box bounds;        // of all corners, in floats and a little wider
+  bool one_sided;    // all of them; else none is
 };
 
 struct Groups {

@@ -15,6 +15,7 @@
  *             one of the instances.
  * Threads     OpenMP's; each takes a band of rows at a time. */
 #include "bench/peers/shared/peers.h"
+#include "bench/peers/shared/projection.h"
 #include "bench/peers/surfaces/embree_query.h"
 
 #include "common/base/vector.h"
@@ -254,15 +255,11 @@ static bool begins_within(const struct embree *embree,
                           const struct hsr_view *view) {
   if (!view->parallel)
     return false;
-  struct RTCBounds box;
-  rtcGetSceneBounds(embree->scene, &box);
-  const double low[3] = {box.lower_x, box.lower_y, box.lower_z};
-  const double high[3] = {box.upper_x, box.upper_y, box.upper_z};
-  double nearest = 0;
-  for (int k = 0; k < 3; k++)
-    nearest += fmin(view->depth[k] * (low[k] - view->E[k]),
-                    view->depth[k] * (high[k] - view->E[k]));
-  return nearest < view->near;
+  struct RTCBounds of;
+  rtcGetSceneBounds(embree->scene, &of);
+  const struct box box = {{of.lower_x, of.lower_y, of.lower_z},
+                          {of.upper_x, of.upper_y, of.upper_z}};
+  return box_nearest(&box, view) < view->near;
 }
 
 /* --- What is hit ---------------------------------------------------------- */

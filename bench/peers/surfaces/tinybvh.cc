@@ -66,15 +66,7 @@ hsr_status setup(const peer *, const peer_canvas *canvas, void **state,
 
 // Whether parallel rays begin behind the nearest part of the scene's box.
 bool begins_within(const Tinybvh &t, const hsr_view *view) {
-  if (!view->parallel)
-    return false;
-  double nearest = 0;
-  for (int k = 0; k < 3; k++) {
-    const double low = view->depth[k] * (t.bounds.low[k] - view->E[k]);
-    const double high = view->depth[k] * (t.bounds.high[k] - view->E[k]);
-    nearest += low < high ? low : high;
-  }
-  return nearest < view->near;
+  return view->parallel && box_nearest(&t.bounds, view) < view->near;
 }
 
 tinybvh::bvhvec3 vector_of(const double v[3]) {
