@@ -36,7 +36,8 @@ extern "C" {
 
 /* Two planes of one volume, as indices into hsr_volumes.plane. For an eye
  * outside `plane`, the volume is on side -1 of the rim's line, as
- * hsr_sight_narrow has sides. For an eye outside `other`, it is on side +1. */
+ * hsr_sight_find_half has sides. For an eye outside `other`, it is on side
+ * +1. */
 struct hsr_rim {
   uint32_t plane, other;
 };

@@ -85,11 +85,13 @@ static const struct hsr_option options[] = {
 /* The outcomes of a minimax test. */
 enum { BODY_IN_THE_WAY, BODY_OUT, VOLUME_IN_THE_WAY, VOLUME_OUT };
 
-/* A condition on alpha: the edge is on this side of a plane, or of a line
- * (hsr_sight_narrow). */
+/* A condition on alpha: the edge is on this side of a plane, or of a line. The
+ * values of alpha that meet it are found once an edge. */
 struct condition {
   uint32_t subject;
   int side;
+  uint32_t edge; /* the last that was put to the condition; UINT32_MAX: none */
+  struct hsr_sight_half half; /* of that edge */
 };
 
 /* A volume that an edge may be behind. Its conditions are contour[first_line],
@@ -247,7 +249,7 @@ static bool add_condition(struct frame *frame, struct hsr_growing *list,
   if (!hsr_arena_grow(frame->job->scratch, list, sizeof(struct condition)))
     return false;
   ((struct condition *)list->items)[list->n - 1] =
-      (struct condition){subject, side};
+      (struct condition){.subject = subject, .side = side, .edge = UINT32_MAX};
   return true;
 }
 
@@ -544,10 +546,14 @@ static void count_condition(const struct frame *frame, uint32_t e,
 
 /* Narrows the fragment to where a condition holds. False: nowhere. */
 static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
-                   const struct condition *condition,
-                   struct fragment *fragment) {
-  bool some = hsr_sight_narrow(&frame->sight, e, at, condition->subject,
-                               condition->side, &fragment->from, &fragment->to);
+                   struct condition *condition, struct fragment *fragment) {
+  const struct hsr_sight *sight = &frame->sight;
+  if (condition->edge != e)
+    condition->half = hsr_sight_find_half(sight, e, at, condition->subject,
+                                          condition->side);
+  condition->edge = e;
+  bool some = hsr_sight_narrow(sight, e, &condition->half, &fragment->from,
+                               &fragment->to);
   if (HSR_COUNTING)
     count_condition(frame, e, at, condition, some);
   return some;
@@ -556,8 +562,8 @@ static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
 /* Narrows the fragment to where all conditions hold. False: nowhere. */
 static bool solve(const struct frame *frame, uint32_t e,
                   const struct volume *volume, struct fragment *fragment) {
-  const struct condition *contour = frame->contour.items;
-  const struct condition *front = frame->front.items;
+  struct condition *contour = frame->contour.items;
+  struct condition *front = frame->front.items;
   for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
     if (!narrow(frame, e, HSR_AT_LINE, &contour[k], fragment))
       return false;

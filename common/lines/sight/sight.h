@@ -211,7 +211,7 @@ enum hsr_event_at {
 struct hsr_sight_event {
   double t;     /* the place, in [0, 1] */
   double error; /* a bound of the error of t; at most 1e-13 t, unless
-                   hsr_sight_narrow found the place */
+                   hsr_sight_find_half found the place */
   enum hsr_event_at at;
   uint32_t subject;
   int change;    /* of the number of hiding faces, as t grows */
@@ -243,10 +243,17 @@ bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
  * behind, 0 on it. The face need not exist. */
 int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
-/* Narrows the part of edge e between *from and *to, which is in the picture, to
- * one side of a plane or of the image of a line: +1 or -1. False if nothing is
- * left; *from and *to are then meaningless. Their t may be rough, since most of
- * what is found here is narrowed again: hsr_sight_locate makes it good.
+/* The part of an edge that is on one side of a plane or of the image of a line:
+ * none of it, all of it, what follows `at`, or what precedes `at`. */
+struct hsr_sight_half {
+  enum { HSR_HALF_NONE, HSR_HALF_ALL, HSR_HALF_AFTER, HSR_HALF_BEFORE } part;
+  struct hsr_sight_event at; /* of AFTER and BEFORE. Its t may be rough, since
+                   most of what is found here is narrowed again:
+                   hsr_sight_locate makes it good */
+};
+
+/* Finds the part of edge e that is on one side of a plane or of the image of a
+ * line: +1 or -1.
  *
  * HSR_AT_PLANE: the plane of face `subject`; +1 is in front of it. An edge in
  * the plane is on neither side.
@@ -256,12 +263,19 @@ int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
  * Here h is the height of the eye above a plane, and s is the height of P minus
  * that of the eye. An edge whose image lies on that of the line is on one side,
  * since it is displaced. */
+struct hsr_sight_half hsr_sight_find_half(const struct hsr_sight *sight,
+                                          uint32_t e, enum hsr_event_at at,
+                                          uint32_t subject, int side);
+
+/* Narrows the part of edge e between *from and *to, which is in the picture, to
+ * a half of e. False if nothing is left; *from and *to are then
+ * meaningless. */
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
-                      enum hsr_event_at at, uint32_t subject, int side,
+                      const struct hsr_sight_half *half,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);
 
-/* Whether doubles make it certain that hsr_sight_narrow would leave nothing of
- * edge e, whatever the part of it. */
+/* Whether doubles make it certain that hsr_sight_find_half would find that none
+ * of edge e is on that side. */
 bool hsr_sight_excludes(const struct hsr_sight *sight, uint32_t e,
                         enum hsr_event_at at, uint32_t subject, int side);
 

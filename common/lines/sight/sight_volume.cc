@@ -142,28 +142,42 @@ bool hsr_sight_excludes(const struct hsr_sight *sight, uint32_t e,
   return n_on_line < 2;
 }
 
-bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
-                      enum hsr_event_at at, uint32_t subject, int side,
-                      struct hsr_sight_event *from,
-                      struct hsr_sight_event *to) {
+struct hsr_sight_half hsr_sight_find_half(const struct hsr_sight *sight,
+                                          uint32_t e, enum hsr_event_at at,
+                                          uint32_t subject, int side) {
   const Numbers &n = *sight->numbers;
   const auto sign_at = [&](uint32_t p) {
     return side * (at == HSR_AT_PLANE ? plane_sign(n, subject, p)
                                       : line_sign(n, sight->line[subject], p));
   };
   const int a = sign_at(sight->edges->a[e]), b = sign_at(sight->edges->b[e]);
-  if (a == 0 && b == 0)
-    return at == HSR_AT_LINE &&
-           displaced_line_sign(n, sight->line[subject]) == side;
-  if (a <= 0 && b <= 0)
+  hsr_sight_half half = {hsr_sight_half::HSR_HALF_NONE,
+                         {0, 0, at, subject, 0, 0}};
+  if (a == 0 && b == 0) {
+    if (at == HSR_AT_LINE &&
+        displaced_line_sign(n, sight->line[subject]) == side)
+      half.part = hsr_sight_half::HSR_HALF_ALL;
+  } else if (a >= 0 && b >= 0) {
+    half.part = hsr_sight_half::HSR_HALF_ALL;
+  } else if (a > 0 || b > 0) {
+    half.part = a < 0 ? hsr_sight_half::HSR_HALF_AFTER
+                      : hsr_sight_half::HSR_HALF_BEFORE;
+    locate_roughly(n, e, &half.at);
+  }
+  return half;
+}
+
+bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
+                      const struct hsr_sight_half *half,
+                      struct hsr_sight_event *from,
+                      struct hsr_sight_event *to) {
+  if (half->part == hsr_sight_half::HSR_HALF_NONE)
     return false;
-  if (a >= 0 && b >= 0)
+  if (half->part == hsr_sight_half::HSR_HALF_ALL)
     return true;
-  hsr_sight_event event = {0, 0, at, subject, 0};
-  locate_roughly(n, e, &event);
-  if (a < 0 && hsr_sight_compare(sight, e, &event, from) > 0)
-    *from = event;
-  if (b < 0 && hsr_sight_compare(sight, e, &event, to) < 0)
-    *to = event;
+  const bool after = half->part == hsr_sight_half::HSR_HALF_AFTER;
+  if (hsr_sight_compare(sight, e, &half->at, after ? from : to) ==
+      (after ? 1 : -1))
+    *(after ? from : to) = half->at;
   return hsr_sight_compare(sight, e, from, to) < 0;
 }
