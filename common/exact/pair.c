@@ -20,6 +20,7 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               struct hsr_arena *arena) {
   uint32_t corners = 2 * hsr_largest_face(scene->roster.scene);
   memset(pair->planes, 0, sizeof pair->planes);
+  pair->id[0] = pair->id[1] = HSR_NO_ID;
   pair->world = (struct hsr_world){.roster.scene = scene->roster.scene,
                                    .mesh.n_vertices = corners,
                                    .n_faces = 2,
@@ -38,12 +39,26 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                             hsr_sample_y(pair->screen.view, j), tally);
 }
 
+/* Two faces are often compared at several places in turn. */
 static void lay_out(struct hsr_pair *pair, uint32_t f, uint32_t g) {
-  pair->id[0] = f < g ? f : g;
-  pair->id[1] = f < g ? g : f;
+  const uint32_t low = f < g ? f : g, high = f < g ? g : f;
+  if (pair->id[0] == low && pair->id[1] == high)
+    return;
+  pair->id[0] = low;
+  pair->id[1] = high;
+  pair->has_planes = false;
   pair->world.mesh.start[0] = 0;
   for (uint32_t k = 0; k < 2; k++)
     hsr_world_lay_out(&pair->world, k);
+}
+
+static void find_planes(struct hsr_pair *pair, struct hsr_tally *tally) {
+  for (uint32_t k = 0; k < 2 && !pair->has_planes; k++) {
+    hsr_world_find_plane(&pair->world, k, &tally->out_of_memory);
+    pair->world.mesh.plane[k] = k; /* equal planes are found out below */
+    hsr_screen_plane(&pair->screen, k);
+  }
+  pair->has_planes = true;
 }
 
 /* The place of what is known of the planes of f < g. */
@@ -55,18 +70,13 @@ static struct hsr_pair_planes *planes_of(struct hsr_pair *pair, uint32_t f,
 
 bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
                         double sx, double sy, struct hsr_tally *tally) {
-  struct hsr_world *world = &pair->world;
   const uint32_t low = f < g ? f : g, high = f < g ? g : f;
   struct hsr_pair_planes *planes = planes_of(pair, low, high);
   const bool known = planes->f == low && planes->g == high;
   if (known && planes->same)
     return f < g;
   lay_out(pair, f, g);
-  for (uint32_t k = 0; k < 2; k++) {
-    hsr_world_find_plane(world, k, &tally->out_of_memory);
-    world->mesh.plane[k] = k; /* equal planes are found out below */
-    hsr_screen_plane(&pair->screen, k);
-  }
+  find_planes(pair, tally);
   /* If the planes are equal neither is nearer, and the lower id wins. */
   const uint64_t before = tally->exact[HSR_ASK_DEPTH];
   bool higher = hsr_nearer_at(&pair->screen, 1, 0, sx, sy, tally);

@@ -19,7 +19,8 @@ enum { HSR_PAIRS_KEPT = 256 };
 
 struct hsr_pair {
   struct hsr_world world; /* of two faces, the lower id first */
-  uint32_t id[2];
+  uint32_t id[2];         /* of those laid out; equal: none are yet */
+  bool has_planes;        /* `world` and `screen` have their planes */
   struct hsr_screen screen;
 
   /* Of pairs that only exact numbers could compare: in one plane every sample of

@@ -52,6 +52,9 @@
 #define LINE_ERROR 0x1p-46
 #define TINY 0x1p-960
 
+/* Triangles of a fan that are left out of a square together. */
+enum { BLOCK = 32 };
+
 static double size_of(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
@@ -317,6 +320,43 @@ static void fan_lines(struct hsr_shape *shape, const struct hsr_screen *screen,
   shape->n_lines = n;
 }
 
+/* The line through the first corner of a fan and one of corners [from, to) that
+ * has the others on its positive side, or on its negative one if `side` is -1;
+ * then turned. If none certainly does, a line that is positive everywhere. All
+ * of a triangle of such corners is on that side too, as each of its points is a
+ * mean of its corners. */
+static struct hsr_screen_line wedge_line(const struct hsr_screen *screen,
+                                         const double (*corner)[3],
+                                         uint32_t from, uint32_t to, int side) {
+  uint32_t last = from;
+  for (uint32_t k = from + 1; k < to; k++)
+    if (side_of_edge(screen, corner[0], corner[last], corner[k]) == -side)
+      last = k;
+  for (uint32_t k = from; k < to; k++)
+    if (k != last &&
+        side_of_edge(screen, corner[0], corner[last], corner[k]) != side)
+      return (struct hsr_screen_line){0, 0, 1, 0};
+  struct hsr_screen_line line = edge_line(screen, corner[0], corner[last]);
+  return side > 0 ? line : opposite(line);
+}
+
+/* The wedges of a fan's blocks of triangles. */
+static bool find_wedges(struct hsr_shape *shape,
+                        const struct hsr_screen *screen,
+                        struct hsr_arena *arena) {
+  uint32_t n = shape->n_corners - 2, n_blocks = (n + BLOCK - 1) / BLOCK;
+  struct hsr_screen_line *wedge =
+      HSR_NEW(arena, struct hsr_screen_line, 2 * (size_t)n_blocks);
+  for (uint32_t b = 0; wedge && b < n_blocks; b++) {
+    uint32_t from = 1 + b * BLOCK, left = n - b * BLOCK;
+    uint32_t to = from + 1 + (left < BLOCK ? left : BLOCK);
+    wedge[2 * b] = wedge_line(screen, shape->corner, from, to, 1);
+    wedge[2 * b + 1] = wedge_line(screen, shape->corner, from, to, -1);
+  }
+  shape->wedge = wedge;
+  return wedge != NULL;
+}
+
 bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
                     uint32_t f, uint32_t id, struct hsr_arena *arena,
                     struct hsr_tally *tally) {
@@ -343,6 +383,8 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
     convex_lines(shape, screen, inner, line);
   else
     fan_lines(shape, screen, line);
+  if (!shape->is_convex && !find_wedges(shape, screen, arena))
+    return false;
   if (!beyond || !flat) {
     shape->n_lines += near_lines(screen, f, &shape->q, line + shape->n_lines);
     if (screen->view->parallel || screen->view->near > 0)
@@ -471,16 +513,29 @@ static enum hsr_meeting meets_triangle(const struct hsr_screen_line *line,
                                     : HSR_MEETS;
 }
 
+/* The first triangle from k on whose block may meet the square; n_corners - 2:
+ * there is none. */
+static uint32_t next_triangle(const struct hsr_shape *shape,
+                              const struct hsr_square *square, uint32_t k) {
+  uint32_t n = shape->n_corners - 2;
+  while (k < n && k % BLOCK == 0 &&
+         meets_all(shape->wedge + 2 * (k / BLOCK), 2, square) == HSR_MISSES)
+    k += BLOCK;
+  return k < n ? k : n;
+}
+
 static enum hsr_meeting meets_fan(const struct hsr_shape *shape,
                                   const struct hsr_square *square) {
-  uint32_t n = 3 * (shape->n_corners - 2);
-  enum hsr_meeting near =
-      meets_all(shape->line + n, shape->n_lines - n, square);
+  uint32_t n = shape->n_corners - 2;
+  enum hsr_meeting near = meets_all(shape->line + 3 * (size_t)n,
+                                    shape->n_lines - 3 * n, square);
   bool odd = false;
   if (near == HSR_MISSES)
     return HSR_MISSES;
-  for (uint32_t k = 0; k < n; k += 3) {
-    enum hsr_meeting meeting = meets_triangle(shape->line + k, square);
+  for (uint32_t k = next_triangle(shape, square, 0); k < n;
+       k = next_triangle(shape, square, k + 1)) {
+    enum hsr_meeting meeting =
+        meets_triangle(shape->line + 3 * (size_t)k, square);
     if (meeting == HSR_MEETS)
       return HSR_MEETS;
     odd ^= meeting == HSR_COVERS;
@@ -514,7 +569,8 @@ static bool can_be(const struct hsr_screen_line *line, bool negative,
 bool hsr_shape_fan(const struct hsr_shape *shape,
                    const struct hsr_square *square, struct hsr_fan *fan) {
   *fan = (struct hsr_fan){.odd = false};
-  for (uint32_t k = 0; k + 2 < shape->n_corners; k++) {
+  for (uint32_t k = next_triangle(shape, square, 0); k + 2 < shape->n_corners;
+       k = next_triangle(shape, square, k + 1)) {
     const struct hsr_screen_line *line = shape->line + 3 * (size_t)k;
     enum hsr_meeting meeting = meets_triangle(line, square);
     fan->odd ^= meeting == HSR_COVERS;
