@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node build.mjs SOURCES MODULES OUTPUT [NAME=FILE...]: puts the report's scripts, the
-// parts of npm's packages that they use, and the licences of these into one classic
-// script, since a page opened from disk may load no modules. What they import as
-// NAME is FILE.
+// node build.mjs SOURCES MODULES OUTPUT: puts the report's scripts, the parts of npm's
+// packages that they use, and the licences of these into one classic script, since a
+// page opened from disk may load no modules.
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
-const [sources, modules, output] = process.argv.slice(2, 5).map((p) => resolve(p));
-const alias = Object.fromEntries(process.argv.slice(5).map((text) => {
-  const [name, file] = text.split("=");
-  return [name, resolve(file)];
-}));
+const [sources, modules, output] = process.argv.slice(2).map((p) => resolve(p));
 const { build } = createRequire(join(modules, "x"))("esbuild");
 
 const options = {
   entryPoints: [join(sources, "main.js")],
   outfile: output,
-  nodePaths: [modules], alias,
+  nodePaths: [modules],
   bundle: true, format: "iife", target: "es2020", minify: true,
   charset: "utf8", legalComments: "none", logLevel: "warning",
 };

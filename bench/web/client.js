@@ -16,16 +16,18 @@ export class HsrError extends Error {
 }
 
 // { wasm: bytes, or module: compiled; worker: where its script is }, or a promise of that.
+// Each of these may be a promise itself: the Worker starts while the module is compiled.
 // The script is a module, or one file if it is a blob.
 export function connect(parts) {
   let running = null; // { worker, loaded, waiting }
   let next = 0;
   const opened = new Map();  // id -> { call, args, of, own, on }
   const load = async (on) => {
-    const { worker, ...core } = await parts;
+    const { worker, wasm, module } = await parts;
+    const script = await worker;
     if (on.ended) throw new HsrError(on.ended);
-    on.worker = start(worker, on);
-    return ask(on, "load", [core]);
+    on.worker = start(script, on);
+    return ask(on, "load", [{ wasm: await wasm, module: await module }]);
   };
 
   function start(url, on) {

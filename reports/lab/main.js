@@ -4,7 +4,6 @@
 import { whenLooksChange } from "../lesson/parts/redraw.js";
 import { keys } from "../lesson/parts/controls.js";
 import { h } from "../page/parts/dom.js";
-import { openCore } from "./core/connect.js";
 import { hand } from "./editing/hand.js";
 import { measure } from "./experiments/measure.js";
 import { decide } from "./judge/decide.js";
@@ -29,7 +28,8 @@ const history = makeHistory(lab);
 async function begin() {
   const asked = await readAddress();
   Object.assign(state, asked.state);
-  const core = await openCore(state.a.length);
+  const core = await globalThis.openedCore; // core/early.js
+  core.makeReady(state.a.length);
   document.getElementById("version").textContent = core.version;
   tellUnread(build(core), asked.unread);
   globalThis.lab = { ...globalThis.lab, core };

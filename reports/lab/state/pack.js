@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes as short text that an address can hold, and back.
 
-const through = async (bytes, stream) => new Uint8Array(await new Response(
-  new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+const through = (bytes, stream) => new Blob([bytes]).stream().pipeThrough(stream);
+const wholeOf = async (stream) =>
+  new Uint8Array(await new Response(stream).arrayBuffer());
 
-export const inflate = (bytes, format = "deflate-raw") =>
+// The stream of what is unpacked, and all of it.
+export const inflating = (bytes, format = "deflate-raw") =>
   through(bytes, new DecompressionStream(format));
+export const inflate = (bytes) => wholeOf(inflating(bytes));
 
 export async function pack(bytes) {
-  const small = await through(bytes, new CompressionStream("deflate-raw"));
+  const small = await wholeOf(through(bytes, new CompressionStream("deflate-raw")));
   let text = "";
   for (const byte of small) text += String.fromCharCode(byte);
   return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
