@@ -105,6 +105,7 @@ tap_programs = \
   %D%/unit/bench/stranger_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/adapt_test \
+  %D%/unit/core/arena_test \
   %D%/unit/core/box_test \
   %D%/unit/core/bsp_test \
   %D%/unit/core/depth_test \
@@ -239,6 +240,7 @@ quick_units = \
   %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/adapt_test \
+  %D%/unit/core/arena_test \
   %D%/unit/core/box_test \
   %D%/unit/core/filter_test \
   %D%/unit/core/grid_test \

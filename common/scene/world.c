@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Laying out a scene: every instance expanded. */
+#include "common/base/numbers.h"
 #include "common/base/share.h"
 #include "common/scene/planes.h"
 
@@ -56,10 +57,6 @@ struct expanding {
   struct place *place; /* n_instances + 1 */
 };
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 /* How many instances an object has, of which the first is `first`. */
 static uint32_t count_instances(const struct hsr_scene *scene, uint32_t object,
                                 uint32_t first) {
@@ -109,12 +106,12 @@ static void find_places(const struct hsr_scene *scene, struct place *place) {
     place[i].v = is_later ? place[first + (i - own)].v : v;
     if (!is_later)
       v += place[i].shares ? group->n_vertices : nv;
-    place[i + 1] =
-        (struct place){.v = v,
-                       .f = place[i].f + nf,
-                       .c = place[i].c + nc,
-                       .part = place[i].part +
-                               hsr_n_ranges(larger(nv, larger(nf, nc)), RANGE)};
+    place[i + 1] = (struct place){
+        .v = v,
+        .f = place[i].f + nf,
+        .c = place[i].c + nc,
+        .part = place[i].part +
+                hsr_n_ranges(hsr_max_u32(nv, hsr_max_u32(nf, nc)), RANGE)};
   }
 }
 

@@ -16,10 +16,6 @@ struct prepared {
   uint32_t most_vertices;           /* of a face */
 };
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 void hsr_bsp_release(void *prepared) {
   struct prepared *p = prepared;
   hsr_bsp_free(&p->bsp);
@@ -36,13 +32,13 @@ enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    p->most_vertices = larger(p->most_vertices, hsr_face_size(world, f));
+    p->most_vertices = hsr_max_u32(p->most_vertices, hsr_face_size(world, f));
   enum hsr_status status = hsr_bsp_init(&p->bsp, world, &one_tree, err);
   for (uint32_t k = 0; k < p->bsp.n_pieces && !status; k++) {
-    p->most_corners = larger(p->most_corners, p->bsp.piece[k].n_corners);
-    p->most_cuts = larger(p->most_cuts, p->bsp.piece[k].n_cuts);
+    p->most_corners = hsr_max_u32(p->most_corners, p->bsp.piece[k].n_corners);
+    p->most_cuts = hsr_max_u32(p->most_cuts, p->bsp.piece[k].n_cuts);
   }
-  p->most_cuts = larger(p->most_cuts, p->most_corners);
+  p->most_cuts = hsr_max_u32(p->most_cuts, p->most_corners);
   return status;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/engines/cubes/cube_objects.h"
 #include "algorithms/engines/cubes/cube_cells.h"
+#include "common/base/numbers.h"
 #include "common/base/share.h"
 #include "common/exact/predicates.h"
 #include "common/trees/grain.h"
@@ -151,19 +152,16 @@ static void find_bounds(const struct hsr_object *object,
 
 /* --- An octree with its cells ----------------------------------------------- */
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 /* Of all cells, which are made. */
 static void find_largest_cell(struct hsr_cubes *cubes,
                               const struct hsr_cubes_object *c) {
   for (uint32_t k = 0; k < c->octree.n_nodes; k++) {
     const struct hsr_cell *cell = &c->cell[k];
     const uint32_t *start = c->start + cell->first_start;
-    cubes->most_faces = larger(cubes->most_faces, cell->n_faces);
-    cubes->most_vertices = larger(cubes->most_vertices, cell->n_vertices);
-    cubes->most_corners = larger(cubes->most_corners, start[cell->n_faces]);
+    cubes->most_faces = hsr_max_u32(cubes->most_faces, cell->n_faces);
+    cubes->most_vertices = hsr_max_u32(cubes->most_vertices, cell->n_vertices);
+    cubes->most_corners =
+        hsr_max_u32(cubes->most_corners, start[cell->n_faces]);
   }
 }
 
@@ -229,10 +227,10 @@ static enum hsr_status begin_octree(struct hsr_cubes *cubes, uint32_t o,
                        hsr_longest_side(&c->bounds), arena))
     return HSR_E_NOMEM;
   c->octree = c->lazy->octree;
-  cubes->most_faces = larger(cubes->most_faces, n_placed);
-  cubes->most_vertices = larger(cubes->most_vertices, object->n_vertices);
+  cubes->most_faces = hsr_max_u32(cubes->most_faces, n_placed);
+  cubes->most_vertices = hsr_max_u32(cubes->most_vertices, object->n_vertices);
   cubes->most_corners =
-      larger(cubes->most_corners, object->start[object->n_faces]);
+      hsr_max_u32(cubes->most_corners, object->start[object->n_faces]);
   return hsr_cells_make_empty(c->maker, 0, arena) ? HSR_OK : HSR_E_NOMEM;
 }
 

@@ -3,6 +3,7 @@
  * alike. Samples are found corner by corner. That comes to the same as finding
  * those of the outermost corner, since rounding never turns an order around. */
 #include "algorithms/engines/cubes/cube_octants.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 #include <math.h>
@@ -23,14 +24,6 @@ static void gather(const struct hsr_octree *octree,
       b->half[k][o] = tight ? child->tight.half[k] : child->half;
     }
   }
-}
-
-static inline int least(int a, int b) {
-  return a < b ? a : b;
-}
-
-static inline int most(int a, int b) {
-  return a > b ? a : b;
 }
 
 /* A sample, or the end, within the window. */
@@ -76,8 +69,9 @@ static inline struct span corner(const struct sum *x, const struct sum *y,
 }
 
 static inline struct span join(struct span a, struct span b) {
-  return (struct span){least(a.x0, b.x0), least(a.y0, b.y0), most(a.x1, b.x1),
-                       most(a.y1, b.y1), a.q > b.q ? a.q : b.q};
+  return (struct span){hsr_min_int(a.x0, b.x0), hsr_min_int(a.y0, b.y0),
+                       hsr_max_int(a.x1, b.x1), hsr_max_int(a.y1, b.y1),
+                       a.q > b.q ? a.q : b.q};
 }
 
 static inline void put(struct hsr_octants *restrict octants, int k, int o,

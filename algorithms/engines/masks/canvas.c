@@ -2,10 +2,7 @@
 #include "algorithms/engines/masks/canvas.h"
 #include "common/answers/kinds/filtered.h"
 #include "common/base/bits.h"
-
-static int least(int a, int b) {
-  return a < b ? a : b;
-}
+#include "common/base/numbers.h"
 
 /* Count the samples of the face that is being tiled, which are written: of the
  * 8 x 8 samples from (x, y) on those of a mask; or those of a square that are
@@ -20,7 +17,8 @@ static void count_samples(const struct hsr_canvas *c, int x, int y,
 }
 
 static void count_square(const struct hsr_canvas *c, int x, int y, int size) {
-  int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
+  int x1 = hsr_min_int(x + size, c->window.x1),
+      y1 = hsr_min_int(y + size, c->window.y1);
   for (int j = y; HSR_COUNTING && j < y1; j++)
     for (int i = x; i < x1; i++)
       HSR_STEP(c->job->tally, c->counter, HSR_FACE(c->id), HSR_THE_WINDOW,
@@ -46,7 +44,8 @@ static void put_samples(void *context, int x, int y, uint64_t mask) {
 
 static void put_square(void *context, int x, int y, int size) {
   struct hsr_canvas *c = context;
-  int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
+  int x1 = hsr_min_int(x + size, c->window.x1),
+      y1 = hsr_min_int(y + size, c->window.y1);
   count_square(c, x, y, size);
   for (int j = y; j < y1; j++) {
     uint32_t *row = hsr_job_row(c->job, j);
@@ -100,8 +99,8 @@ static void box_square(void *context, int x, int y, int size) {
   uint32_t whole[3];
   for (int k = 0; k < 3; k++)
     whole[k] = HSR_WHOLE_WEIGHT * c->rgb[k];
-  int i1 = least(x + size, c->window.x1) / c->side;
-  int j1 = least(y + size, c->window.y1) / c->side;
+  int i1 = hsr_min_int(x + size, c->window.x1) / c->side;
+  int j1 = hsr_min_int(y + size, c->window.y1) / c->side;
   count_square(c, x, y, size);
   for (int j = y / c->side; j < j1; j++) {
     uint32_t *sum = pixel(c, x / c->side, j);
@@ -135,8 +134,8 @@ static void wide_samples(void *context, int x, int y, uint64_t mask) {
 static void wide_square(void *context, int x, int y, int size) {
   struct hsr_canvas *c = context;
   shade(c);
-  int i1 = least(x + size, c->window.x1) / HSR_SUB;
-  int j1 = least(y + size, c->window.y1) / HSR_SUB;
+  int i1 = hsr_min_int(x + size, c->window.x1) / HSR_SUB;
+  int j1 = hsr_min_int(y + size, c->window.y1) / HSR_SUB;
   count_square(c, x, y, size);
   for (int j = y / HSR_SUB; j < j1; j++)
     for (int i = x / HSR_SUB; i < i1; i++)

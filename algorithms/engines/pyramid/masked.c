@@ -1,16 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/engines/pyramid/masked.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 enum { SIDE = HSR_MASKED_SIDE, BITS = HSR_MASKED_BITS, TILE = SIDE * SIDE };
 static const uint64_t FULL = UINT64_MAX;
-
-static int lesser(int a, int b) {
-  return a < b ? a : b;
-}
-static int greater(int a, int b) {
-  return a > b ? a : b;
-}
 
 /* The bits of columns x0 to x1 - 1 and rows y0 to y1 - 1 of a tile, none of
  * which are empty. */
@@ -31,8 +25,9 @@ struct common {
 static struct common common_of(const struct hsr_masked *m, int x, int y,
                                struct hsr_bounds box) {
   int i = m->window.x0 + x * SIDE, j = m->window.y0 + y * SIDE;
-  struct hsr_bounds b = {greater(box.x0, i), greater(box.y0, j),
-                         lesser(box.x1, i + SIDE), lesser(box.y1, j + SIDE)};
+  struct hsr_bounds b = {hsr_max_int(box.x0, i), hsr_max_int(box.y0, j),
+                         hsr_min_int(box.x1, i + SIDE),
+                         hsr_min_int(box.y1, j + SIDE)};
   return (struct common){b, bits_of(b.x0 - i, b.y0 - j, b.x1 - i, b.y1 - j)};
 }
 

@@ -10,13 +10,7 @@
  * Notation    Run: the fast triangles of one face, from the k-th of a batch up
  *             to `end`. */
 #include "algorithms/hierarchical/hzbuffer/walk.h"
-
-static int lesser(int a, int b) {
-  return a < b ? a : b;
-}
-static int greater(int a, int b) {
-  return a > b ? a : b;
-}
+#include "common/base/numbers.h"
 
 /* Can a face be tested? In the first pass of coherence none is. */
 static bool can_test(const struct hsr_hz_walk *w) {
@@ -68,10 +62,10 @@ static void put_run(const struct hsr_corners *r, int k, int end,
   for (k++; k < end; k++) {
     float q = hsr_nearest_corner(r, k);
     nearest = q > nearest ? q : nearest;
-    box.x0 = lesser(box.x0, r->x0[k]);
-    box.y0 = lesser(box.y0, r->y0[k]);
-    box.x1 = greater(box.x1, r->x1[k]);
-    box.y1 = greater(box.y1, r->y1[k]);
+    box.x0 = hsr_min_int(box.x0, r->x0[k]);
+    box.y0 = hsr_min_int(box.y0, r->y0[k]);
+    box.x1 = hsr_max_int(box.x1, r->x1[k]);
+    box.y1 = hsr_max_int(box.y1, r->y1[k]);
   }
   runs->x0[to] = box.x0;
   runs->y0[to] = box.y0;
@@ -210,8 +204,9 @@ static void make_stale(struct hsr_hz_walk *w, struct hsr_bounds box) {
   if (!hsr_hz_has_pyramid(w) || w->plain)
     return;
   const struct hsr_bounds *s = &w->stale;
-  struct hsr_bounds both = {lesser(s->x0, box.x0), lesser(s->y0, box.y0),
-                            greater(s->x1, box.x1), greater(s->y1, box.y1)};
+  struct hsr_bounds both = {
+      hsr_min_int(s->x0, box.x0), hsr_min_int(s->y0, box.y0),
+      hsr_max_int(s->x1, box.x1), hsr_max_int(s->y1, box.y1)};
   if (area_of_box(&both) > area_of_box(s) + area_of_box(&box)) {
     hsr_hz_refresh(w);
     both = box;
@@ -394,7 +389,7 @@ void hsr_hz_tile_cell(struct hsr_hz_walk *w, uint32_t k) {
     HSR_STEP(w->tally, HSR_HZ_FACES_MET, HSR_FACE(id_of(t, f)), cube,
              HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < triangles; f += HSR_BATCH)
-    do_batch(w, f, lesser((int)(triangles - f), HSR_BATCH));
+    do_batch(w, f, hsr_min_int((int)(triangles - f), HSR_BATCH));
   if (triangles < fans)
     do_fans(w, triangles, fans);
   for (uint32_t f = fans; f < cell->n_faces; f++)

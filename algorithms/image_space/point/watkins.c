@@ -45,6 +45,7 @@
  *             free, as in bouknight.c. A crossing that is predicted costs 10,
  *             as other relations of two segments in the plane do. */
 #include "algorithms/image_space/point/watkins.h"
+#include "common/base/numbers.h"
 
 #include <stdlib.h>
 
@@ -158,10 +159,6 @@ static void find_segments(struct hsr_watkins *s) {
 }
 
 /* --- Depth search --------------------------------------------------------- */
-
-static int least(int a, int b) {
-  return a < b ? a : b;
-}
 
 /* A stretch of a segment between two points x0 and x1 of the row, in columns,
  * and its depths q0 and q1 there. */
@@ -321,7 +318,7 @@ OF_OPTION static bool run_is_nearer(struct hsr_watkins *s,
   const struct hsr_watkins_segment *p = hsr_watkins_part(s, f, l);
   const struct hsr_watkins_segment *q = hsr_watkins_part(s, g, l);
   bool apart = hsr_surfaces_apart(s->runs->surfaces, p->face, q->face);
-  int both = apart ? l + 1 : least(r, least(p->x1, q->x1));
+  int both = apart ? l + 1 : hsr_min_int(r, hsr_min_int(p->x1, q->x1));
   bool nearer = segment_is_nearer(s, p, q, l, both, j, end);
   if (apart)
     *end = r;
@@ -350,10 +347,10 @@ search_depth(struct hsr_watkins *s, int left, int *right, int j) {
     const struct hsr_watkins_segment *segment = &s->segment[s->under[k]];
     if (!visible) {
       visible = segment;
-      *right = least(*right, segment->x1);
+      *right = hsr_min_int(*right, segment->x1);
       continue;
     }
-    int both = least(*right, segment->x1), end;
+    int both = hsr_min_int(*right, segment->x1), end;
     if (is_nearer(s, segment, visible, left, both, j, &end))
       visible = segment;
     /* If the one visible before is nearer as long as the segment lasts, it is
@@ -381,7 +378,7 @@ static void float_right(struct hsr_watkins *s,
       return;
     if (segment->x0 == segment->x1)
       continue;
-    int both = least(*right, segment->x1), end;
+    int both = hsr_min_int(*right, segment->x1), end;
     if (!visible || is_nearer(s, segment, visible, segment->x0, both, j, &end))
       *right = segment->x0;
     else if (end < both)
@@ -458,7 +455,7 @@ OF_OPTION static void show_run(struct hsr_watkins *s,
                                int right, int j) {
   for (int x = left; x < right;) {
     const struct hsr_watkins_segment *part = hsr_watkins_part(s, run, x);
-    int end = least(part->x1, right);
+    int end = hsr_min_int(part->x1, right);
     show_span(s, part->face, x, end, j);
     x = end;
   }

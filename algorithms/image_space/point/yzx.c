@@ -71,6 +71,7 @@
 #include "algorithms/engines/scan_line/scan_line.h"
 #include "algorithms/image_space/point/yzx_list.h"
 #include "common/answers/kinds/transparent.h"
+#include "common/base/numbers.h"
 
 #include <string.h>
 
@@ -169,13 +170,6 @@ struct scan {
   uint32_t n_new;           /* the others: left ends less right ends */
 };
 
-static int least(int a, int b) {
-  return a < b ? a : b;
-}
-static int most(int a, int b) {
-  return a > b ? a : b;
-}
-
 /* --- Memory --------------------------------------------------------------- */
 
 static struct segment *new_segment(struct scan *s) {
@@ -265,7 +259,7 @@ static void find_crossings(struct scan *s) {
     }
     uint32_t number = strips->first + strips->n;
     struct strip *strip = &s->strip[number];
-    int column = most(w->x0, least(w->x1, edge->column));
+    int column = hsr_max_int(w->x0, hsr_min_int(w->x1, edge->column));
     strips->open = !strips->open;
     strip->face = edge->face;
     if (strips->open) {

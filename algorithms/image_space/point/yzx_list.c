@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Z sort of yzx: see yzx_list.h. */
 #include "algorithms/image_space/point/yzx_list.h"
+#include "common/base/numbers.h"
 
 #include <math.h>
 #include <limits.h>
@@ -11,13 +12,6 @@ static const uint32_t NONE = HSR_NO_ID;
 
 /* How one piece is to stand to another. */
 enum order { EITHER, BEFORE, BEHIND, UNSETTLED };
-
-static int most(int a, int b) {
-  return a > b ? a : b;
-}
-static int least(int a, int b) {
-  return a < b ? a : b;
-}
 
 /* --- Pieces --------------------------------------------------------------- */
 
@@ -254,8 +248,8 @@ static int side_of_plane(const struct yzx_list *s, const struct yzx_piece *a,
 /* Test 6: have they a sample in common on the row or on one to come? */
 static bool overlap(struct yzx_list *s, const struct yzx_piece *a,
                     const struct yzx_piece *b) {
-  int row = most(s->j, most(a->bounds.y0, b->bounds.y0));
-  int end = least(a->bounds.y1, b->bounds.y1);
+  int row = hsr_max_int(s->j, hsr_max_int(a->bounds.y0, b->bounds.y0));
+  int end = hsr_min_int(a->bounds.y1, b->bounds.y1);
   bool meet = false;
   for (; row < end && !meet; row++) {
     int n = hsr_piece_spans(s->screen, a->face, a->cuts, a->n_cuts, row,
@@ -500,7 +494,7 @@ static void enter(struct yzx_list *s, struct yzx_piece *x) {
 /* --- The list ------------------------------------------------------------- */
 
 static int first_row(const struct yzx_list *s, uint32_t f) {
-  return most(s->screen->bounds[f].y0, s->job->view->window.y0);
+  return hsr_max_int(s->screen->bounds[f].y0, s->job->view->window.y0);
 }
 
 static void fill_buckets(struct yzx_list *s) {

@@ -30,6 +30,7 @@
  *             sample. */
 #include "algorithms/engines/windows/area.h"
 #include "algorithms/image_space/stages/items.h"
+#include "common/base/numbers.h"
 
 #include <math.h>
 #include <string.h>
@@ -271,13 +272,6 @@ static void divide(struct frame *s, const char *rest,
 
 /* --- X or Y first: lines -------------------------------------------------- */
 
-static int most(int a, int b) {
-  return a > b ? a : b;
-}
-static int least(int a, int b) {
-  return a < b ? a : b;
-}
-
 /* Adds row j to the runs of a face's column, of which the last is *last. */
 static bool extend_column(struct frame *s, uint32_t *last, int j) {
   struct column_run *run = s->column_runs.items;
@@ -297,7 +291,7 @@ static bool extend_column(struct frame *s, uint32_t *last, int j) {
 static void find_columns(struct frame *s, const struct hsr_stage_item *item,
                          struct hsr_window w) {
   const struct hsr_bounds *b = &s->screen.bounds[item->face];
-  const int first = most(b->x0, w.x0), end = least(b->x1, w.x1);
+  const int first = hsr_max_int(b->x0, w.x0), end = hsr_min_int(b->x1, w.x1);
   struct hsr_face_rows rows;
   uint32_t *last = HSR_NEW(s->job->scratch, uint32_t, (size_t)(end - first));
   s->column[item->slot] = last;
@@ -305,11 +299,12 @@ static void find_columns(struct frame *s, const struct hsr_stage_item *item,
   for (int i = first; last && i < end; i++)
     last[i - first] = NONE;
   hsr_face_rows_begin(&rows, &s->screen, item->face, s->tally);
-  for (int j = most(b->y0, w.y0); last && j < least(b->y1, w.y1); j++) {
+  for (int j = hsr_max_int(b->y0, w.y0); last && j < hsr_min_int(b->y1, w.y1);
+       j++) {
     const int n = hsr_face_rows_spans(&rows, j, s->columns, s->tally);
     for (int k = 0; k < n; k += 2)
-      for (int i = most(s->columns[k], first);
-           i < least(s->columns[k + 1], end); i++)
+      for (int i = hsr_max_int(s->columns[k], first);
+           i < hsr_min_int(s->columns[k + 1], end); i++)
         s->stack.failed =
             s->stack.failed || !extend_column(s, &last[i - first], j);
   }
@@ -350,15 +345,15 @@ static void push_runs(struct frame *s, const char *rest,
     const int n =
         hsr_face_rows_spans(&s->rows[face->slot], w.y0, s->columns, s->tally);
     for (int k = 0; k < n; k += 2) {
-      const int lo = most(s->columns[k], w.x0);
-      const int hi = least(s->columns[k + 1], w.x1);
+      const int lo = hsr_max_int(s->columns[k], w.x0);
+      const int hi = hsr_min_int(s->columns[k + 1], w.x1);
       if (lo < hi)
         push_run(s, rest, face, lo, hi, true, w);
     }
     return;
   }
   const int first =
-      most(s->screen.bounds[face->face].x0, s->job->view->window.x0);
+      hsr_max_int(s->screen.bounds[face->face].x0, s->job->view->window.x0);
   uint32_t k = s->column[face->slot][w.x0 - first];
   while (k != NONE) {
     const struct column_run run =
@@ -410,9 +405,9 @@ static void search_active(struct frame *s, enum hsr_stage_axis axis,
     if (active)
       hsr_stage_push(&s->stack, item);
     if (item.lo > place)
-      *end = least(*end, item.lo);
+      *end = hsr_min_int(*end, item.lo);
     else if (active)
-      *end = least(*end, item.hi);
+      *end = hsr_min_int(*end, item.hi);
   }
 }
 
@@ -436,9 +431,9 @@ static int advance(struct frame *s, struct sweep *sweep, int place, int end) {
   for (; sweep->next < last && at(s, sweep->next)->lo <= place; sweep->next++)
     activate(s, sweep->mark, *at(s, sweep->next), sweep->by_rank);
   if (sweep->next < last)
-    end = least(end, at(s, sweep->next)->lo);
+    end = hsr_min_int(end, at(s, sweep->next)->lo);
   for (size_t k = sweep->mark; k < s->stack.items.n; k++)
-    end = least(end, at(s, k)->hi);
+    end = hsr_min_int(end, at(s, k)->hi);
   return end;
 }
 
@@ -463,8 +458,8 @@ static void take_lines(struct frame *s, const char *rest,
   const int from = is_row ? w.y0 : w.x0, to = is_row ? w.y1 : w.x1;
   for (size_t k = list.first; k < list.first + list.n; k++) {
     const struct hsr_bounds *b = &s->screen.bounds[at(s, k)->face];
-    at(s, k)->lo = most(is_row ? b->y0 : b->x0, from);
-    at(s, k)->hi = least(is_row ? b->y1 : b->x1, to);
+    at(s, k)->lo = hsr_max_int(is_row ? b->y0 : b->x0, from);
+    at(s, k)->hi = hsr_min_int(is_row ? b->y1 : b->x1, to);
     at(s, k)->slot = (uint32_t)(k - list.first);
   }
   struct sweep sweep = begin_sweep(s, rest, list, from, to);
@@ -543,7 +538,7 @@ static enum hsr_status make_room(struct frame *s) {
   struct hsr_arena *scratch = s->job->scratch;
   const struct hsr_window *w = &s->job->view->window;
   const size_t n = s->screen.n_relevant;
-  const size_t lines = (size_t)most(w->x1 - w->x0, w->y1 - w->y0);
+  const size_t lines = (size_t)hsr_max_int(w->x1 - w->x0, w->y1 - w->y0);
   s->stack.n_room = (lines > n ? lines : n) + 2;
   s->stack.room = HSR_NEW(scratch, uint32_t, s->stack.n_room);
   s->columns = HSR_NEW(scratch, int, hsr_most_corners(s->job->world) + 4);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/area/sorting/integrate.h"
 #include "common/answers/filter.h"
+#include "common/base/numbers.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -31,13 +32,6 @@ struct integral {
   double w[CHANNELS], largest; /* of w, without its sign */
 };
 
-static int lesser(int a, int b) {
-  return a < b ? a : b;
-}
-static int greater(int a, int b) {
-  return a > b ? a : b;
-}
-
 static void find_colour(const struct integral *g, uint32_t face,
                         double colour[CHANNELS]) {
   uint16_t rgb[CHANNELS];
@@ -66,7 +60,7 @@ static void add_piece(struct integral *g, int i, int j, double dy, double mx) {
 static void add_in_row(struct integral *g, int j, double x0, double x1,
                        double dy) {
   int last = g->job->view->m - 1;
-  int i0 = lesser((int)x0, last), i1 = lesser((int)x1, last);
+  int i0 = hsr_min_int((int)x0, last), i1 = hsr_min_int((int)x1, last);
   if (i0 == i1) {
     add_piece(g, i0, j, dy, (x0 + x1) / 2);
     return;
@@ -90,8 +84,8 @@ static double crossing(const double a[2], const double b[2], double y) {
 static void add_downward(struct integral *g, const double a[2],
                          const double b[2], int sign) {
   const struct hsr_window *w = &g->job->view->window;
-  int j1 = lesser((int)ceil(b[1]), w->y1);
-  for (int j = greater((int)a[1], w->y0); j < j1; j++) {
+  int j1 = hsr_min_int((int)ceil(b[1]), w->y1);
+  for (int j = hsr_max_int((int)a[1], w->y0); j < j1; j++) {
     double top = fmax(a[1], j), bottom = fmin(b[1], j + 1);
     double x0 = crossing(a, b, top), x1 = crossing(a, b, bottom);
     add_in_row(g, j, fmin(x0, x1), fmax(x0, x1), sign * (bottom - top));
@@ -101,8 +95,8 @@ static void add_downward(struct integral *g, const double a[2],
 /* A side counts for the errors of the rows that it is in or beside. */
 static void add_error(struct integral *g, double top, double bottom) {
   const struct hsr_window *w = &g->job->view->window;
-  int j1 = lesser((int)floor(bottom + 0x1p-20), w->y1 - 1);
-  for (int j = greater((int)floor(top - 0x1p-20), w->y0); j <= j1; j++)
+  int j1 = hsr_min_int((int)floor(bottom + 0x1p-20), w->y1 - 1);
+  for (int j = hsr_max_int((int)floor(top - 0x1p-20), w->y0); j <= j1; j++)
     g->row[j - w->y0].weight += g->largest;
 }
 
@@ -138,7 +132,7 @@ static void add_region(struct integral *g, const struct hsr_polygons *p,
 static double error_of(const struct integral *g, int j) {
   const struct hsr_view *view = g->job->view;
   const struct row *row = &g->row[j - view->window.y0];
-  double d = 0x1p-46 * greater(view->m, view->n);
+  double d = 0x1p-46 * hsr_max_int(view->m, view->n);
   double terms = (double)row->pieces + view->m + 8;
   return row->weight * (2 * d + terms * 0x1p-51) + 0x1p-50;
 }

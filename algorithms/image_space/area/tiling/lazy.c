@@ -27,6 +27,7 @@
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "algorithms/image_space/area/tiling/separate.h"
 #include "common/answers/kinds/filtered.h"
+#include "common/base/numbers.h"
 #include "common/trees/octree.h"
 #include "common/exact/order.h"
 #include "common/exact/predicates.h"
@@ -52,14 +53,10 @@ struct prepared {
   struct hsr_pieces_room room;
 };
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 static void make_room(struct hsr_pieces_room *room, const struct hsr_bsp *bsp) {
-  room->points = larger(room->points, bsp->n_points);
+  room->points = hsr_max_u32(room->points, bsp->n_points);
   for (uint32_t k = 0; k < bsp->n_pieces; k++)
-    room->corners = larger(room->corners, bsp->piece[k].n_corners);
+    room->corners = hsr_max_u32(room->corners, bsp->piece[k].n_corners);
 }
 
 static struct hsr_box bounds_of(const void *context, uint32_t f) {
@@ -133,8 +130,9 @@ static enum hsr_status prepare(const struct hsr_world *world,
   make_room(&p->room, &p->separate);
   make_room(&p->room, &p->tree);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    p->room.face = larger(p->room.face, larger(hsr_face_size(world, f),
-                                               hsr_plane_loop(world, f).n));
+    p->room.face =
+        hsr_max_u32(p->room.face, hsr_max_u32(hsr_face_size(world, f),
+                                              hsr_plane_loop(world, f).n));
   return HSR_OK;
 }
 
@@ -171,7 +169,7 @@ struct frame {
 static uint32_t most_of_a_cube(const struct hsr_octree *octree) {
   uint32_t most = 0;
   for (uint32_t k = 0; k < octree->n_nodes; k++)
-    most = larger(most, octree->node[k].n);
+    most = hsr_max_u32(most, octree->node[k].n);
   return most;
 }
 

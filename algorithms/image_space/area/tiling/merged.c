@@ -211,20 +211,17 @@ static void fail(struct frame *f, enum hsr_status status) {
     f->status = status == HSR_E_NOMEM ? hsr_fail_nomem(f->err) : status;
 }
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 /* Makes room for a tree to be tiled, if there is too little. */
 static void make_room(struct frame *f, const struct hsr_bsp *tree) {
   struct hsr_pieces_room room = f->room;
   for (uint32_t k = 0; k < tree->n_cubes; k++) {
-    room.points = larger(room.points, tree->cube[k].n_points);
-    room.corners = larger(room.corners, tree->cube[k].most_corners);
+    room.points = hsr_max_u32(room.points, tree->cube[k].n_points);
+    room.corners = hsr_max_u32(room.corners, tree->cube[k].most_corners);
   }
   for (uint32_t k = 0; k < tree->world->n_faces; k++)
-    room.face = larger(room.face, larger(hsr_face_size(tree->world, k),
-                                         hsr_plane_loop(tree->world, k).n));
+    room.face =
+        hsr_max_u32(room.face, hsr_max_u32(hsr_face_size(tree->world, k),
+                                           hsr_plane_loop(tree->world, k).n));
   if (!f->waiting || tree->most_depth > f->most_depth) {
     f->most_depth = 2 * tree->most_depth;
     f->waiting = HSR_NEW(f->job->scratch, struct hsr_bsp_waiting,
