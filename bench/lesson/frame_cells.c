@@ -162,8 +162,7 @@ static bool has_window(const struct hsr_event *event) {
 }
 
 static bool is_texel(const struct frames *f, const struct hsr_event *event) {
-  return event->a.kind == HSR_OF_CELL &&
-         !strncmp(f->run->setup.algorithm->name, "texture-", 8);
+  return event->a.kind == HSR_OF_CELL && lesson_has_texels(&f->run->setup);
 }
 
 void frames_note_cells(struct frames *f, const struct hsr_event *event) {
@@ -193,17 +192,10 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
 
 /* --- What is read for a pixel --------------------------------------------- */
 
-static bool is_named(const struct frames *f, const struct hsr_event *event,
-                     const char *name) {
-  const struct hsr_algorithm *a = f->run->setup.algorithm;
-  return !strncmp(a->name, "texture-", 8) &&
-         !strcmp(a->counters[event->counter].name, name);
-}
-
 bool frames_follow_texels(struct frames *f, const struct hsr_event *event) {
-  if (is_named(f, event, "rays"))
+  if (frames_has_key(f, event, "texture-ray"))
     f->read.n = 0;
-  if (!is_named(f, event, "texels"))
+  if (!frames_has_key(f, event, "texel-read"))
     return true;
   if (!hsr_arena_grow(&f->arena, &f->read, sizeof event->a.id))
     return false;
@@ -282,7 +274,7 @@ void frames_mark_read(struct frames *f, const struct hsr_event *event,
                       unsigned colour) {
   const struct hsr_algorithm *a = f->run->setup.algorithm;
   bool is_end = a->counters[event->counter].kind == HSR_ACCEPT;
-  if (!f->read.n || (!is_end && !is_named(f, event, "texels")))
+  if (!f->read.n || (!is_end && !frames_has_key(f, event, "texel-read")))
     return;
   const uint32_t(*read)[3] = f->read.items;
   for (size_t k = 0; k < f->read.n; k++) {
@@ -292,7 +284,7 @@ void frames_mark_read(struct frames *f, const struct hsr_event *event,
       mark_map(f, t, n);
     if (t && (is_end || read[k][0] == event->a.id[0]))
       mark_in_map(f, t, n, read[k], colour);
-    if (!read[k][0] && !strstr(a->name, "table"))
+    if (!read[k][0] && a->numbered == HSR_NUMBERED_TEXELS)
       mark_in_picture(f, read[k], colour);
   }
 }

@@ -5,7 +5,6 @@
 #include "bench/lesson/frames.h"
 
 #include <math.h>
-#include <string.h>
 
 static void read_point(const json_t *outline, size_t k, double at[2]) {
   const json_t *p = json_array_get(outline, k % json_array_size(outline));
@@ -98,21 +97,15 @@ static void mark_line(struct frames *f, const struct hsr_event *event) {
 
 /* Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line. */
 void frames_mark_test(struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  char word[96];
-  if (!hsr_has_key(c, "list-test"))
-    return;
-  frames_say_outcome(c, event->outcome, word, sizeof word);
-  if (!strncmp(word, "test 4", 6))
+  if (frames_has_outcome(f, event, "plane-of-q"))
     frames_mark_plane_of(
         f, event->b.id[0],
         &(struct frame_look){FRAME_INK, .036, 1.2, FRAME_DASHED});
-  else if (!strncmp(word, "test 5", 6))
+  else if (frames_has_outcome(f, event, "plane-of-p"))
     frames_mark_plane_of(
         f, event->a.id[0],
         &(struct frame_look){FRAME_INK, .06, 1.2, FRAME_SOLID});
-  else if (!strncmp(word, "test 6", 6))
+  else if (frames_has_outcome(f, event, "line-between"))
     mark_line(f, event);
 }
 

@@ -120,6 +120,12 @@ struct frames {
 extern const unsigned frames_colour[HSR_N_STEP_KINDS];
 void frames_set_colour(cairo_t *cairo, unsigned rgb, double alpha);
 
+/* Whether the step's counter, or its outcome, has this key. */
+bool frames_has_key(const struct frames *f, const struct hsr_event *event,
+                    const char *key);
+bool frames_has_outcome(const struct frames *f, const struct hsr_event *event,
+                        const char *key);
+
 /* Add to the path: the image of a face, a polygon, a line between two points;
  * what is no list of points is left out. */
 void frames_add_face(struct frames *f, uint32_t face);

@@ -69,6 +69,12 @@ static json_t *eye_json(const struct trace_run *run) {
   return at;
 }
 
+static const char *const parts_word[] = {[HSR_GRID_WHOLE] = "whole",
+                                         [HSR_GRID_SLICES] = "slices",
+                                         [HSR_GRID_OCTANTS] = "octants",
+                                         [HSR_GRID_TURNS] = "turns",
+                                         [HSR_GRID_CHILDREN] = "children"};
+
 bool lesson_add_cells(json_t *to, const struct trace_run *run) {
   const struct hsr_grid *grid = run->scene->grid;
   json_t *cubes = json_array();
@@ -79,5 +85,8 @@ bool lesson_add_cells(json_t *to, const struct trace_run *run) {
          !json_object_set_new(to, "places", places_json(grid)) &&
          !json_object_set_new(to, "bounds", bounds_json(grid)) &&
          !json_object_set_new(to, "eyeCell", eye_json(run)) &&
+         !json_object_set_new(
+             to, "gridParts",
+             json_string(parts_word[run->setup.algorithm->grid_parts])) &&
          !json_object_set_new(to, "cubes", cubes);
 }

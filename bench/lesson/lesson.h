@@ -139,8 +139,14 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *   parts       [volume, images of its sides], ..., of volumes that are parts of a
  *               concave solid; a side need not be a face
  *
+ *   numbered    what the cells of the steps are: "texels" of a texture, "entries" of
+ *               a table
+ *
  * NULL: HSR_E_NOMEM. */
 json_t *lesson_structure_json(const struct trace_run *run);
+
+/* Whether the cells of the steps are texels of a texture, or entries of a table of it. */
+bool lesson_has_texels(const struct hsr_setup *setup);
 
 /* Whether the scene is a grid whose cells the steps name by number, and these as
  * cubes of instance 0. Then there are also the members
@@ -149,6 +155,8 @@ json_t *lesson_structure_json(const struct trace_run *run);
  *   places   where each cell is in the grid, along the three axes
  *   bounds   along each axis, the planes between its cells
  *   eyeCell  along each axis, the cell that holds the eye: hsr_grid_split
+ *   gridParts  the parts that the algorithm goes by (enum hsr_grid_parts): "slices",
+ *            "octants", "turns", "children", or "whole" for none
  *
  * Not where the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
 bool lesson_has_cells(const struct trace_run *run);

@@ -361,6 +361,11 @@ static void add_own_boxes(json_t **to, const struct trace_run *run,
   add(to, "cubes", boxes.all);
 }
 
+bool lesson_has_texels(const struct hsr_setup *setup) {
+  return setup->algorithm->numbered == HSR_NUMBERED_TEXELS ||
+         setup->algorithm->numbered == HSR_NUMBERED_ENTRIES;
+}
+
 json_t *lesson_structure_json(const struct trace_run *run) {
   const struct hsr_shown shown = hsr_setup_show(&run->setup);
   json_t *structure = json_object();
@@ -380,6 +385,11 @@ json_t *lesson_structure_json(const struct trace_run *run) {
     good &= lesson_add_cells(structure, run);
   if (lesson_has_volumes(&run->setup))
     good &= lesson_add_volumes(structure, run);
+  if (lesson_has_texels(&run->setup))
+    add(&structure, "numbered",
+        json_string(run->setup.algorithm->numbered == HSR_NUMBERED_TEXELS
+                        ? "texels"
+                        : "entries"));
   if (!good)
     json_decref(structure);
   return good ? structure : NULL;
