@@ -180,9 +180,9 @@ void frames_follow_fragments(struct frames *f, const struct hsr_event *event) {
     memcpy(all->at, all->next, sizeof all->at);
     all->hides = false;
   }
-  all->is_shown = all->is_known &&
-                  (is_fragment || is_test || was_test ||
-                   frames_has_key(f, event, "fragment-condition"));
+  all->is_shown =
+      all->is_known && (is_fragment || is_test || was_test ||
+                        frames_has_key(f, event, "fragment-condition"));
   all->is_after_test = is_test;
 }
 

@@ -50,8 +50,8 @@ bool frames_has_key(const struct frames *f, const struct hsr_event *event,
 
 bool frames_has_outcome(const struct frames *f, const struct hsr_event *event,
                         const char *key) {
-  return hsr_outcome_has_key(
-      &f->run->setup.algorithm->counters[event->counter], event->outcome, key);
+  return hsr_outcome_has_key(&f->run->setup.algorithm->counters[event->counter],
+                             event->outcome, key);
 }
 
 const json_t *frames_image(const struct frames *f, uint32_t face) {
@@ -295,65 +295,11 @@ static void mark_part(struct frames *f, const struct hsr_event *event,
   json_decref(part);
 }
 
-/* --- Pieces that steps tell ------------------------------------------------ */
+/* --- The face that is painted ---------------------------------------------- */
 
-static enum hsr_step_kind kind_of(const struct frames *f,
-                                  const struct hsr_event *event) {
-  return f->run->setup.algorithm->counters[event->counter].kind;
-}
-
-/* The piece that a step is about: [face, cycles of sides]. NULL: it tells none. */
-static json_t *shape_json(const struct frames *f,
-                          const struct hsr_event *event) {
-  return event->part && kind_of(f, event) != HSR_ACCEPT
-             ? f->run->answer.painted.form.type->part_json(event->part,
-                                                           &f->run->view)
-             : NULL;
-}
-
-void frames_follow_shapes(struct frames *f, const struct hsr_event *event) {
+void frames_follow_segments(struct frames *f, const struct hsr_event *event) {
   if (frames_has_key(f, event, "list-segment") && event->a.kind == HSR_OF_FACE)
     f->segment = event->a.id[0];
-  if (!frames_has_key(f, event, "clip-polygon"))
-    return;
-  json_decref(f->clip);
-  f->clip = shape_json(f, event);
-}
-
-/* Its holes stay empty: they run the other way round. */
-static void mark_shape(struct frames *f, const json_t *shape, unsigned colour,
-                       double fill, bool dashed) {
-  enum { X = 3, Y = 4 };
-  size_t c, k;
-  const json_t *cycle, *side;
-  json_array_foreach(json_array_get(shape, 1), c, cycle) {
-    json_array_foreach(cycle, k, side) {
-      double x = json_number_value(json_array_get(side, X)),
-             y = json_number_value(json_array_get(side, Y));
-      if (k)
-        cairo_line_to(f->cairo, x, y);
-      else
-        cairo_move_to(f->cairo, x, y);
-    }
-    cairo_close_path(f->cairo);
-  }
-  frames_set_colour(f->cairo, colour, fill);
-  cairo_fill_preserve(f->cairo);
-  stroke(f, colour, 2, dashed);
-}
-
-/* The piece that a step tells, and what it is compared with. False: it tells none. */
-static bool mark_shapes(struct frames *f, const struct hsr_event *event,
-                        unsigned colour) {
-  json_t *shape = shape_json(f, event);
-  if (!shape)
-    return false;
-  if (event->b.kind == HSR_OF_FACE && f->clip)
-    mark_shape(f, f->clip, colour, .12, true);
-  bool is_piece = frames_has_outcome(f, event, "cut-piece");
-  mark_shape(f, shape, colour, is_piece ? .55 : .22, false);
-  json_decref(shape);
-  return true;
 }
 
 /* The face that is painted, at a bead of its row. */
@@ -384,7 +330,7 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   unsigned colour = frames_colour[kind];
   const struct hsr_window *w = &event->window;
   const struct hsr_subject *both[] = {&event->b, &event->a};
-  if (mark_shapes(f, event, colour))
+  if (frames_mark_shapes(f, event, colour))
     return;
   for (int k = 0; k < 2; k++) {
     mark_volume(f, event, both[k], colour, k == 0);
@@ -401,6 +347,7 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   else if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
   mark_painted(f, event, colour);
+  frames_mark_rows(f, event, colour);
   frames_mark_read(f, event, colour);
   frames_mark_planes(f, event, colour);
   frames_mark_boxes(f, event);

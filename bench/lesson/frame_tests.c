@@ -111,45 +111,6 @@ void frames_mark_test(struct frames *f, const struct hsr_event *event) {
 
 /* --- Markers -------------------------------------------------------------- */
 
-/* Another list begins, or a piece was painted or divided. */
-static void forget_markers(struct frames *f, uint32_t head) {
-  f->marked.n = 0;
-  f->head = head;
-}
-
-bool frames_follow_markers(struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  const json_t *next = json_array_get(f->lists, f->list);
-  if (next && json_integer_value(json_object_get(next, "from")) ==
-                  (json_int_t)event->number) {
-    f->list++;
-    forget_markers(f, HSR_NO_ID);
-  }
-  bool is_test = hsr_has_key(c, "list-test") || hsr_has_key(c, "list-minimax");
-  if (is_test && f->head == HSR_NO_ID)
-    f->head = event->a.id[1];
-  if (hsr_has_key(c, "list-division"))
-    forget_markers(f, HSR_NO_ID);
-  else if (is_test && f->head != event->a.id[1])
-    forget_markers(f, event->a.id[1]);
-  if (!hsr_has_key(c, "list-move"))
-    return true;
-  f->head = event->b.id[1];
-  if (!hsr_arena_grow(&f->arena, &f->marked, sizeof(uint32_t)))
-    return false;
-  ((uint32_t *)f->marked.items)[f->marked.n - 1] = f->head;
-  return true;
-}
-
-static bool is_marked(const struct frames *f, const struct hsr_subject *s) {
-  const uint32_t *marked = f->marked.items;
-  for (size_t k = 0; s->kind == HSR_OF_PIECE && k < f->marked.n; k++)
-    if (marked[k] == s->id[1])
-      return true;
-  return false;
-}
-
 /* A flag at the middle of what is seen of the piece. */
 static void mark_flag(struct frames *f, const json_t *outline) {
   const double flag[5][2] = {
@@ -180,6 +141,7 @@ static void mark_flag(struct frames *f, const json_t *outline) {
 void frames_mark_markers(struct frames *f, const struct hsr_event *event) {
   const struct hsr_subject *both[] = {&event->a, &event->b};
   for (int k = 0; k < 2; k++)
-    if (is_marked(f, both[k]) && both[k]->id[0] < f->run->laid_out.n_faces)
+    if (frames_is_marked(f, both[k]) &&
+        both[k]->id[0] < f->run->laid_out.n_faces)
       mark_flag(f, outline_of(f, event, both[k]));
 }

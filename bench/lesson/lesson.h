@@ -100,6 +100,9 @@ void lesson_recorder_free(struct lesson_recorder *recorder);
 
 /* --- Beside the scene ----------------------------------------------------- */
 
+/* Whether the algorithm has a counter of that key. */
+bool lesson_has_counter(const struct hsr_algorithm *algorithm, const char *key);
+
 /* Whether the algorithm makes lists of priority in every frame. */
 bool lesson_has_list(const struct hsr_setup *setup);
 
@@ -158,9 +161,17 @@ bool lesson_has_texels(const struct hsr_setup *setup);
  *   gridParts  the parts that the algorithm goes by (enum hsr_grid_parts): "slices",
  *            "octants", "turns", "children", or "whole" for none
  *
- * Not where the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
+ * Not where the algorithm shows boxes, cubes or a tree of its own: its cells are nodes
+ * of these. False: HSR_E_NOMEM. */
 bool lesson_has_cells(const struct trace_run *run);
 bool lesson_add_cells(json_t *structure, const struct trace_run *run);
+
+/* Where a kept cell is in a grid, along the three axes. False: there is no such cell. */
+bool lesson_place_of_cell(const struct hsr_grid *grid, uint32_t cell,
+                          uint32_t at[3]);
+
+/* Along each axis, the cell that holds the eye, as in eyeCell. */
+void lesson_eye_cell(const struct trace_run *run, int32_t at[3]);
 
 /* Whether the algorithm puts edges to volumes, and these. False: HSR_E_NOMEM. */
 bool lesson_has_volumes(const struct hsr_setup *setup);
