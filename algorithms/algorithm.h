@@ -108,8 +108,12 @@ enum hsr_numbered {
   HSR_NUMBERED_VOLUMES, /* volumes, and bodies: common/lines/volumes.h */
   HSR_NUMBERED_SOLIDS,  /* volumes: bodies of these, from 1 */
   HSR_NUMBERED_TEXELS,  /* cells: level, column and row of a texture */
-  HSR_NUMBERED_ENTRIES  /* likewise, of a table of sums over a texture */
+  HSR_NUMBERED_ENTRIES, /* likewise, of a table of sums over a texture */
+  HSR_NUMBERED_SQUARES  /* cells: level, column and row of squares in the picture.
+                           Those of level HSR_SQUARES_OF_PIXELS are pixels, and those of
+                           the level before are half as wide */
 };
+enum { HSR_SQUARES_OF_PIXELS = 20 };
 
 /* The parts in which an algorithm visits the cells of a grid, one after the other. */
 enum hsr_grid_parts {

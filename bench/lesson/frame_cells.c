@@ -343,6 +343,17 @@ static void mark_region(struct frames *f, uint32_t node, unsigned colour,
   cairo_fill(f->cairo);
 }
 
+/* --- Squares of the picture ----------------------------------------------- */
+
+static void mark_square(struct frames *f, const struct hsr_subject *cell,
+                        unsigned colour, enum frame_dash dash) {
+  double side = ldexp(1, (int)cell->id[0] - HSR_SQUARES_OF_PIXELS);
+  cairo_rectangle(f->cairo, cell->id[1] * side, cell->id[2] * side, side, side);
+  frames_set_colour(f->cairo, colour, dash == FRAME_SOLID ? .3 : .18);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 2, dash);
+}
+
 /* --- Nodes of a BSP tree --------------------------------------------------- */
 
 /* The plane of a node, if the cells of the steps are these. */
@@ -376,6 +387,8 @@ void frames_mark_cell(struct frames *f, const struct hsr_event *event,
     return;
   else if (json_object_get(f->structure, "separators") || is_node)
     mark_node(f, subject, colour, dash);
+  else if (f->run->setup.algorithm->numbered == HSR_NUMBERED_SQUARES)
+    mark_square(f, subject, colour, dash);
   else if (is_texel(f, event))
     mark_texel(f, event, colour);
   else if (has_window(event)) {

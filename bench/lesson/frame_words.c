@@ -204,7 +204,7 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
 static void put_step(struct frames *f, const struct hsr_event *event) {
   const struct hsr_counter *counter =
       &f->run->setup.algorithm->counters[event->counter];
-  double y = FRAME_MARGIN + FRAME_SIDE + 30;
+  double y = FRAME_MARGIN + FRAME_SIDE + 34;
   char text[500];
   frames_say(f, event, text, sizeof text);
   frames_set_colour(f->cairo, frames_colour[counter->kind], 1);

@@ -143,7 +143,7 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *               concave solid; a side need not be a face
  *
  *   numbered    what the cells of the steps are: "texels" of a texture, "entries" of
- *               a table
+ *               a table, "squares" of the picture (enum hsr_numbered)
  *
  * NULL: HSR_E_NOMEM. */
 json_t *lesson_structure_json(const struct trace_run *run);

@@ -169,9 +169,26 @@ export function ownWords(run, e, a, b, where) {
 // The words of a cell that is no cube, by its level and its place there; null: it has
 // none of its own.
 export const ownCellWords = (run, ids) =>
-  TEXTURE_WORDS[run.trace.structure.numbered]?.(ids) ?? run.kind.cellWords?.(ids) ?? null;
+  CELL_WORDS[run.trace.structure.numbered]?.(ids) ?? run.kind.cellWords?.(ids) ?? null;
 
-const TEXTURE_WORDS = {
+const PIXELS = 20; // the level of squares that are pixels: HSR_SQUARES_OF_PIXELS
+
+// The square of a cell, in samples: { x, y, side }; null: it has none.
+export const squareOfCell = (run, ids) =>
+  run.trace.structure.numbered === "squares" ? square(ids) : null;
+
+function square([level, x, y]) {
+  const side = 2 ** (level - PIXELS);
+  return { x: x * side, y: y * side, side };
+}
+
+const CELL_WORDS = {
+  squares: (ids) => {
+    const { x, y, side } = square(ids);
+    return side === 1 ? `the cell of pixel ${x}, ${y}`
+      : side > 1 ? `the cell of ${side} × ${side} pixels at ${x}, ${y}`
+        : `a cell 1/${1 / side} of a pixel wide at ${x.toFixed(2)}, ${y.toFixed(2)}`;
+  },
   entries: ([, x, y]) => `entry ${x}, ${y} of the table`,
   texels: ([level, x, y]) => level ? `texel ${x}, ${y} of level ${level}`
     : `texel ${x}, ${y}`,

@@ -143,7 +143,7 @@ export function eventWords(run, e) {
   text += timesWords(run, e);
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
   const shown = [e.a, e.b].some(({ kind }) => kind === "window" ||
-    (kind === "cell" && run.kind.squareOfCell));
+    (kind === "cell" && run.trace.structure.numbered === "squares"));
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
   return capital(text);

@@ -27,10 +27,9 @@
 //              many samples or none
 // holdsFaces   the answer is the visible face of each sample
 // hasShapes    a part is a shape: [face, cycles of sides]
-// squareOfCell([level, x, y])
-//              a cell of the algorithm that makes it, in samples: { x, y, side }
 // cornersOfCell(run, [level, number])
-//              likewise of the world: the images of its corners, some undefined
+//              a cell of the algorithm that makes it: the images of its corners, some
+//              undefined
 // cellWords([level, x, y])
 //              such a cell in words
 import { area } from "./area.js";

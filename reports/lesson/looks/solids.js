@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of volumes, of cubes and boxes, of planes, and of cells.
 import { cellsOfRow, cornersOf, partOfRow, rowAcross } from "../data/grids.js";
+import { squareOfCell } from "../data/own_words.js";
 import { projection } from "../data/projection.js";
 import { hasOutcome, windowOf } from "../data/run.js";
 import { isPart, partOf } from "../data/volumes.js";
@@ -88,7 +89,7 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
     fill: 0.45 }));
   const plane = planeOfCell(run, e.number, p);
   if (plane) return planeLook(run, plane);
-  const square = run.kind.squareOfCell?.([p, q, r]);
+  const square = squareOfCell(run, [p, q, r]);
   if (square) return squareLook(square);
   const texel = texelLook(run, p, q, r);
   if (texel) return texel;
