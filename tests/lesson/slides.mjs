@@ -33,6 +33,8 @@ function shown([name, most]) {
       const list = run.list?.at(k);
       return { k, flags: lesson.markers(run, e).length,
         list: list ? [list.painted.length, list.order.length] : null,
+        kept: list && run.list.ofPieces && run.counterOf("list-segment") >= 0
+          ? list.painted.length : null,
         what: `${e.counter.name}${e.outcome ? `: ${e.outcome}` : ""}`,
         shapes: [...a, ...b, ...where, ...lesson.markers(run, e)].filter((x) =>
           (x.width || x.fill) && !x.ring && !x.isSmall).map((x) => ({ points: x.points,
@@ -87,6 +89,9 @@ function cellsOn(file) {
 }
 const TOP = 471, FOOT = 483; // points, as in bench/lesson/frame_list.c
 
+// How many pieces are pale, where an algorithm keeps rows.
+const keptOn = (file) => (readFileSync(file, "utf8").match(/fill-opacity:0\.4;/g) ?? []).length;
+
 // How many flags of markers a slide has: five corners, filled with ink.
 const flagsOn = (file) => (readFileSync(file, "utf8").match(/<path [^>]*>/g) ?? [])
   .filter((text) => /fill:rgb\(11\.37[^;]*;fill-opacity:1;/.test(text) &&
@@ -99,7 +104,10 @@ function lackingOn(slides, steps) {
   const [width, height] = size.split("x").map(Number);
   const files = readdirSync(slides).sort((p, q) => numberOf(p) - numberOf(q));
   assert.deepEqual(files.map(numberOf), steps.map(({ k }) => k));
-  return steps.flatMap(({ k, what, shapes, flags, list }, n) => {
+  return steps.flatMap(({ k, what, shapes, flags, list, kept }, n) => {
+    const pale = keptOn(join(slides, files[n]));
+    if (kept !== null && pale !== kept)
+      return [`step ${k}, ${what}: ${pale} pieces are kept in rows, not ${kept}`];
     const cells = cellsOn(join(slides, files[n]));
     const wanted = !list ? [0, 0] : list[1] ? list : [0, list[0]];
     if (String(cells) !== String(wanted))
