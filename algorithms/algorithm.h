@@ -101,6 +101,29 @@ struct hsr_shown {
                 hsr_take_box *put, void *to);
 };
 
+/* What the numbers of the volumes and the cells mean that an algorithm's steps
+ * name, where `show` does not tell it. */
+enum hsr_numbered {
+  HSR_NUMBERED_OWN,     /* it numbers them in its own way, or names none */
+  HSR_NUMBERED_VOLUMES, /* volumes, and bodies: common/lines/volumes.h */
+  HSR_NUMBERED_SOLIDS,  /* volumes: bodies of these, from 1 */
+  HSR_NUMBERED_TEXELS,  /* cells: level, column and row of a texture */
+  HSR_NUMBERED_ENTRIES, /* likewise, of a table of sums over a texture */
+  HSR_NUMBERED_SQUARES  /* cells: level, column and row of squares in the picture.
+                           Those of level HSR_SQUARES_OF_PIXELS are pixels, and those of
+                           the level before are half as wide */
+};
+enum { HSR_SQUARES_OF_PIXELS = 20 };
+
+/* The parts in which an algorithm visits the cells of a grid, one after the other. */
+enum hsr_grid_parts {
+  HSR_GRID_WHOLE,   /* none */
+  HSR_GRID_SLICES,  /* across the axis of the outermost loop */
+  HSR_GRID_OCTANTS, /* divided at the eye's cell along each axis: HSR_PBTF */
+  HSR_GRID_TURNS,   /* none: both sides of the eye take turns */
+  HSR_GRID_CHILDREN /* of the root of an octree: HSR_OCTREE */
+};
+
 /* What was chosen of an algorithm. */
 struct hsr_choice {
   struct hsr_values values; /* of its own options */
@@ -217,6 +240,10 @@ struct hsr_algorithm {
   /* Says what a prepared object holds. *shown is empty before. NULL: nothing to
    * show. */
   void (*show)(const void *prepared, struct hsr_shown *shown);
+
+  /* For those who show its steps. */
+  enum hsr_numbered numbered;
+  enum hsr_grid_parts grid_parts;
 };
 
 /* The standard choice; and the flags of an algorithm so chosen. */

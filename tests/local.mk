@@ -108,6 +108,7 @@ tap_programs = \
   %D%/unit/core/arena_test \
   %D%/unit/core/box_test \
   %D%/unit/core/bsp_test \
+  %D%/unit/core/count_test \
   %D%/unit/core/depth_test \
   %D%/unit/core/filter_test \
   %D%/unit/core/gouraud_test \

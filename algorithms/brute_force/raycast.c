@@ -95,7 +95,8 @@ static const struct hsr_use uses[] = {{&hsr_shadow_part}, {NULL}};
 
 static const struct hsr_counter counters[] = {
     [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample",
-                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside",
+                 .outcome_keys = "boxes|boxes"},
     [SURROUND] = {"surround tests", "faces tested for surrounding a sample",
                   HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
                   "does not surround|surrounds"},

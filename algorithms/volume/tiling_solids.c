@@ -140,6 +140,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_solids) = {
     .name = "tiling-solids",
+    .numbered = HSR_NUMBERED_SOLIDS,
     .title = "Greene's hierarchical tiling of solids",
     .authors = "N. Greene",
     .year = 1996,

@@ -4,7 +4,6 @@
 #include "bench/lesson/frames.h"
 
 #include <math.h>
-#include <string.h>
 
 struct box {
   double x0, y0, x1, y1;
@@ -49,19 +48,9 @@ static struct box box_of(const struct frames *f, const struct hsr_event *event,
   return box;
 }
 
-/* Whether the step compares boxes. */
-static bool compares_boxes(const struct hsr_counter *c, int outcome) {
-  char word[96];
-  frames_say_outcome(c, outcome, word, sizeof word);
-  return strstr(c->name, "minimax") || strstr(c->name, "boxes") ||
-         strstr(word, "boxes apart") || strstr(word, "apart in X") ||
-         strstr(word, "apart in Y");
-}
-
 void frames_mark_boxes(struct frames *f, const struct hsr_event *event) {
   const struct hsr_subject *both[] = {&event->a, &event->b};
-  if (!compares_boxes(&f->run->setup.algorithm->counters[event->counter],
-                      event->outcome))
+  if (!frames_has_outcome(f, event, "boxes"))
     return;
   for (int k = 0; k < 2; k++) {
     struct box box = box_of(f, event, both[k]);

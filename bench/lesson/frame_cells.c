@@ -162,8 +162,7 @@ static bool has_window(const struct hsr_event *event) {
 }
 
 static bool is_texel(const struct frames *f, const struct hsr_event *event) {
-  return event->a.kind == HSR_OF_CELL &&
-         !strncmp(f->run->setup.algorithm->name, "texture-", 8);
+  return event->a.kind == HSR_OF_CELL && lesson_has_texels(&f->run->setup);
 }
 
 void frames_note_cells(struct frames *f, const struct hsr_event *event) {
@@ -193,17 +192,10 @@ bool frames_note_texel(struct frames *f, const struct hsr_event *event) {
 
 /* --- What is read for a pixel --------------------------------------------- */
 
-static bool is_named(const struct frames *f, const struct hsr_event *event,
-                     const char *name) {
-  const struct hsr_algorithm *a = f->run->setup.algorithm;
-  return !strncmp(a->name, "texture-", 8) &&
-         !strcmp(a->counters[event->counter].name, name);
-}
-
 bool frames_follow_texels(struct frames *f, const struct hsr_event *event) {
-  if (is_named(f, event, "rays"))
+  if (frames_has_key(f, event, "texture-ray"))
     f->read.n = 0;
-  if (!is_named(f, event, "texels"))
+  if (!frames_has_key(f, event, "texel-read"))
     return true;
   if (!hsr_arena_grow(&f->arena, &f->read, sizeof event->a.id))
     return false;
@@ -282,7 +274,7 @@ void frames_mark_read(struct frames *f, const struct hsr_event *event,
                       unsigned colour) {
   const struct hsr_algorithm *a = f->run->setup.algorithm;
   bool is_end = a->counters[event->counter].kind == HSR_ACCEPT;
-  if (!f->read.n || (!is_end && !is_named(f, event, "texels")))
+  if (!f->read.n || (!is_end && !frames_has_key(f, event, "texel-read")))
     return;
   const uint32_t(*read)[3] = f->read.items;
   for (size_t k = 0; k < f->read.n; k++) {
@@ -292,7 +284,7 @@ void frames_mark_read(struct frames *f, const struct hsr_event *event,
       mark_map(f, t, n);
     if (t && (is_end || read[k][0] == event->a.id[0]))
       mark_in_map(f, t, n, read[k], colour);
-    if (!read[k][0] && !strstr(a->name, "table"))
+    if (!read[k][0] && a->numbered == HSR_NUMBERED_TEXELS)
       mark_in_picture(f, read[k], colour);
   }
 }
@@ -314,6 +306,69 @@ static void mark_texel(struct frames *f, const struct hsr_event *event,
   frames_stroke(f, colour, 2, FRAME_SOLID);
 }
 
+/* --- Regions of a visibility map ------------------------------------------- */
+
+/* A rectangle of samples that lies in the region of a node of the map. */
+struct region {
+  uint32_t node;
+  struct hsr_window window;
+};
+
+bool frames_note_region(struct frames *f, const struct hsr_event *event) {
+  if (!frames_has_key(f, event, "region-compared") ||
+      frames_has_outcome(f, event, "divided"))
+    return true;
+  if (!hsr_arena_grow(&f->arena, &f->regions, sizeof(struct region)))
+    return false;
+  ((struct region *)f->regions.items)[f->regions.n - 1] =
+      (struct region){event->a.id[0], event->window};
+  return true;
+}
+
+/* Whether a cell is a region of a map, not a node of a tree of planes. */
+static bool is_region(const struct frames *f, const struct hsr_subject *cell) {
+  return cell->id[1] == 0 &&
+         lesson_has_counter(f->run->setup.algorithm, "region-compared");
+}
+
+static void mark_region(struct frames *f, uint32_t node, unsigned colour,
+                        double fill) {
+  const struct region *region = f->regions.items;
+  for (size_t k = 0; k < f->regions.n; k++)
+    if (region[k].node == node) {
+      const struct hsr_window *w = &region[k].window;
+      cairo_rectangle(f->cairo, w->x0, w->y0, w->x1 - w->x0, w->y1 - w->y0);
+    }
+  frames_set_colour(f->cairo, colour, fill);
+  cairo_fill(f->cairo);
+}
+
+/* --- Squares of the picture ----------------------------------------------- */
+
+static void mark_square(struct frames *f, const struct hsr_subject *cell,
+                        unsigned colour, enum frame_dash dash) {
+  double side = ldexp(1, (int)cell->id[0] - HSR_SQUARES_OF_PIXELS);
+  cairo_rectangle(f->cairo, cell->id[1] * side, cell->id[2] * side, side, side);
+  frames_set_colour(f->cairo, colour, dash == FRAME_SOLID ? .3 : .18);
+  cairo_fill_preserve(f->cairo);
+  frames_stroke(f, colour, 2, dash);
+}
+
+/* --- Nodes of a BSP tree --------------------------------------------------- */
+
+/* The plane of a node, if the cells of the steps are these. */
+static void mark_node(struct frames *f, const struct hsr_subject *cell,
+                      unsigned colour, enum frame_dash dash) {
+  const json_t *node =
+      json_array_get(json_object_get(f->structure, "nodes"), cell->id[0]);
+  bool is_solid = dash == FRAME_SOLID;
+  if (!node || json_array_size(json_object_get(f->structure, "cubes")))
+    return;
+  frames_mark_plane_of(
+      f, json_integer_value(json_array_get(node, 0)),
+      &(struct frame_look){colour, is_solid ? .3 : .18, 2, dash});
+}
+
 /* --- Cells ---------------------------------------------------------------- */
 
 void frames_mark_cell(struct frames *f, const struct hsr_event *event,
@@ -321,15 +376,19 @@ void frames_mark_cell(struct frames *f, const struct hsr_event *event,
                       enum frame_dash dash) {
   const struct hsr_window *w = &event->window;
   bool has_third = f->has_third[event->counter][subject == &event->b];
+  bool is_node = json_object_get(f->structure, "nodes") && !has_third;
   if (subject->kind != HSR_OF_CELL)
     return;
   if (f->voxels)
     mark_voxels(f, subject, colour, dash);
+  else if (is_region(f, subject))
+    mark_region(f, subject->id[0], colour, dash == FRAME_SOLID ? .45 : .27);
   else if (!has_third && mark_cube(f, event, subject, colour, dash))
     return;
-  else if (json_object_get(f->structure, "separators") ||
-           (json_object_get(f->structure, "nodes") && !has_third))
-    return;
+  else if (json_object_get(f->structure, "separators") || is_node)
+    mark_node(f, subject, colour, dash);
+  else if (f->run->setup.algorithm->numbered == HSR_NUMBERED_SQUARES)
+    mark_square(f, subject, colour, dash);
   else if (is_texel(f, event))
     mark_texel(f, event, colour);
   else if (has_window(event)) {

@@ -127,16 +127,15 @@ static void push(struct frame_fragments *all, double from, double to) {
 }
 
 /* A test has this outcome: what is hidden, and what is left. */
-static void put_to(struct frames *f, const struct hsr_event *event,
-                   const char *outcome) {
+static void put_to(struct frames *f, const struct hsr_event *event) {
   struct frame_fragments *all = &f->fragments;
   double *at = all->next, hidden[2];
   memcpy(all->at, at, sizeof all->at);
   all->hides = false;
-  if (!strcmp(outcome, "untouched"))
+  if (frames_has_outcome(f, event, "none-hidden"))
     return;
   bool found = hidden_by(f, event, hidden),
-       whole = !strcmp(outcome, "hidden whole");
+       whole = frames_has_outcome(f, event, "all-hidden");
   hidden[0] = whole ? at[0] : fmax(at[0], hidden[0]);
   hidden[1] = whole ? at[1] : fmin(at[1], hidden[1]);
   if ((!found && !whole) || hidden[1] - hidden[0] < -NEAR) {
@@ -146,7 +145,7 @@ static void put_to(struct frames *f, const struct hsr_event *event,
   all->hides = true;
   memcpy(all->hidden, hidden, sizeof hidden);
   double end = at[1];
-  if (!strcmp(outcome, "two pieces left")) {
+  if (frames_has_outcome(f, event, "middle-hidden")) {
     push(all, hidden[1], end);
     at[1] = hidden[0];
   } else if (!whole && hidden[0] - at[0] > end - hidden[1]) {
@@ -158,11 +157,9 @@ static void put_to(struct frames *f, const struct hsr_event *event,
 
 void frames_follow_fragments(struct frames *f, const struct hsr_event *event) {
   struct frame_fragments *all = &f->fragments;
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  char outcome[96];
-  bool is_fragment = !strcmp(c->name, "fragments"),
-       is_test = hsr_has_key(c, "edge-volume"), was_test = all->is_after_test;
+  bool is_fragment = frames_has_key(f, event, "fragment"),
+       is_test = frames_has_key(f, event, "edge-volume"),
+       was_test = all->is_after_test;
   all->is_after_test = is_test;
   if (!is_of(all, event))
     *all = (struct frame_fragments){
@@ -178,14 +175,14 @@ void frames_follow_fragments(struct frames *f, const struct hsr_event *event) {
       memcpy(all->next, all->waiting[--all->n], sizeof all->next);
     memcpy(all->at, all->next, sizeof all->at);
   } else if (is_test && all->is_known) {
-    frames_say_outcome(c, event->outcome, outcome, sizeof outcome);
-    put_to(f, event, outcome);
+    put_to(f, event);
   } else if (!was_test) {
     memcpy(all->at, all->next, sizeof all->at);
     all->hides = false;
   }
-  all->is_shown = all->is_known && (is_fragment || is_test || was_test ||
-                                    !strcmp(c->name, "conditions"));
+  all->is_shown =
+      all->is_known && (is_fragment || is_test || was_test ||
+                        frames_has_key(f, event, "fragment-condition"));
   all->is_after_test = is_test;
 }
 

@@ -183,10 +183,7 @@ static void compare(struct frames *f, const struct hsr_event *event) {
     s->is_known = find_segment(f, s->face[0], s->l, s->r, s->row, s->at[0]) &&
                   find_segment(f, s->face[1], s->l, s->r, s->row, s->at[1]);
   }
-  char word[96];
-  frames_say_outcome(&f->run->setup.algorithm->counters[event->counter],
-                     event->outcome, word, sizeof word);
-  if (s->is_known && strcmp(word, "undecided") != 0)
+  if (s->is_known && !frames_has_outcome(f, event, "undecided"))
     end_part(s, event->outcome, w->x1);
 }
 

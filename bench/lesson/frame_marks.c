@@ -3,7 +3,6 @@
 #include "bench/lesson/frames.h"
 
 #include <math.h>
-#include <string.h>
 
 /* --- Colours and paths ---------------------------------------------------- */
 
@@ -42,6 +41,17 @@ void frames_add_line(struct frames *f, const json_t *from, const json_t *to) {
     return;
   add_point(f->cairo, from, true);
   add_point(f->cairo, to, false);
+}
+
+bool frames_has_key(const struct frames *f, const struct hsr_event *event,
+                    const char *key) {
+  return hsr_has_key(&f->run->setup.algorithm->counters[event->counter], key);
+}
+
+bool frames_has_outcome(const struct frames *f, const struct hsr_event *event,
+                        const char *key) {
+  return hsr_outcome_has_key(&f->run->setup.algorithm->counters[event->counter],
+                             event->outcome, key);
 }
 
 const json_t *frames_image(const struct frames *f, uint32_t face) {
@@ -155,15 +165,7 @@ static void mark(struct frames *f, const struct hsr_event *event,
 }
 
 bool frames_is_of_body(const struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  static const char *const words[] = {"body", "bodies", "collections"};
-  char said[96];
-  frames_say_outcome(c, event->outcome, said, sizeof said);
-  for (int k = 0; k < 3; k++)
-    if (strstr(c->name, words[k]) || strstr(said, words[k]))
-      return true;
-  return false;
+  return frames_has_outcome(f, event, "body");
 }
 
 const json_t *frames_faces_of_volume(const struct frames *f,
@@ -227,13 +229,6 @@ static void add_sign(struct frames *f, const struct hsr_window *w,
     cairo_move_to(f->cairo, w->x0, w->y0);
     cairo_line_to(f->cairo, w->x1, w->y1);
   }
-}
-
-/* Whether the step puts something into a bucket of scan lines. */
-static bool is_bucket(const struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  return c->kind == HSR_SORT && strstr(c->name, "Y sort");
 }
 
 /* The row where an edge or a face begins, by its image; n: it has none. */
@@ -300,78 +295,17 @@ static void mark_part(struct frames *f, const struct hsr_event *event,
   json_decref(part);
 }
 
-/* --- Pieces that steps tell ------------------------------------------------ */
+/* --- The face that is painted ---------------------------------------------- */
 
-static enum hsr_step_kind kind_of(const struct frames *f,
-                                  const struct hsr_event *event) {
-  return f->run->setup.algorithm->counters[event->counter].kind;
-}
-
-/* The piece that a step is about: [face, cycles of sides]. NULL: it tells none. */
-static json_t *shape_json(const struct frames *f,
-                          const struct hsr_event *event) {
-  return event->part && kind_of(f, event) != HSR_ACCEPT
-             ? f->run->answer.painted.form.type->part_json(event->part,
-                                                           &f->run->view)
-             : NULL;
-}
-
-static bool is_named(const struct frames *f, const struct hsr_event *event,
-                     const char *name) {
-  const struct hsr_algorithm *a = f->run->setup.algorithm;
-  return !strcmp(a->counters[event->counter].name, name);
-}
-
-void frames_follow_shapes(struct frames *f, const struct hsr_event *event) {
-  if (is_named(f, event, "segments") && event->a.kind == HSR_OF_FACE)
+void frames_follow_segments(struct frames *f, const struct hsr_event *event) {
+  if (frames_has_key(f, event, "list-segment") && event->a.kind == HSR_OF_FACE)
     f->segment = event->a.id[0];
-  if (kind_of(f, event) != HSR_ACTIVATE || !event->part)
-    return;
-  json_decref(f->clip);
-  f->clip = shape_json(f, event);
-}
-
-/* Its holes stay empty: they run the other way round. */
-static void mark_shape(struct frames *f, const json_t *shape, unsigned colour,
-                       double fill, bool dashed) {
-  enum { X = 3, Y = 4 };
-  size_t c, k;
-  const json_t *cycle, *side;
-  json_array_foreach(json_array_get(shape, 1), c, cycle) {
-    json_array_foreach(cycle, k, side) {
-      double x = json_number_value(json_array_get(side, X)),
-             y = json_number_value(json_array_get(side, Y));
-      if (k)
-        cairo_line_to(f->cairo, x, y);
-      else
-        cairo_move_to(f->cairo, x, y);
-    }
-    cairo_close_path(f->cairo);
-  }
-  frames_set_colour(f->cairo, colour, fill);
-  cairo_fill_preserve(f->cairo);
-  stroke(f, colour, 2, dashed);
-}
-
-/* The piece that a step tells, and what it is compared with. False: it tells none. */
-static bool mark_shapes(struct frames *f, const struct hsr_event *event,
-                        unsigned colour) {
-  json_t *shape = shape_json(f, event);
-  if (!shape)
-    return false;
-  if (event->b.kind == HSR_OF_FACE && f->clip)
-    mark_shape(f, f->clip, colour, .12, true);
-  enum hsr_step_kind kind = kind_of(f, event);
-  bool is_made = kind == HSR_SPLIT || kind == HSR_REJECT;
-  mark_shape(f, shape, colour, is_made ? .55 : .22, false);
-  json_decref(shape);
-  return true;
 }
 
 /* The face that is painted, at a bead of its row. */
 static void mark_painted(struct frames *f, const struct hsr_event *event,
                          unsigned colour) {
-  if (!is_named(f, event, "X merge") || event->a.kind != HSR_OF_FACE ||
+  if (!frames_has_key(f, event, "bead-merge") || event->a.kind != HSR_OF_FACE ||
       event->b.kind != HSR_OF_WINDOW || f->segment == HSR_NO_ID ||
       f->segment == event->a.id[0])
     return;
@@ -396,7 +330,7 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   unsigned colour = frames_colour[kind];
   const struct hsr_window *w = &event->window;
   const struct hsr_subject *both[] = {&event->b, &event->a};
-  if (mark_shapes(f, event, colour))
+  if (frames_mark_shapes(f, event, colour))
     return;
   for (int k = 0; k < 2; k++) {
     mark_volume(f, event, both[k], colour, k == 0);
@@ -408,11 +342,12 @@ void frames_mark(struct frames *f, const struct hsr_event *event,
   }
   bool is_of_window =
       event->a.kind == HSR_OF_WINDOW || event->b.kind == HSR_OF_WINDOW;
-  if (is_bucket(f, event))
+  if (frames_has_outcome(f, event, "first-row"))
     mark_bucket(f, event, colour);
   else if (frames_is_part(f, w) || (is_of_window && w->x0 < w->x1))
     mark_window(f, event, kind);
   mark_painted(f, event, colour);
+  frames_mark_rows(f, event, colour);
   frames_mark_read(f, event, colour);
   frames_mark_planes(f, event, colour);
   frames_mark_boxes(f, event);

@@ -5,7 +5,6 @@
 #include "bench/lesson/frames.h"
 
 #include <math.h>
-#include <string.h>
 
 static void read_point(const json_t *outline, size_t k, double at[2]) {
   const json_t *p = json_array_get(outline, k % json_array_size(outline));
@@ -98,64 +97,19 @@ static void mark_line(struct frames *f, const struct hsr_event *event) {
 
 /* Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line. */
 void frames_mark_test(struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  char word[96];
-  if (!hsr_has_key(c, "list-test"))
-    return;
-  frames_say_outcome(c, event->outcome, word, sizeof word);
-  if (!strncmp(word, "test 4", 6))
+  if (frames_has_outcome(f, event, "plane-of-q"))
     frames_mark_plane_of(
         f, event->b.id[0],
         &(struct frame_look){FRAME_INK, .036, 1.2, FRAME_DASHED});
-  else if (!strncmp(word, "test 5", 6))
+  else if (frames_has_outcome(f, event, "plane-of-p"))
     frames_mark_plane_of(
         f, event->a.id[0],
         &(struct frame_look){FRAME_INK, .06, 1.2, FRAME_SOLID});
-  else if (!strncmp(word, "test 6", 6))
+  else if (frames_has_outcome(f, event, "line-between"))
     mark_line(f, event);
 }
 
 /* --- Markers -------------------------------------------------------------- */
-
-/* Another list begins, or a piece was painted or divided. */
-static void forget_markers(struct frames *f, uint32_t head) {
-  f->marked.n = 0;
-  f->head = head;
-}
-
-bool frames_follow_markers(struct frames *f, const struct hsr_event *event) {
-  const struct hsr_counter *c =
-      &f->run->setup.algorithm->counters[event->counter];
-  const json_t *next = json_array_get(f->lists, f->list);
-  if (next && json_integer_value(json_object_get(next, "from")) ==
-                  (json_int_t)event->number) {
-    f->list++;
-    forget_markers(f, HSR_NO_ID);
-  }
-  bool is_test = hsr_has_key(c, "list-test") || hsr_has_key(c, "list-minimax");
-  if (is_test && f->head == HSR_NO_ID)
-    f->head = event->a.id[1];
-  if (hsr_has_key(c, "list-division"))
-    forget_markers(f, HSR_NO_ID);
-  else if (is_test && f->head != event->a.id[1])
-    forget_markers(f, event->a.id[1]);
-  if (!hsr_has_key(c, "list-move"))
-    return true;
-  f->head = event->b.id[1];
-  if (!hsr_arena_grow(&f->arena, &f->marked, sizeof(uint32_t)))
-    return false;
-  ((uint32_t *)f->marked.items)[f->marked.n - 1] = f->head;
-  return true;
-}
-
-static bool is_marked(const struct frames *f, const struct hsr_subject *s) {
-  const uint32_t *marked = f->marked.items;
-  for (size_t k = 0; s->kind == HSR_OF_PIECE && k < f->marked.n; k++)
-    if (marked[k] == s->id[1])
-      return true;
-  return false;
-}
 
 /* A flag at the middle of what is seen of the piece. */
 static void mark_flag(struct frames *f, const json_t *outline) {
@@ -187,6 +141,7 @@ static void mark_flag(struct frames *f, const json_t *outline) {
 void frames_mark_markers(struct frames *f, const struct hsr_event *event) {
   const struct hsr_subject *both[] = {&event->a, &event->b};
   for (int k = 0; k < 2; k++)
-    if (is_marked(f, both[k]) && both[k]->id[0] < f->run->laid_out.n_faces)
+    if (frames_is_marked(f, both[k]) &&
+        both[k]->id[0] < f->run->laid_out.n_faces)
       mark_flag(f, outline_of(f, event, both[k]));
 }

@@ -132,7 +132,7 @@ static void append_words(char *text, size_t size, const char *before,
 }
 
 static bool is_of_lines(const struct frames *f) {
-  return !strcmp(f->run->answer.painted.form.type->name, "segments");
+  return f->run->answer.painted.form.type->lines;
 }
 
 /* Before a window. */
@@ -146,14 +146,15 @@ static const char *place_word(const struct hsr_window *w) {
 static const char *between(const struct frames *f,
                            const struct hsr_event *event,
                            enum hsr_step_kind kind) {
-  const char *name = f->run->setup.algorithm->counters[event->counter].name;
+  const struct hsr_counter *counter =
+      &f->run->setup.algorithm->counters[event->counter];
   if (kind == HSR_COMPARE)
     return " against ";
   if (kind == HSR_SPLIT && event->b.kind == HSR_OF_FACE)
     return " is divided by the plane of ";
   if (event->b.kind == HSR_OF_WINDOW)
     return place_word(&event->window);
-  if (!strcmp(name, "one face") || !strcmp(name, "one in front"))
+  if (hsr_outcome_has_key(counter, event->outcome, "behind"))
     return ", behind "; /* the face that is before it comes next */
   return kind == HSR_ACCEPT ? ", not " : ", with ";
 }
@@ -203,7 +204,7 @@ void frames_say(const struct frames *f, const struct hsr_event *event,
 static void put_step(struct frames *f, const struct hsr_event *event) {
   const struct hsr_counter *counter =
       &f->run->setup.algorithm->counters[event->counter];
-  double y = FRAME_MARGIN + FRAME_SIDE + 30;
+  double y = FRAME_MARGIN + FRAME_SIDE + 34;
   char text[500];
   frames_say(f, event, text, sizeof text);
   frames_set_colour(f->cairo, frames_colour[counter->kind], 1);

@@ -25,7 +25,7 @@ static unsigned parse_colour(const json_t *text) {
   return word ? (unsigned)strtoul(word + 1, NULL, 16) : 0;
 }
 
-static unsigned face_colour(const struct frames *f, uint32_t face) {
+unsigned frames_face_colour(const struct frames *f, uint32_t face) {
   const json_t *faces = json_object_get(f->header, "faces");
   return parse_colour(face == HSR_BACKGROUND
                           ? json_object_get(f->header, "background")
@@ -91,6 +91,8 @@ static void draw_picture(struct frames *f, const struct hsr_event *event,
   cairo_scale(f->cairo, f->scale, f->scale);
   cairo_rectangle(f->cairo, 0, 0, view->m, view->n);
   cairo_clip(f->cairo);
+  if (event->number + 1 < f->steps)
+    frames_draw_kept(f, event);
   draw_samples(f);
   draw_lines(f);
   draw_squares(f);
@@ -118,6 +120,7 @@ static void draw_sheet(struct frames *f, const struct hsr_event *event) {
   draw_picture(f, event,
                f->run->setup.algorithm->counters[event->counter].kind);
   frames_draw_words(f, event);
+  frames_draw_list(f, event);
 }
 
 /* What cairo says of the file. */
@@ -196,7 +199,11 @@ static void count_step(void *context, const struct hsr_event *event) {
   if (event->counter < HSR_MAX_COUNTERS)
     f->total[event->counter]++;
   frames_note_cells(f, event);
-  if (!f->status && !frames_note_texel(f, event))
+  if (!f->status &&
+      event->counter < trace_n_counters(f->run->setup.algorithm) &&
+      !(frames_note_texel(f, event) && frames_note_region(f, event) &&
+        frames_note_rows(f, event) && frames_note_shapes(f, event) &&
+        frames_note_list(f, event)))
     f->status = hsr_fail_nomem(f->err);
   if (f->has_list && event->counter < trace_n_counters(f->run->setup.algorithm))
     lesson_note_list(&f->notes,
@@ -260,9 +267,9 @@ static void sketch(struct frames *f, const struct hsr_event *event,
     trace_answer_paint(&f->run->answer, event);
   if (type->sketch)
     type->sketch(painted, event, step, &f->run->view,
-                 face_colour(f, event->a.id[0]), &slide);
+                 frames_face_colour(f, event->a.id[0]), &slide);
   else if (step == HSR_ACCEPT && !event->part)
-    fill(f, &event->window, face_colour(f, event->a.id[0]));
+    fill(f, &event->window, frames_face_colour(f, event->a.id[0]));
 }
 
 /* The step that frame number `frame` shows, from 1. */
@@ -280,8 +287,9 @@ static void listen(void *context, const struct hsr_event *event) {
   f->count[event->counter]++;
   frames_follow_fragments(f, event);
   frames_follow_search(f, event);
-  frames_follow_shapes(f, event);
-  if (!frames_follow_markers(f, event) || !frames_follow_texels(f, event) ||
+  frames_follow_segments(f, event);
+  frames_follow_clip(f, event);
+  if (!frames_follow_list(f, event) || !frames_follow_texels(f, event) ||
       !frames_follow_visits(f, event)) {
     f->status = hsr_fail_nomem(f->err);
     return;
@@ -294,6 +302,20 @@ static void listen(void *context, const struct hsr_event *event) {
       (f->pdf ? write_page : write_frame)(f, event);
     f->done++;
   }
+}
+
+/* So that the second run is as the first one: what the algorithm has kept of that
+ * is gone. */
+static enum hsr_status begin_again(struct trace_run *run,
+                                   struct hsr_error *err) {
+  if (hsr_choice_flags(run->setup.algorithm, &run->setup.choice) &
+      HSR_FRAME_STATE) {
+    trace_run_end(run);
+    run->setup = (struct hsr_setup){.algorithm = NULL};
+    return trace_run_begin(run, err);
+  }
+  trace_answer_free(&run->answer);
+  return trace_answer_init(&run->answer, &run->setup, &run->view, err);
 }
 
 static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
@@ -319,13 +341,13 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->touches);
   f->structure = lesson_structure_json(run);
   f->lists = lesson_lists_json(run, &f->notes);
-  if (!f->header || !f->structure || !f->lists || !f->colour || !f->touches)
+  if (!f->header || !f->structure || !f->lists || !f->colour || !f->touches ||
+      !frames_make_list(f))
     return hsr_fail_nomem(err);
   const struct hsr_answer *drawn = &run->answer.drawn;
   if (drawn->form.type == &hsr_answer_voxels)
     f->voxels = drawn->form.type->json(drawn, &run->view);
-  trace_answer_free(&run->answer);
-  status = trace_answer_init(&run->answer, &run->setup, &run->view, err);
+  status = begin_again(run, err);
   tally = (struct hsr_tally){.trace = &draws};
   if (!status)
     status = trace_answer_draw(&run->answer, &run->setup, &tally, err);
@@ -358,6 +380,7 @@ static enum hsr_status draw_frames(const struct lesson_subject *subject,
   json_decref(f.lists);
   json_decref(f.voxels);
   json_decref(f.clip);
+  json_decref(f.later);
   lesson_bytes_free(&f.notes);
   free(f.colour);
   free(f.touches);

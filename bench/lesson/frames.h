@@ -3,12 +3,15 @@
  *
  * frames.c           the run, the picture, the files
  * frame_marks.c      what a step is about, over the picture
+ * frame_shapes.c     pieces that clip polygons have cut
  * frame_boxes.c      boxes that are compared
  * frame_cells.c      cubes and other cells
  * frame_planes.c     planes
  * frame_tests.c      what the tests of a priority list ask about, and markers
  * frame_fragments.c  what a volume hides of an edge
  * frame_halves.c     what a step divides in two
+ * frame_rows.c       rows, slices and octants of a grid
+ * frame_list.c       the list of priority, beneath the picture
  * frame_words.c      the outline, the step in words, the counters */
 #ifndef HSR_BENCH_LESSON_FRAMES_H
 #define HSR_BENCH_LESSON_FRAMES_H
@@ -76,6 +79,23 @@ struct frame_search {
   bool is_known, is_shown;
 };
 
+/* A piece of the list of priority, or a face of a list of faces. */
+struct frame_item {
+  uint32_t face, piece; /* HSR_NO_ID: it is a face */
+  bool is_marked;
+};
+
+/* The list. All zero at the start; its parts are of frame_list.c. */
+struct frame_list {
+  struct hsr_growing notes, ops;
+  size_t done; /* of ops */
+  struct hsr_growing painted,
+      order; /* struct frame_item: done; to come, the next one first */
+  const json_t
+      *pieces; /* of the list at hand, as of lesson_lists_json; borrowed */
+  bool is_there, is_sorting;
+};
+
 struct frames {
   struct trace_run *run;
   const char *folder; /* or the PDF */
@@ -95,11 +115,11 @@ struct frames {
   struct hsr_growing read; /* texels read for the pixel at hand: uint32_t[3] */
   uint32_t segment;        /* the face of the last segment; HSR_NO_ID: none */
   json_t *clip;   /* the polygon that pieces are compared with; NULL: none */
+  json_t *later;  /* as frame_shapes.c has them; NULL: none */
   json_t *voxels; /* what the answer says of them; NULL: none */
-  size_t list;    /* lists that have begun */
-  struct hsr_growing
-      marked;    /* pieces of the last one with a marker: uint32_t */
-  uint32_t head; /* its P; HSR_NO_ID: not known */
+  struct hsr_growing rows;    /* as frame_rows.c has them */
+  struct hsr_growing regions; /* as frame_cells.c has them */
+  struct frame_list list;
   bool has_third[HSR_MAX_COUNTERS][2]; /* a counter's a, b: cells with a third
                                           number, which cubes have not */
   struct hsr_growing textures;         /* as frame_cells.c has them */
@@ -119,6 +139,15 @@ struct frames {
 /* The colour of each kind of step, as on the page; as RRGGBB. */
 extern const unsigned frames_colour[HSR_N_STEP_KINDS];
 void frames_set_colour(cairo_t *cairo, unsigned rgb, double alpha);
+
+/* The colour of a face, or of HSR_BACKGROUND, as RRGGBB. */
+unsigned frames_face_colour(const struct frames *f, uint32_t face);
+
+/* Whether the step's counter, or its outcome, has this key. */
+bool frames_has_key(const struct frames *f, const struct hsr_event *event,
+                    const char *key);
+bool frames_has_outcome(const struct frames *f, const struct hsr_event *event,
+                        const char *key);
 
 /* Add to the path: the image of a face, a polygon, a line between two points;
  * what is no list of points is left out. */
@@ -160,20 +189,38 @@ void frames_mark_planes(struct frames *f, const struct hsr_event *event,
 void frames_mark_plane_of(struct frames *f, json_int_t face,
                           const struct frame_look *look);
 
-/* Marks a subject that is a cell. frames_note_cells and frames_note_texel are to be
- * called for each event, before any is drawn. False: memory ran out. */
+/* Marks a subject that is a cell. frames_note_cells, frames_note_texel and
+ * frames_note_region are to be called for each event, before any is drawn. False:
+ * memory ran out. */
 void frames_mark_cell(struct frames *f, const struct hsr_event *event,
                       const struct hsr_subject *subject, unsigned colour,
                       enum frame_dash dash);
 void frames_note_cells(struct frames *f, const struct hsr_event *event);
 bool frames_note_texel(struct frames *f, const struct hsr_event *event);
+bool frames_note_region(struct frames *f, const struct hsr_event *event);
 
 /* Mark what a test of the list asks about; and the pieces of the step that bear a
- * marker. frames_follow_markers notes who bears one: to be called for each event in
- * order. False: memory ran out. */
+ * marker. */
 void frames_mark_test(struct frames *f, const struct hsr_event *event);
 void frames_mark_markers(struct frames *f, const struct hsr_event *event);
-bool frames_follow_markers(struct frames *f, const struct hsr_event *event);
+
+/* The list. frames_note_list is to be called for each event, before any is drawn, and
+ * frames_make_list after them all; frames_follow_list then for each event in order.
+ * False: memory ran out. Whether a subject is a piece with a marker; draw the pieces
+ * that are kept in rows, and the strip beneath the picture. */
+bool frames_note_list(struct frames *f, const struct hsr_event *event);
+bool frames_make_list(struct frames *f);
+bool frames_follow_list(struct frames *f, const struct hsr_event *event);
+bool frames_is_marked(const struct frames *f, const struct hsr_subject *s);
+void frames_draw_kept(struct frames *f, const struct hsr_event *event);
+void frames_draw_list(struct frames *f, const struct hsr_event *event);
+
+/* Rows of cells of a grid. frames_note_rows is to be called for each event, before any
+ * is drawn. False: memory ran out. frames_mark_rows marks the row that a step begins,
+ * and the part of the grid that it is in. */
+bool frames_note_rows(struct frames *f, const struct hsr_event *event);
+void frames_mark_rows(struct frames *f, const struct hsr_event *event,
+                      unsigned colour);
 
 /* Notes the window through which a cell is looked at: to be called for each event in
  * order. False: memory ran out. */
@@ -185,9 +232,18 @@ bool frames_follow_texels(struct frames *f, const struct hsr_event *event);
 void frames_mark_read(struct frames *f, const struct hsr_event *event,
                       unsigned colour);
 
-/* Notes the polygon that later pieces are compared with, and the face of a segment: to
- * be called for each event in order. */
-void frames_follow_shapes(struct frames *f, const struct hsr_event *event);
+/* Notes the face of a segment: to be called for each event in order. */
+void frames_follow_segments(struct frames *f, const struct hsr_event *event);
+
+/* Pieces that steps tell. frames_note_shapes is to be called for each event, before any
+ * is drawn. False: memory ran out. frames_follow_clip notes the polygon that later
+ * pieces are compared with: to be called for each event in order. frames_mark_shapes
+ * marks the piece of a step, and what it is compared with; false: the step tells
+ * none. */
+bool frames_note_shapes(struct frames *f, const struct hsr_event *event);
+void frames_follow_clip(struct frames *f, const struct hsr_event *event);
+bool frames_mark_shapes(struct frames *f, const struct hsr_event *event,
+                        unsigned colour);
 
 /* Notes a step of an edge and a volume: to be called for each event in order.
  * frames_mark_fragment marks the fragment of the last one, and what the volume

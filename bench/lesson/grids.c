@@ -33,8 +33,10 @@ static void add_row(json_t **cubes, const struct trace_run *run, uint32_t j,
 
 bool lesson_has_cells(const struct trace_run *run) {
   const struct hsr_grid *grid = run->scene->grid;
-  return grid && grid->n_cells <= MOST_CELLS &&
-         !hsr_setup_show(&run->setup).boxes;
+  if (!grid || grid->n_cells > MOST_CELLS)
+    return false;
+  const struct hsr_shown own = hsr_setup_show(&run->setup);
+  return !own.boxes && !own.octree && !own.cubes && !own.bsp && !own.grove;
 }
 
 /* Where each cell is in the grid. */
@@ -60,14 +62,41 @@ static json_t *bounds_json(const struct hsr_grid *grid) {
   return bounds;
 }
 
-static json_t *eye_json(const struct trace_run *run) {
+void lesson_eye_cell(const struct trace_run *run, int32_t at[3]) {
   const struct hsr_grid *grid = run->scene->grid;
-  json_t *at = json_array();
   for (int k = 0; k < 3; k++)
-    hsr_json_append(&at, json_integer(hsr_grid_split(grid->bound[k], grid->n[k],
-                                                     run->view.eye[k])));
-  return at;
+    at[k] = hsr_grid_split(grid->bound[k], grid->n[k], run->view.eye[k]);
 }
+
+static json_t *eye_json(const struct trace_run *run) {
+  int32_t at[3];
+  lesson_eye_cell(run, at);
+  return json_pack("[iii]", at[0], at[1], at[2]);
+}
+
+bool lesson_place_of_cell(const struct hsr_grid *grid, uint32_t cell,
+                          uint32_t at[3]) {
+  uint32_t low = 0, high = grid->n[1] * grid->n[2];
+  if (cell >= grid->n_cells)
+    return false;
+  while (high - low > 1) { /* the row that begins at or before it */
+    uint32_t middle = low + (high - low) / 2;
+    if (grid->row[middle] <= cell)
+      low = middle;
+    else
+      high = middle;
+  }
+  at[0] = grid->x[cell];
+  at[1] = low % grid->n[1];
+  at[2] = low / grid->n[1];
+  return true;
+}
+
+static const char *const parts_word[] = {[HSR_GRID_WHOLE] = "whole",
+                                         [HSR_GRID_SLICES] = "slices",
+                                         [HSR_GRID_OCTANTS] = "octants",
+                                         [HSR_GRID_TURNS] = "turns",
+                                         [HSR_GRID_CHILDREN] = "children"};
 
 bool lesson_add_cells(json_t *to, const struct trace_run *run) {
   const struct hsr_grid *grid = run->scene->grid;
@@ -79,5 +108,8 @@ bool lesson_add_cells(json_t *to, const struct trace_run *run) {
          !json_object_set_new(to, "places", places_json(grid)) &&
          !json_object_set_new(to, "bounds", bounds_json(grid)) &&
          !json_object_set_new(to, "eyeCell", eye_json(run)) &&
+         !json_object_set_new(
+             to, "gridParts",
+             json_string(parts_word[run->setup.algorithm->grid_parts])) &&
          !json_object_set_new(to, "cubes", cubes);
 }

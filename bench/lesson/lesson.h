@@ -100,6 +100,9 @@ void lesson_recorder_free(struct lesson_recorder *recorder);
 
 /* --- Beside the scene ----------------------------------------------------- */
 
+/* Whether the algorithm has a counter of that key. */
+bool lesson_has_counter(const struct hsr_algorithm *algorithm, const char *key);
+
 /* Whether the algorithm makes lists of priority in every frame. */
 bool lesson_has_list(const struct hsr_setup *setup);
 
@@ -139,8 +142,14 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *   parts       [volume, images of its sides], ..., of volumes that are parts of a
  *               concave solid; a side need not be a face
  *
+ *   numbered    what the cells of the steps are: "texels" of a texture, "entries" of
+ *               a table, "squares" of the picture (enum hsr_numbered)
+ *
  * NULL: HSR_E_NOMEM. */
 json_t *lesson_structure_json(const struct trace_run *run);
+
+/* Whether the cells of the steps are texels of a texture, or entries of a table of it. */
+bool lesson_has_texels(const struct hsr_setup *setup);
 
 /* Whether the scene is a grid whose cells the steps name by number, and these as
  * cubes of instance 0. Then there are also the members
@@ -149,10 +158,20 @@ json_t *lesson_structure_json(const struct trace_run *run);
  *   places   where each cell is in the grid, along the three axes
  *   bounds   along each axis, the planes between its cells
  *   eyeCell  along each axis, the cell that holds the eye: hsr_grid_split
+ *   gridParts  the parts that the algorithm goes by (enum hsr_grid_parts): "slices",
+ *            "octants", "turns", "children", or "whole" for none
  *
- * Not where the algorithm shows boxes of its own. False: HSR_E_NOMEM. */
+ * Not where the algorithm shows boxes, cubes or a tree of its own: its cells are nodes
+ * of these. False: HSR_E_NOMEM. */
 bool lesson_has_cells(const struct trace_run *run);
 bool lesson_add_cells(json_t *structure, const struct trace_run *run);
+
+/* Where a kept cell is in a grid, along the three axes. False: there is no such cell. */
+bool lesson_place_of_cell(const struct hsr_grid *grid, uint32_t cell,
+                          uint32_t at[3]);
+
+/* Along each axis, the cell that holds the eye, as in eyeCell. */
+void lesson_eye_cell(const struct trace_run *run, int32_t at[3]);
 
 /* Whether the algorithm puts edges to volumes, and these. False: HSR_E_NOMEM. */
 bool lesson_has_volumes(const struct hsr_setup *setup);

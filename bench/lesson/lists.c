@@ -28,7 +28,7 @@ struct note {
   struct hsr_window window;
 };
 
-static bool has_counter(const struct hsr_algorithm *a, const char *key) {
+bool lesson_has_counter(const struct hsr_algorithm *a, const char *key) {
   for (int k = 0; k < trace_n_counters(a); k++)
     if (hsr_has_key(&a->counters[k], key))
       return true;
@@ -36,8 +36,8 @@ static bool has_counter(const struct hsr_algorithm *a, const char *key) {
 }
 
 bool lesson_has_list(const struct hsr_setup *setup) {
-  return has_counter(setup->algorithm, "list-sort") &&
-         has_counter(setup->algorithm, "list-division");
+  return lesson_has_counter(setup->algorithm, "list-sort") &&
+         lesson_has_counter(setup->algorithm, "list-division");
 }
 
 void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,

@@ -8,8 +8,11 @@ libbench_a_SOURCES += \
   %D%/frame_cells.c \
   %D%/frame_fragments.c \
   %D%/frame_halves.c \
+  %D%/frame_list.c \
   %D%/frame_marks.c \
   %D%/frame_planes.c \
+  %D%/frame_rows.c \
+  %D%/frame_shapes.c \
   %D%/frame_tests.c \
   %D%/frame_words.c \
   %D%/frames.c \

@@ -361,6 +361,16 @@ static void add_own_boxes(json_t **to, const struct trace_run *run,
   add(to, "cubes", boxes.all);
 }
 
+/* Of cells; NULL: the page needs none. */
+static const char *const numbered_word[] = {[HSR_NUMBERED_TEXELS] = "texels",
+                                            [HSR_NUMBERED_ENTRIES] = "entries",
+                                            [HSR_NUMBERED_SQUARES] = "squares"};
+
+bool lesson_has_texels(const struct hsr_setup *setup) {
+  return setup->algorithm->numbered == HSR_NUMBERED_TEXELS ||
+         setup->algorithm->numbered == HSR_NUMBERED_ENTRIES;
+}
+
 json_t *lesson_structure_json(const struct trace_run *run) {
   const struct hsr_shown shown = hsr_setup_show(&run->setup);
   json_t *structure = json_object();
@@ -380,6 +390,9 @@ json_t *lesson_structure_json(const struct trace_run *run) {
     good &= lesson_add_cells(structure, run);
   if (lesson_has_volumes(&run->setup))
     good &= lesson_add_volumes(structure, run);
+  if (numbered_word[run->setup.algorithm->numbered])
+    add(&structure, "numbered",
+        json_string(numbered_word[run->setup.algorithm->numbered]));
   if (!good)
     json_decref(structure);
   return good ? structure : NULL;

@@ -151,11 +151,11 @@ static enum hsr_status find(struct found *found, const struct hsr_view *view) {
 }
 
 static bool numbers_solids(const struct hsr_setup *setup) {
-  return strcmp(setup->algorithm->name, "tiling-solids") == 0;
+  return setup->algorithm->numbered == HSR_NUMBERED_SOLIDS;
 }
 
 bool lesson_has_volumes(const struct hsr_setup *setup) {
-  return strcmp(setup->algorithm->name, "roberts") == 0 ||
+  return setup->algorithm->numbered == HSR_NUMBERED_VOLUMES ||
          numbers_solids(setup);
 }
 

@@ -50,9 +50,11 @@ int trace_n_counters(const struct hsr_algorithm *a) {
 static json_t *counter_json(const struct hsr_algorithm *a, int k) {
   const struct hsr_counter *c = &a->counters[k];
   int line = hsr_line_of(a, k);
+  json_t *outcome_keys =
+      c->outcome_keys ? words_json(c->outcome_keys, '|') : NULL;
   return json_pack(
-      "{ss ss* ss ss ss ss so so sb}", "name", c->name, "key", c->key,
-      "meaning", c->meaning, "kind", hsr_step_kind_name[c->kind], "a",
+      "{ss ss* so* ss ss ss ss so so sb}", "name", c->name, "key", c->key,
+      "outcome_keys", outcome_keys, "meaning", c->meaning, "kind", hsr_step_kind_name[c->kind], "a",
       hsr_subject_kind_name[c->a], "b", hsr_subject_kind_name[c->b], "outcomes",
       words_json(c->outcomes, '|'), "line",
       line ? json_integer(line) : json_null(), "computed", c->computed);

@@ -15,6 +15,23 @@ bool hsr_has_key(const struct hsr_counter *counter, const char *key) {
   return counter->key && !strcmp(counter->key, key);
 }
 
+bool hsr_outcome_has_key(const struct hsr_counter *counter, int outcome,
+                         const char *key) {
+  const char *at = counter->outcome_keys;
+  for (int k = 0; at && k < outcome; k++) {
+    at = strchr(at, '|');
+    at = at ? at + 1 : NULL;
+  }
+  size_t length = strlen(key);
+  while (at && *at && *at != '|') {
+    size_t n = strcspn(at, " |");
+    if (n == length && !strncmp(at, key, n))
+      return true;
+    at += n + (at[n] == ' ');
+  }
+  return false;
+}
+
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from) {
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
     to->count[k] += from->count[k];

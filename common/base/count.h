@@ -93,10 +93,19 @@ struct hsr_counter {
                     the counter has no events */
   const char *key; /* a stable word of a to z and -, by which programs know the
                       counter: "cube-visited". NULL: no program looks for it */
+  const char *outcome_keys; /* likewise of its outcomes, in their order, with |
+                               between them. An outcome has none, one, or several
+                               with a space between them: "boxes||boxes body". Of a
+                               counter without outcomes, those of all its steps.
+                               Several counters may have the same. NULL: none */
 };
 
 /* Whether programs know the counter by that key. */
 bool hsr_has_key(const struct hsr_counter *counter, const char *key);
+
+/* Whether programs know that outcome of the counter, from 0, by that key. */
+bool hsr_outcome_has_key(const struct hsr_counter *counter, int outcome,
+                         const char *key);
 
 /* The questions that common/exact/screen.h answers. A filter in doubles with a
  * proved error bound decides most of them. The exact path decides the others.

@@ -30,7 +30,12 @@ function shown([name, most]) {
     return [...seen.keys()].filter((k) => k < run.n).sort((p, q) => p - q).map((k) => {
       const e = run.event(k - 1);
       const { a, b, where } = lesson.looks(run, e);
-      return { k, flags: lesson.markers(run, e).length, what: `${e.counter.name}${e.outcome ? `: ${e.outcome}` : ""}`,
+      const list = run.list?.at(k);
+      return { k, flags: lesson.markers(run, e).length,
+        list: list ? [list.painted.length, list.order.length] : null,
+        kept: list && run.list.ofPieces && run.counterOf("list-segment") >= 0
+          ? list.painted.length : null,
+        what: `${e.counter.name}${e.outcome ? `: ${e.outcome}` : ""}`,
         shapes: [...a, ...b, ...where, ...lesson.markers(run, e)].filter((x) =>
           (x.width || x.fill) && !x.ring && !x.isSmall).map((x) => ({ points: x.points,
           dash: !x.width ? "none" : x.dotted ? "dotted" : x.dashed ? "dashed" : "solid",
@@ -70,6 +75,23 @@ function has(paths, shape, [width, height]) {
       Math.hypot(x - u, y - v) < NEAR)));
 }
 
+// How many cells of the list a slide has beneath the picture: those that are done, which
+// are low if others are to come, and these.
+function cellsOn(file) {
+  const paths = readFileSync(file, "utf8").match(/<path [^>]*>/g) ?? [];
+  const rows = paths.filter((text) => /fill-rule/.test(text) && !/matrix/.test(text) &&
+    !/fill:rgb\(11\.37/.test(text)) // nor markers, nor where painting is
+    .map((text) => [...text.match(/ d="([^"]*)"/)[1].matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]
+      .map(([, x, y]) => [Number(x), Number(y)]))
+    .filter((points) => points.length && points.every(([, y]) => y >= TOP && y <= FOOT));
+  const done = rows.filter((points) => Math.min(...points.map(([, y]) => y)) > TOP).length;
+  return [done, rows.length - done];
+}
+const TOP = 471, FOOT = 483; // points, as in bench/lesson/frame_list.c
+
+// How many pieces are pale, where an algorithm keeps rows.
+const keptOn = (file) => (readFileSync(file, "utf8").match(/fill-opacity:0\.4;/g) ?? []).length;
+
 // How many flags of markers a slide has: five corners, filled with ink.
 const flagsOn = (file) => (readFileSync(file, "utf8").match(/<path [^>]*>/g) ?? [])
   .filter((text) => /fill:rgb\(11\.37[^;]*;fill-opacity:1;/.test(text) &&
@@ -82,7 +104,14 @@ function lackingOn(slides, steps) {
   const [width, height] = size.split("x").map(Number);
   const files = readdirSync(slides).sort((p, q) => numberOf(p) - numberOf(q));
   assert.deepEqual(files.map(numberOf), steps.map(({ k }) => k));
-  return steps.flatMap(({ k, what, shapes, flags }, n) => {
+  return steps.flatMap(({ k, what, shapes, flags, list, kept }, n) => {
+    const pale = keptOn(join(slides, files[n]));
+    if (kept !== null && pale !== kept)
+      return [`step ${k}, ${what}: ${pale} pieces are kept in rows, not ${kept}`];
+    const cells = cellsOn(join(slides, files[n]));
+    const wanted = !list ? [0, 0] : list[1] ? list : [0, list[0]];
+    if (String(cells) !== String(wanted))
+      return [`step ${k}, ${what}: ${cells} cells of the list, not ${wanted}`];
     const drawn = flagsOn(join(slides, files[n]));
     if (drawn !== flags) return [`step ${k}, ${what}: ${drawn} flags, not ${flags}`];
     const paths = drawnOn(join(slides, files[n]), 448 / Math.max(width, height));

@@ -126,6 +126,9 @@ function told(name) {
     // Key moments: in order, within the run, each with its own words.
     const moments = lesson.moments(run);
     const own = lesson.lesson(run) ? 5 : 2;
+    if (/^(octants|children)$/.test(trace.structure.gridParts) &&
+        !moments.some(({ say: text }) => /octant/.test(text)))
+      say(out.moments, "none is of an octant");
     if (moments.length < Math.min(own, run.n) || moments.length > 24)
       say(out.moments, `${moments.length} moments`);
     moments.forEach(({ k, say: text }, p) => {

@@ -399,7 +399,7 @@ enum hsr_status hsr_cells_render(enum hsr_grid_order order,
 
 static const struct hsr_counter counters[] = {
     {"runs", "rows of cells visited that have a kept one", HSR_ACTIVATE,
-     HSR_OF_CELL, HSR_OF_NOTHING},
+     HSR_OF_CELL, HSR_OF_NOTHING, .key = "row-of-cells"},
     {"groups", "rectangles around up to 16 cells of a row tested", HSR_COMPARE,
      HSR_OF_CELL, HSR_OF_CELL, "out of sight|occupied|drawn"},
     {"cells",

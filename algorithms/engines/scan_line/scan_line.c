@@ -410,7 +410,7 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
 
 static const struct hsr_counter counters[] = {
     {"Y sort", "edges put into Y buckets", HSR_SORT, HSR_OF_EDGE,
-     HSR_OF_NOTHING},
+     HSR_OF_NOTHING, .outcome_keys = "first-row"},
     {"X merge", "comparisons to merge entering edges into the list",
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
     {"X sort", "comparisons of an edge with the one before it", HSR_COMPARE,

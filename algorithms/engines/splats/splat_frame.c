@@ -404,7 +404,7 @@ static const struct hsr_counter counters[] = {
     {"splats", "rectangles around splats tested", HSR_COMPARE, HSR_OF_CELL,
      HSR_OF_WINDOW, "out of sight|full|drawn"},
     {"updates", "pixels that a splat was put into", HSR_SAMPLE, HSR_OF_CELL,
-     HSR_OF_WINDOW},
+     HSR_OF_WINDOW, .key = "splat-update"},
     {"writes", "pixels that are not empty", HSR_ACCEPT, HSR_OF_NOTHING,
      HSR_OF_WINDOW},
     {NULL}};

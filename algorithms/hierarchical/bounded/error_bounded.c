@@ -533,8 +533,12 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_BOUNDED_PIXELS)},
     {NULL}};
 
+_Static_assert((int)HSR_BOUNDED_DEEPEST == (int)HSR_SQUARES_OF_PIXELS,
+               "the smallest cells are of level 0");
+
 const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {
     .name = "error-bounded",
+    .numbered = HSR_NUMBERED_SQUARES,
     .title = "Error-bounded antialiased rendering",
     .authors = "N. Greene and M. Kass",
     .year = 1994,

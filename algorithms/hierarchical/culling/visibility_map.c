@@ -674,7 +674,8 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
      "inside|outside|both|hidden|vacant"},
     {"regions shown", "rectangles of samples compared with lines of the map",
-     HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "inside|outside|both|leaf"},
+     HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW, "inside|outside|both|leaf",
+     .key = "region-compared", .outcome_keys = "||divided"},
     {"samples asked", "samples of pieces that no lines bound", HSR_SAMPLE,
      HSR_OF_FACE, HSR_OF_WINDOW, "not covered|covered"},
     {NULL}};

@@ -489,7 +489,8 @@ static enum hsr_status render(const struct hsr_job *job,
 /* --- What it is and counts ------------------------------------------------ */
 
 static const struct hsr_counter counters[] = {
-    [Y_SORT] = {"Y sort", "faces put into Y buckets", HSR_SORT, HSR_OF_FACE},
+    [Y_SORT] = {"Y sort", "faces put into Y buckets", HSR_SORT, HSR_OF_FACE,
+                .outcome_keys = "first-row"},
     [X_SORT] = {"X sort", "faces whose intercepts are put into X buckets",
                 HSR_SORT, HSR_OF_FACE},
     [X_PRIORITY_SEARCH] = {"X priority search", "X buckets scanned", HSR_SAMPLE,

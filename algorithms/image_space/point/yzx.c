@@ -647,12 +647,14 @@ static const struct hsr_counter counters[] = {
                      "those of an active one, in X or in Y",
                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
                      "test 2: apart in X|test 2: overlap in X|test 3: apart in "
-                     "Y|test 3: overlap in Y"},
+                     "Y|test 3: overlap in Y",
+                     .outcome_keys = "boxes|boxes|boxes|boxes"},
     [YZX_Z_MINIMAX] = {"Z minimax",
                        "test 1: extents in depth compared, where the bounds "
                        "overlap",
                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
-                       "overlap|nearer|farther"},
+                       "overlap|nearer|farther",
+                       .outcome_keys = "boxes|boxes|boxes"},
     [YZX_Z_SORT] =
         {"Z sort", "tests 4 and 5: vertices compared with another face's plane",
          HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,

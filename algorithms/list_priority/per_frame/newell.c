@@ -450,7 +450,8 @@ static const struct hsr_counter counters[] = {
                     HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE, "put|passed"},
     [GROUPS] = {"group tests", "groups of faces compared with P", HSR_COMPARE,
                 HSR_OF_PIECE, HSR_OF_VOLUME,
-                "end of the groups|apart in Z|apart in X|apart in Y|near"},
+                "end of the groups|apart in Z|apart in X|apart in Y|near",
+                .outcome_keys = "|extents|boxes|boxes"},
     [AGAIN] = {"met again", "pieces that P met in another cell before",
                HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
     {NULL}};
@@ -549,7 +550,8 @@ const struct hsr_part hsr_painting_part = {HSR_PART_PAINTING,
 
 static const struct hsr_counter bead_counters[] = {
     {"X merge", "beads passed to find the place of a segment, or covered by it",
-     HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|covered"},
+     HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|covered",
+     .key = "bead-merge"},
     {NULL}};
 
 static double predict_bead_merge(const struct hsr_table1 *t) {

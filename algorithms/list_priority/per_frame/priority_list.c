@@ -598,13 +598,17 @@ static const struct hsr_counter counters[] = {
      "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"
      "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "
      "overlap|each sample decides|P may obscure Q|known from the last frame",
-     .key = "list-test"},
+     .key = "list-test",
+     .outcome_keys =
+         "end-of-q|extents|boxes|boxes|plane-of-q|plane-of-p|line-between||"
+         "may-obscure"},
     {"minimax tests",
      "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "
      "overlap in Y",
-     .key = "list-minimax"},
+     .key = "list-minimax",
+     .outcome_keys = "boxes|boxes|boxes|boxes"},
     {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "

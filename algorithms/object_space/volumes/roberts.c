@@ -933,10 +933,12 @@ static const struct hsr_counter counters[] = {
                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
                  "body in the way|body out of the way|volume in the "
                  "way|volume out of the way",
-                 .key = "minimax"},
+                 .key = "minimax",
+                 .outcome_keys = "boxes body|boxes body|boxes|boxes"},
     [COLLECTIONS] = {"collections rejected",
                      "bodies that an edge is not behind, by minimax",
-                     HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME},
+                     HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME,
+                     .outcome_keys = "body"},
     [VOLUMES] = {"volumes rejected",
                  "volumes that an edge is not behind, by minimax", HSR_REJECT,
                  HSR_OF_EDGE, HSR_OF_VOLUME},
@@ -945,7 +947,8 @@ static const struct hsr_counter counters[] = {
     [TEST] = {"edge/volume test", "fragments compared with a convex volume",
               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
               "hidden whole|untouched|one piece left|two pieces left",
-              .key = "edge-volume"},
+              .key = "edge-volume",
+              .outcome_keys = "all-hidden|none-hidden||middle-hidden"},
     [WHOLE] = {"hidden whole", "tests that left nothing", HSR_REJECT,
                HSR_OF_EDGE, HSR_OF_VOLUME},
     [UNTOUCHED] = {"untouched", "tests that left all", HSR_COMPARE, HSR_OF_EDGE,
@@ -955,17 +958,20 @@ static const struct hsr_counter counters[] = {
     [TWO_LEFT] = {"two pieces left", "tests that left two pieces", HSR_SPLIT,
                   HSR_OF_EDGE, HSR_OF_VOLUME},
     [FRAGMENTS] = {"fragments", "edges and what was split off them",
-                   HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING},
+                   HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING,
+                   .key = "fragment"},
     [CONDITIONS] = {"conditions",
                     "planes and contour edges that narrow a fragment",
                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
                     "contour: nothing left|contour: some left|plane: nothing "
-                    "left|plane: some left"},
+                    "left|plane: some left",
+                    .key = "fragment-condition"},
     [APART] = {"faces apart", "edges compared with faces that are no volumes",
                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
                "does not hide its beginning|hides its beginning"},
     [TAKEN_APART] = {"bodies apart", "bodies that are taken face by face",
-                     HSR_SPLIT, HSR_OF_VOLUME, HSR_OF_NOTHING},
+                     HSR_SPLIT, HSR_OF_VOLUME, HSR_OF_NOTHING,
+                     .outcome_keys = "body"},
     [DRAWN] = {"intervals drawn", "intervals of edges added to the drawing",
                HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING,
                .key = "interval-drawn"},
@@ -980,7 +986,8 @@ static const struct hsr_counter counters[] = {
          "minimax tests of bodies, which are collections of volumes, with "
          "bodies whose edges are to be drawn",
          HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_VOLUME,
-         "body in the way|body out of the way"},
+         "body in the way|body out of the way",
+         .outcome_keys = "extents body|extents body"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -1044,6 +1051,7 @@ static const struct hsr_sort sorts[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .name = "roberts",
+    .numbered = HSR_NUMBERED_VOLUMES,
     .title = "Roberts' edges against volumes",
     .authors = "L. G. Roberts",
     .year = 1963,

@@ -163,9 +163,9 @@ void hsr_textures_draw(struct hsr_texture *x, const struct hsr_job *job) {
 
 static const struct hsr_counter counters[] = {
     {"rays", "rays that are met with the layer", HSR_COMPARE, HSR_OF_NOTHING,
-     HSR_OF_WINDOW, "misses|meets"},
+     HSR_OF_WINDOW, "misses|meets", .key = "texture-ray"},
     {"texels", "texels read, or entries of a table", HSR_SAMPLE, HSR_OF_CELL,
-     HSR_OF_WINDOW},
+     HSR_OF_WINDOW, .key = "texel-read"},
     {"writes", "pixels that are not empty", HSR_ACCEPT, HSR_OF_NOTHING,
      HSR_OF_WINDOW},
     {NULL}};

@@ -236,6 +236,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_convolve) = {
     .name = "texture-convolve",
+    .numbered = HSR_NUMBERED_TEXELS,
     .title = "Texture mapping by direct convolution",
     .authors = "E. A. Feibush, M. Levoy and R. L. Cook; P. S. Heckbert",
     .year = 1980,

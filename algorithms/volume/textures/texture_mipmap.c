@@ -143,6 +143,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_mipmap) = {
     .name = "texture-mipmap",
+    .numbered = HSR_NUMBERED_TEXELS,
     .title = "Williams' mip-map",
     .authors = "L. Williams",
     .year = 1983,

@@ -42,6 +42,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_point) = {
     .name = "texture-point",
+    .numbered = HSR_NUMBERED_TEXELS,
     .title = "Texture mapping, a texel a pixel",
     .authors = "E. Catmull",
     .year = 1974,

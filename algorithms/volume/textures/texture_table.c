@@ -114,6 +114,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(texture_table) = {
     .name = "texture-table",
+    .numbered = HSR_NUMBERED_ENTRIES,
     .title = "Crow's summed-area table",
     .authors = "F. C. Crow",
     .year = 1984,

@@ -10,7 +10,7 @@ const HIGH = 190; // of the canvas
 
 // Algorithms that go along rows, and compare depths or edges there.
 export const isByRows = (run) => /^(YXZ|ZYX|YZX)$/.test(run.trace.order ?? "") &&
-  run.kind.name === "ids" && run.header.faces.every((f) => f[3].length);
+  run.kind.holdsFaces && run.header.faces.every((f) => f[3].length);
 
 export function rowFromAbove(run) {
   const { element, draw, say } = board("The row from above",

@@ -2,6 +2,7 @@
 // Of an algorithm that compares edges with convex volumes: the fragment of the edge
 // that is at hand, and the part of it that the volume hides. The steps of an edge are
 // replayed: the trace says what was left, and the scene says where.
+import { hasOutcome } from "./run.js";
 import { planesOf } from "./volumes.js";
 
 // { from, to, hidden: [from, to] or null } at event k, as shares of the edge from its
@@ -19,13 +20,10 @@ export function fragmentAt(run, k) {
 const isSame = ({ a0, a1, aKind }, k, l) => a0[k] === a0[l] && a1[k] === a1[l] &&
   aKind[k] === aKind[l];
 
-const fragmentsOf = (run) => run.fragmentCounter ??= run.header.counters.findIndex(
-  (c) => c.name === "fragments");
-
 // The first step of the fragments of this edge; null: it has not come to them.
 function beginOf(run, k) {
   const { trace } = run;
-  const counter = fragmentsOf(run);
+  const counter = run.counterOf("fragment");
   let first = null;
   for (let e = k; e >= 0 && isSame(trace, e, k); e--)
     if (trace.counter[e] === counter) first = e;
@@ -35,7 +33,7 @@ function beginOf(run, k) {
 // Event -> fragment, for the steps of one edge.
 function replay(run, first, test) {
   const { trace } = run;
-  const counter = fragmentsOf(run);
+  const counter = run.counterOf("fragment"), condition = run.counterOf("fragment-condition");
   const known = new Map(), stack = [[0, 1]];
   let at = null, volume = null;
   for (let e = first; e < trace.kept && isSame(trace, e, first); e++) {
@@ -45,13 +43,11 @@ function replay(run, first, test) {
       if (!at) break;
       known.set(e, { from: at[0], to: at[1], hidden: null });
     } else if (own[e] === test) {
-      const outcome = run.event(e).outcome;
       volume = hiddenBy(run, first, trace.b0[e]);
-      const left = leftOf(at, volume, outcome);
+      const left = leftOf(at, volume, run.event(e));
       if (!left) break;
       const now = { from: at[0], to: at[1], hidden: left.hidden };
-      for (let l = e - 1; l > first && run.header.counters[own[l]].name === "conditions";
-        l--) known.set(l, { ...now, hidden: null });
+      for (let l = e - 1; l > first && own[l] === condition; l--) known.set(l, { ...now, hidden: null });
       known.set(e, now);
       known.set(e + 1, now); // what it comes to
       [at] = left.pieces;
@@ -64,16 +60,17 @@ function replay(run, first, test) {
 const NEAR = 1e-6;
 
 // { hidden, pieces } by what the step says; null: the places do not agree with it.
-function leftOf(at, volume, outcome) {
+function leftOf(at, volume, e) {
   if (!at) return null;
   const [from, to] = at;
-  if (outcome === "untouched") return { hidden: null, pieces: [at] };
-  if (!volume) return outcome === "hidden whole" ? { hidden: at, pieces: [] } : null;
+  if (hasOutcome(e, "none-hidden")) return { hidden: null, pieces: [at] };
+  const all = hasOutcome(e, "all-hidden");
+  if (!volume) return all ? { hidden: at, pieces: [] } : null;
   const hidden = [Math.max(from, volume[0]), Math.min(to, volume[1])];
-  if (outcome === "hidden whole") return { hidden: at, pieces: [] };
+  if (all) return { hidden: at, pieces: [] };
   if (hidden[1] - hidden[0] < -NEAR) return null;
   const before = [from, hidden[0]], after = [hidden[1], to];
-  if (outcome === "two pieces left") return { hidden, pieces: [before, after] };
+  if (hasOutcome(e, "middle-hidden")) return { hidden, pieces: [before, after] };
   return { hidden, pieces: [hidden[0] - from > to - hidden[1] ? before : after] };
 }
 

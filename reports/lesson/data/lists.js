@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of priority, which stand beside the scene.
-import { above } from "./run.js";
+import { above, outcomeOf } from "./run.js";
 
 // { title, ofPieces, at(k): { painted, order, marked, sorting } }: the items
 // that are done, and those that wait, the next first. marked: those of them that
@@ -21,11 +21,12 @@ export function listOf(run) {
 export const keepsRows = (run) => Boolean(run.list?.ofPieces) &&
   run.counterOf("list-segment") >= 0;
 
-// Each event of the counter puts its subject at the end.
+// Each event of the counter, or each with an outcome of that key, puts its subject at
+// the end.
 function growingList(run, title, counter, outcome) {
   const { trace } = run;
   const word = outcome === undefined ? -1
-    : run.header.counters[counter].outcomes.indexOf(outcome);
+    : outcomeOf(run.header.counters[counter], outcome);
   const when = [];
   for (let k = 0; k < trace.kept; k++)
     if (trace.counter[k] === counter && (word < 0 || trace.outcome[k] === word))
@@ -101,8 +102,7 @@ function priorityList(run) {
   const { trace, header } = run;
   const { lists, counter, a0, a1, b1, outcome } = trace;
   const keys = header.counters.map(({ key }) => key);
-  const ends = header.counters.map(({ outcomes }) =>
-    outcomes?.indexOf("end of {Q}") ?? -1);
+  const ends = header.counters.map((c) => outcomeOf(c, "end-of-q"));
   const ops = [], copies = [], faults = [];
   let state = { list: -1, painted: [], order: [], marked: new Set(),
     sorting: false }, last = null, asked = -1;
@@ -176,7 +176,7 @@ function priorityList(run) {
 // last segment. -1: the step merges none.
 export function mergedFace(run, { k, counter, a, b }) {
   const segments = run.counterOf("list-segment");
-  if (segments < 0 || counter.name !== "X merge" || a.kind !== "face" ||
+  if (segments < 0 || counter.key !== "bead-merge" || a.kind !== "face" ||
       b.kind !== "window") return -1;
   const { trace } = run;
   while (k >= 0 && trace.counter[k] !== segments) k--;

@@ -6,6 +6,7 @@ import { boxOf } from "../looks/boxes.js";
 import { equationOf, planeOfCell } from "../looks/solids.js";
 import { planeAsked, separating } from "../looks/tests.js";
 import { closeness, projection } from "./projection.js";
+import { hasOutcome } from "./run.js";
 import { searchAt } from "./stretches.js";
 
 const NEARER = new Set(["nearer", "in front"]);
@@ -69,15 +70,12 @@ const isDeep = (run, depths) => depths.every((d) => d !== null &&
 
 const faceOf = ({ kind, ids }) => kind === "face" || kind === "piece" ? ids[0] : -1;
 
-// Answers whose windows are of samples, not of pixels with many samples.
-const OF_SAMPLES = new Set(["ids", "segments", "transparent", "shadowed"]);
-
 // At one sample, or at both ends of a stretch of a row.
 function depthsInWindow(run, e) {
   const { window: w, outcome } = e;
   const [f, g] = [faceOf(e.a), faceOf(e.b)];
   if (!w || w.height !== 1 || f < 0 || g < 0 || e.kind === "accept" ||
-      !OF_SAMPLES.has(run.kind.name)) return null;
+      run.kind.windows !== "samples") return null;
   const at = depthsOf(run), y = w.y + 0.5;
   if (w.width === 1) {
     const [a, b] = [at(f, w.x + 0.5, y), at(g, w.x + 0.5, y)];
@@ -101,12 +99,12 @@ function depthsOfStretches(run, e) {
   const ranges = [f, g].map((two) => [Math.min(...two), Math.max(...two)]);
   const isApart = ranges[0][1] < ranges[1][0] || ranges[1][1] < ranges[0][0];
   if (!isDeep(run, ranges.flat()) || (!isApart && e.window.width === 1 &&
-    e.outcome !== "undecided")) return null;
+    !hasOutcome(e, "undecided"))) return null;
   const [p, q, r, s] = told(...ranges.flat());
   const less = lessOf(e.outcome);
   return { words: `${p} to ${q} deep against ${r} to ${s}${priceWords(found)}`,
     a: less ? ranges[0][1] : ranges[0][0], b: less ? ranges[1][0] : ranges[1][1],
-    less: less ?? null, isOpen: e.outcome === "undecided" && isApart };
+    less: less ?? null, isOpen: hasOutcome(e, "undecided") && isApart };
 }
 
 // Which half of a segment is kept, and why.
@@ -126,7 +124,7 @@ const priceWords = ({ comparisons, divisions }) => divisions
 function depthsInSquare(run, e) {
   const w = e.window, [f, g] = [faceOf(e.a), faceOf(e.b)];
   if (!w || w.height < 2 || f < 0 || g < 0 || e.kind !== "compare" ||
-      e.a.kind === "piece" || !OF_SAMPLES.has(run.kind.name)) return null;
+      e.a.kind === "piece" || run.kind.windows !== "samples") return null;
   const at = depthsOf(run);
   const corners = [[w.x, w.y], [w.x + w.width - 1, w.y], [w.x, w.y + w.height - 1],
     [w.x + w.width - 1, w.y + w.height - 1]];
@@ -164,7 +162,7 @@ function reachOf(run, e, { kind, ids: [f, p] }) {
 function farthest(run, e) {
   const { key } = e.counter;
   const isSort = key === "face-sort";
-  if (!isSort && e.outcome !== "test 1: apart in Z") return null;
+  if (!isSort && !(key === "list-test" && hasOutcome(e, "extents"))) return null;
   const [p, q] = [reachOf(run, e, e.a), reachOf(run, e, e.b)];
   if (!p || !q) return null;
   if (isSort) {
@@ -198,7 +196,7 @@ function cornersAndPlane(run, e) {
 
 // Test 6: the line between the two images.
 function lineBetween(run, e) {
-  if (e.counter.key !== "list-test" || !/^test 6/.test(e.outcome)) return null;
+  if (!hasOutcome(e, "line-between")) return null;
   const line = separating(run, e);
   return { less: null, words: line
     ? `the dotted line, along an edge of ${line.of}, is between them`
@@ -279,7 +277,7 @@ function eyeAndPlane(run, e) {
   if (run.header.view.parallel) return null;
   // A face is looked at from either of its sides: the step does not say from which.
   if (key === "back-face-cull") return { words: `the eye is ${told(Math.abs(side))[0]} ${
-    e.outcome === "front" ? "before" : "behind"} this side of its plane`, less: null };
+    hasOutcome(e, "front") ? "before" : "behind"} this side of its plane`, less: null };
   const word = side < 0 ? "behind its plane" : "before its plane";
   return { words: `the eye is ${told(Math.abs(side))[0]} ${word}`, a: 0, b: side,
     less: { "in front": true, behind: false }[e.outcome] ?? null };
@@ -290,9 +288,7 @@ function eyeAndPlane(run, e) {
 const reach = (low, high) => `${low.toFixed(1)} to ${high.toFixed(1)}`;
 
 function boxes(run, e) {
-  if (!/minimax|body|apart in|overlap in|volume (in|out)|boxes apart/.test(
-    `${e.counter.key} ${e.counter.name} ${e.outcome}`) || e.kind === "sort")
-    return null;
+  if (!hasOutcome(e, "boxes") && !hasOutcome(e, "extents")) return null;
   const [p, q] = [boxOf(run, e, e.a), boxOf(run, e, e.b)];
   if (!p || !q) return null;
   const inX = /in X/.test(e.outcome) || p.x1 < q.x0 || q.x1 < p.x0;
@@ -327,7 +323,7 @@ function shareWords(from, to) {
 
 // What a cell of the pyramid holds: the farthest depth painted in it so far.
 function cellDepth(run, e) {
-  if (!/-read$/.test(e.counter.key ?? "") || !e.window || run.kind.name !== "ids")
+  if (!/-read$/.test(e.counter.key ?? "") || !e.window || !run.kind.holdsFaces)
     return null;
   const ids = run.painting.at(e.k), at = depthsOf(run), w = e.window;
   let most = 0;

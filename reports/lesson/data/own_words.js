@@ -166,30 +166,30 @@ export function ownWords(run, e, a, b, where) {
 
 // --- Cells ---
 
-const DEEPEST = 20; // of error-bounded: a cell of level k is 2^(k - 20) pixels wide
-
 // The words of a cell that is no cube, by its level and its place there; null: it has
 // none of its own.
-export function ownCellWords(run, [level, x, y]) {
-  const { kind, header: { algorithm: { name } } } = run;
-  if (name.startsWith("texture-")) return textureWords(name, level, x, y);
-  if (kind.name === "voxels")
-    return level ? `cell ${Math.max(x, 0)} of level ${level}` : "the cell of all space";
-  if (kind.name !== "area") return null;
-  const side = 2 ** (level - DEEPEST);
-  return side === 1 ? `the cell of pixel ${x}, ${y}`
-    : side > 1 ? `the cell of ${side} × ${side} pixels at ${x * side}, ${y * side}`
-      : `a cell 1/${1 / side} of a pixel wide at ${
-        (x * side).toFixed(2)}, ${(y * side).toFixed(2)}`;
-}
+export const ownCellWords = (run, ids) =>
+  CELL_WORDS[run.trace.structure.numbered]?.(ids) ?? run.kind.cellWords?.(ids) ?? null;
 
-const textureWords = (name, level, x, y) => name === "texture-table"
-  ? `entry ${x}, ${y} of the table`
-  : level ? `texel ${x}, ${y} of level ${level}` : `texel ${x}, ${y}`;
+const PIXELS = 20; // the level of squares that are pixels: HSR_SQUARES_OF_PIXELS
 
-// Of an area: the square of a cell, in samples; null: it has none.
-export function squareOfCell(run, [level, x, y]) {
-  if (run.kind.name !== "area") return null;
-  const side = 2 ** (level - DEEPEST);
+// The square of a cell, in samples: { x, y, side }; null: it has none.
+export const squareOfCell = (run, ids) =>
+  run.trace.structure.numbered === "squares" ? square(ids) : null;
+
+function square([level, x, y]) {
+  const side = 2 ** (level - PIXELS);
   return { x: x * side, y: y * side, side };
 }
+
+const CELL_WORDS = {
+  squares: (ids) => {
+    const { x, y, side } = square(ids);
+    return side === 1 ? `the cell of pixel ${x}, ${y}`
+      : side > 1 ? `the cell of ${side} × ${side} pixels at ${x}, ${y}`
+        : `a cell 1/${1 / side} of a pixel wide at ${x.toFixed(2)}, ${y.toFixed(2)}`;
+  },
+  entries: ([, x, y]) => `entry ${x}, ${y} of the table`,
+  texels: ([level, x, y]) => level ? `texel ${x}, ${y} of level ${level}`
+    : `texel ${x}, ${y}`,
+};

@@ -9,11 +9,24 @@ import { structureOf } from "./structure.js";
 export const NONE = -1; // no id; as a face: the background
 const COUNTED = 2048; // events from one keyframe of counts to the next
 
+// The keys of each outcome of a counter, and of one of them by its word.
+const keysOf = ({ outcome_keys: all }) =>
+  (all ?? []).map((words) => words ? words.split(" ") : []);
+export const keysOfOutcome = (counter, word) =>
+  keysOf(counter)[counter.outcomes?.indexOf(word) ?? 0] ?? [];
+
+// Whether what a step decides, or the step, has this key; and the outcome of a counter
+// that has it, -1: none.
+export const hasOutcome = (e, key) => e.keys.includes(key);
+export const outcomeOf = (counter, key) =>
+  keysOf(counter).findIndex((words) => words.includes(key));
+
 export function runOf(trace) {
   const { header, kept, events } = trace;
   const { counters, faces, objects } = header;
   const n = kept + (kept < events ? 1 : 0);
   const kinds = counters.map((c) => c.kind);
+  const keys = counters.map(keysOf);
   const isAccept = Uint8Array.from(kinds, (kind) => kind === "accept" ? 1 : 0);
   const accepts = acceptsOf(trace.counter, isAccept);
   const frames = countFrames(trace.counter, counters.length);
@@ -36,6 +49,7 @@ export function runOf(trace) {
       return { k, counter: counters[c], number: c, kind: counters[c].kind,
         a: subject("a", k), b: subject("b", k), window: windowOf(trace, k),
         outcome: counters[c].outcomes?.[trace.outcome[k]] ?? null,
+        keys: keys[c][Math.max(0, trace.outcome[k])] ?? [],
         ...partsAt(k) };
     },
 

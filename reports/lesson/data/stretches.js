@@ -3,6 +3,7 @@
 // survey): it begins with the whole segments on the row, and halves them. The events
 // are replayed from where the search of the pair began.
 import { closeness, segmentsOn } from "./projection.js";
+import { hasOutcome } from "./run.js";
 
 // { two, comparisons, divisions, half } at event k. two: the stretches, { x0, x1, q0, q1 }
 // each, q as of closeness; how often the two segments have been compared and divided so
@@ -70,8 +71,8 @@ class Replay {
     for (;;) {
       const e = this.take(f, g, l, r);
       if (this.found) return null;
-      const { outcome } = this.run.event(e);
-      if (outcome !== "undecided") return { outcome, end: r };
+      const compared = this.run.event(e);
+      if (!hasOutcome(compared, "undecided")) return { outcome: compared.outcome, end: r };
       this.take(f, g, l, r);
       if (this.found) return null;
       const isLonger = f.x1 - f.x0 >= g.x1 - g.x0;

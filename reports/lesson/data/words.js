@@ -4,6 +4,7 @@ import { kindLook } from "./kinds.js";
 import { isOfBody, isRegion, planeOfCell } from "../looks/solids.js";
 import { numberWords } from "./numbers.js";
 import { outcomeWords, ownCellWords, ownWords } from "./own_words.js";
+import { hasOutcome } from "./run.js";
 import { searchAt } from "./stretches.js";
 
 // e: the event, where its words depend on it.
@@ -57,12 +58,9 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
 export const whereWords = (run, window) =>
   !window || isWhole(run, window) ? "" : placeWords(run, window);
 
-// Answers whose smallest windows are pixels, which have many samples or none.
-const OF_PIXELS = /^(area|filtered|composited)$/;
-
 const placeWords = (run, window) => isWhole(run, window) ? "the whole picture"
   : window.height === 1 && window.width >= run.width ? `row ${window.y}`
-    : OF_PIXELS.test(run.kind.name) ? windowWords(window).replace(/^sample/, "pixel")
+    : run.kind.windows === "pixels" ? windowWords(window).replace(/^sample/, "pixel")
       : windowWords(window);
 
 const placeWord = (w) => w?.height !== 1 ? "in" : w.width === 1 ? "at" : "on";
@@ -145,14 +143,14 @@ export function eventWords(run, e) {
   text += timesWords(run, e);
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
   const shown = [e.a, e.b].some(({ kind }) => kind === "window" ||
-    (kind === "cell" && run.kind.name === "area"));
+    (kind === "cell" && run.trace.structure.numbered === "squares"));
   if (where && where !== first && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
   return capital(text);
 }
 
 // Whether the face is shown around another one, which is before it and comes next.
-const isBehind = ({ counter: { name } }) => /^one (face|in front)$/.test(name);
+const isBehind = (e) => hasOutcome(e, "behind");
 
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
@@ -161,4 +159,4 @@ const bucketWords = ({ y, height }) => `is put into the bucket of row ${y}${
 
 // Whether a thing is put into the bucket of the row where its window begins.
 const isIntoRows = (e) => e.kind === "sort" && e.window &&
-  /Y sort/.test(e.counter.name);
+  hasOutcome(e, "first-row");

@@ -2,6 +2,7 @@
 // The survey's figures 12, 14, 25, 27 and 28, and those of Greene's pyramid, cubes
 // and masks.
 import { closeness, segmentsOn } from "../data/projection.js";
+import { hasOutcome } from "../data/run.js";
 import { h } from "../../page/parts/dom.js";
 import { board, colourOf, ground, line, pathOf, round, s, section,
   text } from "./drawing.js";
@@ -142,7 +143,7 @@ function* oneDivision(run) {
     if (width[k] < 6 || order.some((c, p) => counter[k + p] !== c)) continue;
     const [e, next] = [run.event(k), run.event(k + 3)];
     const faces = [e.a.ids[0], e.b.ids[0]];
-    if (next.outcome === "undecided" || faces[0] < 0 || faces[1] < 0) continue;
+    if (hasOutcome(next, "undecided") || faces[0] < 0 || faces[1] < 0) continue;
     const { x, y } = e.window;
     const two = faces.map((f) => {
       const own = segmentsOn(run, y, near).find(({ face, x0, x1 }) =>

@@ -2,6 +2,7 @@
 // The survey's figures of list-priority algorithms: 18 to 20 of Schumacker's, 22
 // and 23 of Newell's.
 import { closeness, segmentsOn } from "../data/projection.js";
+import { hasOutcome } from "../data/run.js";
 import { board, colourOf, line, middle, pathOf, round, s, section,
   text } from "./drawing.js";
 
@@ -44,7 +45,7 @@ export function facePriority(run) {
     const own = corners(run, f).map((p) => p[dropped]);
     return Math.max(...own) > Math.min(...own);
   });
-  const isFront = new Set(culls.filter((e) => e.outcome === "front")
+  const isFront = new Set(culls.filter((e) => hasOutcome(e, "front"))
     .map((e) => e.a.ids[0]));
   const plan = (dashBack, x) => s("g", { transform: `translate(${x} 0)` },
     upright.map((f) => {

@@ -4,6 +4,7 @@
 // interval. Which faces these are they do not say: that is found from the scene, and
 // an edge is shown only if both agree on all of its length.
 import { depths, projection } from "../data/projection.js";
+import { hasOutcome } from "../data/run.js";
 import { board, colourOf, ground, line, pathOf, round, s, text } from "./drawing.js";
 import { eventsOf } from "./lists.js";
 
@@ -119,9 +120,9 @@ function hidingAt(run, ids, a, b, share) {
 const frontFaces = (run) => run.frontFaces ??= [...new Set(trueFronts(run))];
 
 function* trueFronts(run) {
-  const c = run.header.counters.findIndex(({ name }) => name === "edge cull");
+  const c = run.counterOf("edge-cull");
   for (let k = 0; k < run.trace.kept; k++)
-    if (run.trace.counter[k] === c && run.event(k).outcome === "exists")
+    if (run.trace.counter[k] === c && hasOutcome(run.event(k), "exists"))
       yield run.trace.b0[k];
 }
 

@@ -23,6 +23,15 @@
 //              the line of a part, { points, dashed }, or null; what is accepted
 //              is then marked in the picture
 // strip(run)   what stands below the picture: { element, show(k, event) }
+// windows      what the smallest windows of steps are: "samples"; "pixels", which have
+//              many samples or none
+// holdsFaces   the answer is the visible face of each sample
+// hasShapes    a part is a shape: [face, cycles of sides]
+// cornersOfCell(run, [level, number])
+//              a cell of the algorithm that makes it: the images of its corners, some
+//              undefined
+// cellWords([level, x, y])
+//              such a cell in words
 import { area } from "./area.js";
 import { composited } from "./composited.js";
 import { filtered } from "./filtered.js";

@@ -16,5 +16,5 @@ function sumsOf({ trace, accepts, width: m }) {
   return all;
 }
 
-export const filtered = ofChannels("filtered", { many: 3, partsOf: sumsOf,
-  shown: (sums) => [...sums.map((c) => c / 65536), 65535] });
+export const filtered = { ...ofChannels("filtered", { many: 3, partsOf: sumsOf,
+  shown: (sums) => [...sums.map((c) => c / 65536), 65535] }), windows: "pixels" };

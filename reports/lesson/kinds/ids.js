@@ -18,6 +18,6 @@ function story(run, place) {
     : `Seen here in the end: ${run.faceName(face)}.` };
 }
 
-export const ids = { name: "ids", progress: PROGRESS,
+export const ids = { name: "ids", progress: PROGRESS, windows: "samples", holdsFaces: true,
   hint: "Click a sample to read its story.", painting, story,
   draw: (easel, faces) => drawSamples(easel, faces, (f) => easel.colours[f]) };

@@ -19,5 +19,5 @@ function draw({ run, context, line }, parts) {
   }
 }
 
-export const polygons = { name: "polygons", progress: PROGRESS, draw,
+export const polygons = { name: "polygons", progress: PROGRESS, draw, hasShapes: true,
   painting: (run) => partsPainting(run, (parts) => parts.map(String).sort()) };

@@ -91,6 +91,7 @@ function story(run, { i, j }) {
 // --- All ---
 
 export const segments = { name: "segments", progress: PROGRESS, draw, story,
+  windows: "samples",
   painting: (run) => partsPainting(run, joined), strip: edgeStrip,
   hint: "Click an edge to read its story.", verb: "drawn",
   partWords: ([, n]) => !n ? ": visible"

@@ -18,7 +18,7 @@ function painting(run) {
 
 const dark = (colour) => (colour & 0xff000000 | colour >> 1 & 0x7f7f7f) >>> 0;
 
-export const shadowed = { name: "shadowed", progress: PROGRESS, painting,
+export const shadowed = { name: "shadowed", progress: PROGRESS, windows: "samples", painting,
   draw: (easel, values) => drawSamples(easel, values, (value) => {
     const colour = easel.colours[value >> 1];
     return value & 1 ? colour : dark(colour);

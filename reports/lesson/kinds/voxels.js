@@ -62,4 +62,21 @@ function draw({ run, context }, parts) {
   }
 }
 
-export const voxels = { name: "voxels", progress: PROGRESS, painting, draw };
+// Cell number k of a level of the pyramid; below the last level, a voxel.
+function cornersOfCell(run, [level, k]) {
+  const { n, lo, size } = run.trace.answer;
+  const levels = Math.max(1, ...n.map((x) => Math.ceil(Math.log(x) / Math.log(4) - 1e-9)));
+  const side = 4 ** (levels - level);
+  const [across, down] = n.map((x) => Math.ceil(x / side));
+  const at = [k % across, Math.floor(k / across) % down,
+    Math.floor(k / across / down)];
+  const see = projection(run.header.view);
+  return Array.from({ length: 8 }, (_, c) => see(at.map((x, axis) =>
+    lo[axis] + size * Math.min(n[axis], (x + (c >> axis & 1)) * side)))?.slice(0, 2));
+}
+
+const cellWords = ([level, k]) =>
+  level ? `cell ${Math.max(k, 0)} of level ${level}` : "the cell of all space";
+
+export const voxels = { name: "voxels", progress: PROGRESS, painting, draw, cornersOfCell,
+  cellWords };

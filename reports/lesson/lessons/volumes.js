@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Volumes: the orders in which the cells of a grid are visited, splats, textures that
 // they are compared with, and solids as voxels. all.js says what a lesson is.
-import { beginsPart, rowAcross } from "../data/grids.js";
+import { beginsPart, isOnlyPart, rowAcross } from "../data/grids.js";
 import { perEach } from "../telling/figures.js";
 import { paintsWrong } from "../telling/wrong.js";
 
@@ -37,8 +37,8 @@ const ORDERS = {
     "the one opposite to the eye first, and the eye’s own one last."],
 };
 
-const begins = (where) => ({ name: "runs", where });
-const lastOf = (where) => ({ name: "runs", where, nth: -1 });
+const begins = (where) => ({ of: "row-of-cells", where });
+const lastOf = (where) => ({ of: "row-of-cells", where, nth: -1 });
 
 // What each order has of its own: the parts that it goes by.
 const SLICES = [
@@ -47,9 +47,14 @@ const SLICES = [
 const PARTS = {
   btf: SLICES, wbtf: SLICES,
   vbuffer: [...SLICES, ["Within a slice: the next cell, by its distance from the view plane",
-    { name: "runs", at: 0.2 }]],
+    { of: "row-of-cells", at: 0.2 }]],
   pbtf: [["The first octant is done. The next one begins", begins(beginsPart)],
-    ["The last octant begins: nothing in the others hides it", lastOf(beginsPart)]],
+    ["The last octant begins: nothing in the others hides it", lastOf(beginsPart)],
+    ["This octant is the only one: along each axis, all cells are on one side of the eye",
+      begins(isOnlyPart)]],
+  "octree-order": [["An octant, a child of the root, is done. The next one begins",
+    { ...begins(beginsPart), at: 0.5 }],
+  ["The last octant begins: nothing in the others hides it", lastOf(beginsPart)]],
   ippbtf: [["The cells before were on the other side of the eye: the sides take turns",
     begins((run, e) => isSeen(run, e) && rowAcross(run, e) !== null)]],
 };
@@ -71,7 +76,7 @@ const orderLesson = ([idea, ...how], parts) => ({
     "before, so that no depth is kept."],
   source: `${THESIS}, chapter 2`,
   moments: [
-    ["The first row of the order", { name: "runs", nth: 1 }],
+    ["The first row of the order", { of: "row-of-cells", nth: 1 }],
     ["The first cell that is drawn", { name: "cells", outcome: "drawn" }],
     ["A side of it that faces the eye is drawn", { name: "sides", nth: 1 }],
     ["A cell that comes later covers what was there", { name: "writes", covers: true }],

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The boxes that minimax tests compare: around the images of both subjects.
+import { hasOutcome } from "../data/run.js";
 import { facesOfVolume } from "./solids.js";
 
-// Whether the step compares boxes.
-export const comparesBoxes = (e) => /minimax|boxes/i.test(e.counter.name) ||
-  /boxes apart|apart in [XY]/.test(e.outcome ?? "");
-
 export function boxLooks(run, e) {
-  if (!comparesBoxes(e)) return [];
+  if (!hasOutcome(e, "boxes")) return [];
   return [e.a, e.b].map((s) => boxOf(run, e, s)).filter(Boolean)
     .map(({ x0, y0, x1, y1 }, k) => ({ closed: true, width: 1.2, role: "ink",
       dashed: k === 1, points: [[x0, y0], [x1, y0], [x1, y1], [x0, y1]] }));

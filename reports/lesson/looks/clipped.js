@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces that are cut by clip polygons, as the run has them when a step is about them:
 // all earlier cuts are in their shapes.
+import { hasOutcome } from "../data/run.js";
 
 // What a step with a shape looks like: { a, b, where }; null: it has none.
 export function clippedLook(run, e) {
-  const own = e.shape ?? (e.kind === "accept" && run.kind.name === "polygons"
-    ? e.part : null);
+  const own = e.shape ?? (e.kind === "accept" && run.kind.hasShapes ? e.part : null);
   if (!own) return null;
   const clip = e.b.kind === "face" ? shapeOfClip(run, e.k) : null;
-  const fill = e.kind === "accept" ? 0 : isCut(e) || !OF_PIECES.test(e.counter.name)
-    ? 0.22 : 0.55;
+  const fill = e.kind === "accept" ? 0 : hasOutcome(e, "cut-piece") ? 0.55 : 0.22;
   return { a: shapesOf(own, { fill, width: e.kind === "accept" ? 2.5 : 2 }),
     b: clip ? shapesOf(clip, { fill: 0.2, width: 2, dashed: true }) : [],
     where: whereLook(run, e, own, clip) };
 }
 
-const OF_PIECES = /^(pieces|depth comparisons|culled)$/;
-
 // The boxes that are compared; what is behind, of a piece that is divided; the
 // polygons of a new list.
 function whereLook(run, e, own, clip) {
-  if (e.outcome === "boxes apart") return [own, clip].filter(Boolean).map((shape, k) =>
+  if (hasOutcome(e, "boxes")) return [own, clip].filter(Boolean).map((shape, k) =>
     ({ points: boxAround(shape), closed: true, width: 1.2, role: "ink", dashed: k === 1 }));
   return (isCut(e) ? partsBehind(run, e.k) : e.kind === "subdivide" ? listOf(run, e.k)
     : []).flatMap((shape) => shapesOf(shape, { fill: 0.55, width: 1.2 }));
@@ -33,7 +30,7 @@ function boxAround([, [outer]]) {
   return [[left, top], [right, top], [right, bottom], [left, bottom]];
 }
 
-const isCut = ({ counter: { name } }) => name === "penetrations";
+const isCut = ({ counter: { key } }) => key === "plane-division";
 
 // A shape is filled at once, with its holes; each of its cycles is a line.
 function shapesOf([, cycles], { fill, ...look }) {
@@ -47,19 +44,19 @@ function shapesOf([, cycles], { fill, ...look }) {
 const bridged = ([outer, ...holes]) => [...outer, ...holes.flatMap((hole) =>
   [outer[0], ...hole, hole[0]]), ...(holes.length ? [outer[0]] : [])];
 
-const nameAt = ({ trace, header }, k) => header.counters[trace.counter[k]].name;
+const keyAt = ({ trace, header }, k) => header.counters[trace.counter[k]].key;
 
 // The clip polygon at hand.
 function shapeOfClip(run, k) {
   for (let c = k; c >= 0; c--)
-    if (nameAt(run, c) === "clip polygons") return run.event(c).shape;
+    if (keyAt(run, c) === "clip-polygon") return run.event(c).shape;
   return null;
 }
 
 // What is thrown away of a piece that is divided where two planes meet.
 function partsBehind(run, k) {
   const parts = [];
-  for (let c = k + 1; c < run.trace.kept && nameAt(run, c) === "culled"; c++)
+  for (let c = k + 1; c < run.trace.kept && keyAt(run, c) === "piece-culled"; c++)
     parts.push(run.event(c).shape);
   return parts;
 }
@@ -69,10 +66,9 @@ function partsBehind(run, k) {
 function listOf(run, k) {
   const list = [];
   for (let c = k + 1; c < run.trace.kept; c++) {
-    const name = nameAt(run, c);
-    if (/^(clip polygons|examinations)$/.test(name)) list.push(run.event(c).shape);
-    if (/^(recursions|regions)$/.test(name) || (name === "clip polygons" &&
-        list.length > 1)) break;
+    const key = keyAt(run, c), isClip = key === "clip-polygon";
+    if (isClip || key === "examination") list.push(run.event(c).shape);
+    if (key === "inside-list" || key === "piece-shown" || (isClip && list.length > 1)) break;
   }
   return list.filter(Boolean).slice(0, -1);
 }

@@ -3,15 +3,13 @@
 import { cellsOfRow, cornersOf, partOfRow, rowAcross } from "../data/grids.js";
 import { squareOfCell } from "../data/own_words.js";
 import { projection } from "../data/projection.js";
-import { windowOf } from "../data/run.js";
+import { hasOutcome, windowOf } from "../data/run.js";
 import { isPart, partOf } from "../data/volumes.js";
 import { faceShapes } from "./faces.js";
 import { texelLook } from "./texels.js";
 
-const BODY = /body|bodies|collections/;
-
 // Whether the step is about whole bodies: its volumes are numbers of these.
-export const isOfBody = (e) => BODY.test(e.outcome ?? "") || BODY.test(e.counter.name);
+export const isOfBody = (e) => hasOutcome(e, "body");
 
 // The faces of a volume; of a body, where the step is about bodies. null: they are
 // not known.
@@ -41,7 +39,7 @@ export function cubeLook(run, e, { ids: [node, instance] }) {
 // sides of the eye take turns, the row before it, dotted.
 export function rowLook(run, e) {
   const [part, row] = [partOfRow(run, e), cellsOfRow(run, e)];
-  const before = run.header.algorithm.name === "ippbtf" ? rowAcross(run, e) : null;
+  const before = rowAcross(run, e);
   return [...boxAhead(run, part, { width: 2, role: "ink", dashed: true }),
     ...boxAhead(run, before && cellsOfRow(run, before), { width: 2.5, dotted: true }),
     ...boxAhead(run, row, { width: 2.5 })];
@@ -85,7 +83,8 @@ const wires = (corners) => edgesOfBox.filter(([c, d]) => corners[c] && corners[d
 
 // A cell is a node of a tree of planes, or a square of a pyramid.
 export function cellLook(run, e, { ids: [p, q, r] }) {
-  if (run.kind.name === "voxels") return voxelLook(run, p, q);
+  const corners = run.kind.cornersOfCell?.(run, [p, q]);
+  if (corners) return wires(corners);
   if (isRegion(run, [p, q])) return run.regionOf(p).map((points) => ({ points, closed: true, width: 0,
     fill: 0.45 }));
   const plane = planeOfCell(run, e.number, p);
@@ -106,19 +105,6 @@ export function cellLook(run, e, { ids: [p, q, r] }) {
 
 // Whether a cell is a region of a visibility map, not a node of a tree of planes.
 export const isRegion = (run, [, q]) => Boolean(run.regionOf) && q === 0;
-
-// Cell number k of a level of a pyramid of voxels; below the last level, a voxel.
-function voxelLook(run, level, k) {
-  const { n, lo, size } = run.trace.answer;
-  const levels = Math.max(1, ...n.map((x) => Math.ceil(Math.log(x) / Math.log(4) - 1e-9)));
-  const side = 4 ** (levels - level);
-  const [across, down] = n.map((x) => Math.ceil(x / side));
-  const at = [k % across, Math.floor(k / across) % down,
-    Math.floor(k / across / down)];
-  const see = projection(run.header.view);
-  return wires(Array.from({ length: 8 }, (_, c) => see(at.map((x, axis) =>
-    lo[axis] + size * Math.min(n[axis], (x + (c >> axis & 1)) * side)))?.slice(0, 2)));
-}
 
 const squareLook = ({ x, y, side }) => [{ closed: true, width: 2, fill: 0.3,
   points: [[x, y], [x + side, y], [x + side, y + side], [x, y + side]] }];

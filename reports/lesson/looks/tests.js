@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests of a priority list ask about: the plane of a piece, the line that
 // separates two images. And what stands at a piece that bears a marker.
+import { hasOutcome } from "../data/run.js";
 import { planeLook } from "./solids.js";
 
 // Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line.
@@ -9,13 +10,13 @@ export function testLook(run, e) {
   const whose = planeAsked(e);
   if (whose) return planeLook(run, { face: whose.ids[0] }).map((shape) =>
     ({ ...shape, role: "ink", width: 1.2, dashed: whose === e.b, fill: 0.06 }));
-  const line = /^test 6/.test(e.outcome) ? separating(run, e) : null;
+  const line = hasOutcome(e, "line-between") ? separating(run, e) : null;
   return line ? [{ points: line.points, width: 2.5, dotted: true, role: "ink" }] : [];
 }
 
 // The subject whose plane decided the test, or null.
-export const planeAsked = ({ outcome, a, b }) => /^test 4/.test(outcome) ? b
-  : /^test 5/.test(outcome) ? a : null;
+export const planeAsked = (e) => hasOutcome(e, "plane-of-q") ? e.b
+  : hasOutcome(e, "plane-of-p") ? e.a : null;
 
 // { points, of }: the line of an edge of P or Q ("P", "Q") that has the images on its two
 // sides, drawn as far as these go; null: no edge's does.

@@ -15,7 +15,8 @@ export function texelLook(run, level, p, q) {
 // What was read for the pixel so far, or in the end: in the maps of their levels, side by
 // side; and in the picture, the texels of the texture itself.
 export function readLook(run, e) {
-  if (!isOfTextures(run) || e.counter.a === "cell" && e.counter.name !== "texels") return [];
+  if (!isOfTextures(run) || e.counter.a === "cell" && e.counter.key !== "texel-read")
+    return [];
   const read = readFor(run, e);
   const levels = [...new Set(read.map(([level]) => level))];
   const isEnd = e.kind === "accept";
@@ -23,19 +24,20 @@ export function readLook(run, e) {
     : []), ...read.filter(([level]) => isEnd || level === e.a.ids[0])
     .map(([level, ...at]) => boxIn(run, texturesOf(run).get(level), at, { fill: 0.35,
       width: 0.8 }, isEnd ? levels.indexOf(level) : 0)),
-  ...read.filter(([level]) => level === 0 && !/table/.test(run.header.algorithm.name))
+  ...read.filter(([level]) => level === 0 && run.trace.structure.numbered === "texels")
     .flatMap(([, ...at]) => inPicture(run, at))];
 }
 
-const isOfTextures = ({ header }) => header.algorithm.name.startsWith("texture-");
+const isOfTextures = ({ trace: { structure: { numbered } } }) =>
+  numbered === "texels" || numbered === "entries";
 
 // [level, p, q] of each texel that was read for the pixel of event e, up to it.
 export function readFor(run, e) {
   const { trace, header } = run, read = [];
   for (let k = e.k; k >= 0; k--) {
-    const { name } = header.counters[trace.counter[k]];
-    if (name === "rays") break;
-    if (name === "texels") read.push([trace.a0[k], trace.a1[k], trace.a2[k]]);
+    const { key } = header.counters[trace.counter[k]];
+    if (key === "texture-ray") break;
+    if (key === "texel-read") read.push([trace.a0[k], trace.a1[k], trace.a2[k]]);
   }
   return read;
 }
@@ -74,7 +76,7 @@ function inPicture(run, [p, q]) {
 function texturesOf(run) {
   if (run.textures) return run.textures;
   const { trace, header } = run, levels = new Map();
-  const isTexel = header.algorithm.name.startsWith("texture-")
+  const isTexel = isOfTextures(run)
     ? header.counters.map(({ a }) => a === "cell") : [];
   for (let k = 0; k < trace.kept && isTexel.length; k++) {
     if (!isTexel[trace.counter[k]]) continue;

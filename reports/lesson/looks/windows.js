@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The looks of windows, rows and samples, of buckets, and of a segment that is halved.
+import { hasOutcome } from "../data/run.js";
 import { searchAt } from "../data/stretches.js";
 
 const rectangle = (x, y, width, height) =>
@@ -8,7 +9,7 @@ const rectangle = (x, y, width, height) =>
 // The window of a step, unless that is the whole picture and nothing is asked of it.
 export function windowLook(run, e) {
   const w = e.window;
-  if (!w || /Y sort/.test(e.counter.name)) return [];
+  if (!w || hasOutcome(e, "first-row")) return [];
   const isWhole = w.width >= run.width && w.height >= run.height;
   if (isWhole && e.a.kind !== "window" && e.b.kind !== "window") return [];
   const shapes = [];
@@ -32,7 +33,7 @@ function signs({ kind }, { x, y, width, height }) {
 
 // The bucket that a thing is put into: the scan line where it begins.
 export function bucketLook(run, e) {
-  if (e.kind !== "sort" || !/Y sort/.test(e.counter.name)) return [];
+  if (!hasOutcome(e, "first-row")) return [];
   const { ids: [p, q] } = e.a;
   const points = e.a.kind === "edge"
     ? [run.header.vertices[p], run.header.vertices[q]].filter(Boolean)

@@ -7,11 +7,6 @@ import { mergedLook } from "../looks/faces.js";
 import { openingLook } from "../looks/solids.js";
 import { readLook } from "../looks/texels.js";
 
-const isOf = ({ header }, name) => header.algorithm.name === name;
-
-const isSplatted = ({ header, kind }) => header.algorithm.name.startsWith("splat") &&
-  kind.name === "composited";
-
 export function legendOf(run, e) {
   const all = [];
   if (nodeLook(run, e).length) all.push(["grey plane", "the plane of the BSP tree’s node at " +
@@ -23,7 +18,7 @@ export function legendOf(run, e) {
   if (readLook(run, e).length) all.push(["map", "the texels of the texture, or of a level; " +
     "those that were read for this pixel are filled, in the map and in the picture"]);
   if (mergedLook(run, e).length) all.push(["dashed", "the face that is painted now"]);
-  if (isSplatted(run)) all.push(["grey", "the darker a pixel is, the more splats have " +
+  if (run.counterOf("splat-update") >= 0) all.push(["grey", "the darker a pixel is, the more splats have " +
     "touched it so far"]);
   if (cellsOfRow(run, e)) all.push(...rowLegend(run, e));
   if (e.shape && e.b.kind === "face") all.push(["dashed", "the clip polygon, with what " +
@@ -36,6 +31,6 @@ function rowLegend(run, e) {
   return [["solid box", "the cells of the row that are looked at"],
     ...part ? [["dashed box", part.axis === undefined
       ? "the octant that the row is in" : "the slice that the row is in"]] : [],
-    ...isOf(run, "ippbtf") && rowAcross(run, e)
+    ...rowAcross(run, e)
       ? [["dotted box", "the cells before, on the other side of the eye"]] : []];
 }

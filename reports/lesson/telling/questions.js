@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of a run: before some of its key moments, what will come of the step?
 // Only where both subjects can be seen.
+import { hasOutcome, keysOfOutcome } from "../data/run.js";
 import { unseen, looksOf } from "../looks/all.js";
 import { withOutcome } from "./figures.js";
 import { boxOf, momentsOf } from "./moments.js";
@@ -22,13 +23,10 @@ export function questionsOf(run) {
 const spread = (all, n) => all.length <= n ? all : Array.from({ length: n }, (_, k) =>
   all[Math.round(k * (all.length - 1) / (n - 1))]);
 
-// An outcome that no picture tells: nothing is found out yet.
-const OPEN = /^undecided$/;
-
 function questionAt(run, { k, ask, words }) {
   if (k > run.trace.kept) return null;
   const e = run.event(k - 1);
-  if (OPEN.test(e.outcome)) return null;
+  if (hasOutcome(e, "undecided")) return null; // nothing is found out yet
   const answers = words ? Object.keys(words) : answersTo(run, e);
   if (answers.length < 2 || !answers.includes(e.outcome) || !isSeen(run, e))
     return null;
@@ -37,17 +35,22 @@ function questionAt(run, { k, ask, words }) {
     answers: answers.map((word) => [word, words?.[word] ?? plain(word)]) };
 }
 
+// What the six tests ask.
+const OF_TESTS = ["extents", "boxes", "plane-of-q", "plane-of-p", "line-between"];
+
 // Of a counter of several questions, the outcomes of the one that is asked ("test 2:
 // apart", but not "test 3: apart").
-function answersTo(run, { counter, outcome }) {
-  const all = (counter.outcomes ?? []).filter((w) => !OPEN.test(w));
+function answersTo(run, e) {
+  const { counter, outcome } = e;
+  const has = (word, key) => keysOfOutcome(counter, word).includes(key);
+  const all = (counter.outcomes ?? []).filter((w) => !has(w, "undecided"));
   const of = (word) => word.includes(":") ? word.split(":")[0] : null;
   // Of the six tests: these, and what else comes in this run.
-  const own = counter.key === "list-test" ? all.filter((w) => w !== "end of {Q}" &&
-    (/^test|may obscure/.test(w) || withOutcome(run, counter.key, w)))
+  const own = counter.key === "list-test" ? all.filter((w) => !has(w, "end-of-q") &&
+    (OF_TESTS.some((key) => has(w, key)) || has(w, "may-obscure") ||
+      withOutcome(run, counter.key, w)))
     : all.filter((w) => of(w) === of(outcome));
-  const body = /^(body|volume)/.exec(outcome)?.[0];
-  return body ? own.filter((w) => w.startsWith(body)) : own;
+  return own.filter((w) => has(w, "body") === hasOutcome(e, "body"));
 }
 
 const plain = (word) => word.replace(/^\w+: /, (text) =>

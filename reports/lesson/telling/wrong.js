@@ -10,7 +10,7 @@ export function wrongSamples(run) {
 }
 
 // Whether the wrong samples of a run can be told.
-export const tellsWrong = ({ kind, header }) => kind.name === "ids" &&
+export const tellsWrong = ({ kind, header }) => kind.holdsFaces &&
   header.faces.every((f) => f[3].length);
 
 const MORE = 1e-7; // nearer by more than the error of doubles

@@ -27,6 +27,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(btf) = {
     .name = "btf",
+    .grid_parts = HSR_GRID_SLICES,
     .title = "Back to front in three nested loops",
     .authors = "G. Frieder, D. Gordon, R. A. Reynolds",
     .year = 1985,

@@ -27,6 +27,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(ippbtf) = {
     .name = "ippbtf",
+    .grid_parts = HSR_GRID_TURNS,
     .title = "Interleaved perspective back to front",
     .authors = "C. P. Botha, F. H. Post",
     .year = 2003,

@@ -28,6 +28,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(octree_order) = {
     .name = "octree-order",
+    .grid_parts = HSR_GRID_CHILDREN,
     .title = "An octree, the far children of a node first",
     .authors = "W. G. Aref, H. Samet",
     .year = 1991,

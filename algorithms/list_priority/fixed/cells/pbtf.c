@@ -31,6 +31,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(pbtf) = {
     .name = "pbtf",
+    .grid_parts = HSR_GRID_OCTANTS,
     .title = "Perspective back to front, octant by octant",
     .authors = "J. E. Swan II",
     .year = 1998,

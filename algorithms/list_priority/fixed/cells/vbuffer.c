@@ -29,6 +29,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(vbuffer) = {
     .name = "vbuffer",
+    .grid_parts = HSR_GRID_SLICES,
     .title = "The V-buffer: slices, and concentric sweeps in them",
     .authors = "C. Upson, M. Keeler",
     .year = 1988,

@@ -25,6 +25,7 @@ static const struct hsr_line outline[] = {
 
 const struct hsr_algorithm HSR_ALGORITHM(wbtf) = {
     .name = "wbtf",
+    .grid_parts = HSR_GRID_SLICES,
     .title = "Back to front by slices along the view",
     .authors = "L. Westover",
     .year = 1990,
