@@ -109,7 +109,7 @@ enum hsr_numbered {
   HSR_NUMBERED_SOLIDS,  /* volumes: bodies of these, from 1 */
   HSR_NUMBERED_TEXELS,  /* cells: level, column and row of a texture */
   HSR_NUMBERED_ENTRIES, /* likewise, of a table of sums over a texture */
-  HSR_NUMBERED_SQUARES  /* cells: level, column and row of squares in the picture.
+  HSR_NUMBERED_SQUARES /* cells: level, column and row of squares in the picture.
                            Those of level HSR_SQUARES_OF_PIXELS are pixels, and those of
                            the level before are half as wide */
 };

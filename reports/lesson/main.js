@@ -135,31 +135,40 @@ function showIndex() {
 }
 
 let begun = 0;
+let shownLast = ""; // the first algorithm, or "": another one is seen from the top
 
 async function begin() {
   const own = ++begun;
-  if (!state.a.length) return showIndex();
+  if (!state.a.length) {
+    shownLast = "";
+    return showIndex();
+  }
   const shown = await Promise.all(state.a.map(runNamed));
   if (own !== begun) return; // the reader has gone elsewhere
   const [first] = shown;
   const { bar, note, question, legend, panels } = playing.begin(shown);
+  const work = h("div", { class: "at-work" }, bar, note, question, panels);
+  // From the lesson's text to a step: keys are for the player again.
   const goTo = (k) => {
     playing.stop();
     playing.lead(0);
     playing.go(k);
-    panels.scrollIntoView({ block: "nearest" });
+    playing.focus();
+    scrollTo(0, 0);
+    if (panels.getBoundingClientRect().top > innerHeight / 2) work.scrollIntoView();
   };
   main.replaceChildren(
     h("div", { class: "top" }, h("div", { class: "title" },
       wayThrough(survey, first), h("h1", { tabindex: -1 }, ideaOf(first)),
       h("p", { class: "kicker" }, sceneWords(first), tryIt()),
       knownWrong(first, goTo)), chooser()),
-    h("div", { class: "at-work" }, bar, note, question, panels),
-    lessonText(first, goTo, () => showSlides(first)), legend,
+    work, lessonText(first, goTo, () => showSlides(first)), legend,
     figures(first, (name) =>
       scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "");
   document.title = `${sceneName(first)}: ${state.a.join(", ")} · hsr`;
   playing.open();
+  if (state.a[0] !== shownLast) scrollTo(0, 0);
+  shownLast = state.a[0];
 }
 
 function showSlides(run) {

@@ -527,8 +527,8 @@ static uint32_t next_triangle(const struct hsr_shape *shape,
 static enum hsr_meeting meets_fan(const struct hsr_shape *shape,
                                   const struct hsr_square *square) {
   uint32_t n = shape->n_corners - 2;
-  enum hsr_meeting near = meets_all(shape->line + 3 * (size_t)n,
-                                    shape->n_lines - 3 * n, square);
+  enum hsr_meeting near =
+      meets_all(shape->line + 3 * (size_t)n, shape->n_lines - 3 * n, square);
   bool odd = false;
   if (near == HSR_MISSES)
     return HSR_MISSES;

@@ -655,7 +655,7 @@ static const struct hsr_counter counters[] = {
     {"edge cull",
      "sides of faces looked at for relevant and contour "
      "edges",
-     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists",
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE, "a back, or edge on|may be seen",
      .key = "edge-cull", .outcome_keys = "|exists"},
     {"initial visibility", "faces compared with a vertex in the searches",
      HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides",
@@ -684,7 +684,8 @@ static const struct hsr_counter counters[] = {
     {"intervals drawn", "intervals of edges added to the drawing", HSR_ACCEPT,
      HSR_OF_EDGE, HSR_OF_NOTHING, .key = "interval-drawn"},
     {"boxes overlap", "pairs of edges that the minimax test leaves",
-     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap", .outcome_keys = "boxes"},
+     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, .key = "boxes-overlap",
+     .outcome_keys = "boxes"},
     {"faces in line", "faces whose boxes hold the vertex of a search",
      HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE, "does not hide|hides"},
     {NULL}};

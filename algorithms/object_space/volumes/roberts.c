@@ -549,8 +549,8 @@ static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
                    struct condition *condition, struct fragment *fragment) {
   const struct hsr_sight *sight = &frame->sight;
   if (condition->edge != e)
-    condition->half = hsr_sight_find_half(sight, e, at, condition->subject,
-                                          condition->side);
+    condition->half =
+        hsr_sight_find_half(sight, e, at, condition->subject, condition->side);
   condition->edge = e;
   bool some = hsr_sight_narrow(sight, e, &condition->half, &fragment->from,
                                &fragment->to);
@@ -924,7 +924,7 @@ static double predict_test(const struct hsr_table1 *t) {
 static const struct hsr_counter counters[] = {
     [BACK_CULL] = {"back-edge cull",
                    "sides of faces looked at for relevant edges", HSR_COMPARE,
-                   HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists",
+                   HSR_OF_EDGE, HSR_OF_FACE, "a back, or edge on|may be seen",
                    .key = "back-edge-cull"},
     [CLIP_CULL] = {"clipping cull", "edges clipped to the picture", HSR_COMPARE,
                    HSR_OF_EDGE, HSR_OF_WINDOW, "outside|inside"},
@@ -963,8 +963,8 @@ static const struct hsr_counter counters[] = {
     [CONDITIONS] = {"conditions",
                     "planes and contour edges that narrow a fragment",
                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
-                    "contour: nothing left|contour: some left|plane: nothing "
-                    "left|plane: some left",
+                    "contour: no part hidden|contour: a part may be "
+                    "hidden|plane: no part hidden|plane: a part may be hidden",
                     .key = "fragment-condition"},
     [APART] = {"faces apart", "edges compared with faces that are no volumes",
                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,

@@ -155,6 +155,8 @@ function priorityList(run) {
       paintUpTo(e, (x) => pieces()[x][0] === a0[e]);
     }
   }
+  for (const shown = firstShown(run); shown < trace.kept && state.order.length;)
+    doNow(shown, { what: "paint" });
   const when = Uint32Array.from(ops, (op) => op.e);
   const at = (k) => {
     const n = above(when, k), copy = Math.floor(n / KEPT);
@@ -170,6 +172,16 @@ function priorityList(run) {
   const places = search < 0 ? [] : at(run.n).painted.map(({ piece }) => piece);
   return { title: "The priority list, the far end first", at, faults, ofPieces: true,
     numberOf: (c, p) => c === search ? places[p] : p };
+}
+
+// The first event after all segments in which something is shown: by then every piece is
+// painted. If there are none, the end.
+function firstShown({ counterOf, header, trace }) {
+  const { counter, kept } = trace;
+  const last = counter.lastIndexOf(counterOf("list-segment"));
+  let e = last < 0 ? kept : last + 1;
+  while (e < kept && header.counters[counter[e]].kind !== "accept") e++;
+  return e;
 }
 
 // The face whose segment is merged among the beads of its row at event k: that of the

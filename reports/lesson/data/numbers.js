@@ -118,7 +118,7 @@ function halfWords(run, { b }, { which, middle, side, split }) {
 
 // What the answer costs, where halves were needed.
 const priceWords = ({ comparisons, divisions }) => divisions
-  ? `; comparison ${comparisons} of the two` : "";
+  ? `; comparison number ${comparisons} of this pair` : "";
 
 // Over a window of more rows: at its corner samples, or at the first of them.
 function depthsInSquare(run, e) {

@@ -129,6 +129,15 @@ const OWN = {
     "sides tiled": (a) => `${a}, a side of the cube, goes down the quadtree`,
     subdivisions: (a, b) => `For ${a}, ${b} is divided into four`,
   },
+  roberts: {
+    "collections rejected": (a, b) => `${b} is left out for ${a}: it cannot be before it`,
+    "volumes rejected": (a, b) => `${b} is left out for ${a}: it cannot be before it`,
+    "own volumes": (a, b) => `${b} is left out for ${a}, which lies in its front`,
+    "hidden whole": (a, b) => `${b} hides all that was left of ${a}`,
+    "one piece left": (a, b) => `${b} hides a part of ${a}: one piece is left`,
+    "two pieces left": (a, b) => `${b} hides a part of ${a}: two pieces are left`,
+    "bodies apart": (a) => `${a} is taken face by face`,
+  },
   "tiling-solids": {
     "convex parts": (a) => `${a} comes next`,
     cells: (a, b) => `${a} is looked at, for ${b}`,

@@ -131,7 +131,7 @@ export function eventWords(run, e) {
   else if (e.kind === "split" || e.kind === "subdivide")
     text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   else if (e.kind === "accept")
-    text += ` is ${run.kind.verb ?? verb}${
+    text += ` ${run.kind.doneWith?.(e.part) ?? `is ${run.kind.verb ?? verb}`}${
       second && e.b.kind !== "window"
         ? `, ${e.b.kind === "cell" ? "in" : isBehind(e) ? "behind" : "not"} ${second}` : ""}`;
   else if (e.b.kind === "window" && second)
@@ -144,7 +144,8 @@ export function eventWords(run, e) {
   if (e.part) text += run.kind.partWords?.(e.part) ?? "";
   const shown = [e.a, e.b].some(({ kind }) => kind === "window" ||
     (kind === "cell" && run.trace.structure.numbered === "squares"));
-  if (where && where !== first && !(shown && e.kind !== "accept"))
+  const isBox = e.kind === "sort" && e.a.kind === "face" && e.window?.height > 1;
+  if (where && where !== first && !isBox && !(shown && e.kind !== "accept"))
     text += ` (${where})`;
   return capital(text);
 }

@@ -17,6 +17,7 @@
 //              what the steps were that led to that sample; otherwise as in
 //              data/story.js
 // verb         what becomes of the subject of an accepted event
+// doneWith(part)   what becomes of a part, in words; null: the verb tells it
 // partWords(part)
 //              what follows of the part of an accepted event
 // partLine(part)

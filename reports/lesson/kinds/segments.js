@@ -94,7 +94,8 @@ export const segments = { name: "segments", progress: PROGRESS, draw, story,
   windows: "samples",
   painting: (run) => partsPainting(run, joined), strip: edgeStrip,
   hint: "Click an edge to read its story.", verb: "drawn",
-  partWords: ([, n]) => !n ? ": visible"
-    : `: hidden by ${n === 1 ? "one face" : `${n} faces`}`,
+  // Of one that is hidden it may be known only that it is: then the number is one.
+  doneWith: (part) => part?.[1] ? "goes into the drawing as hidden" : null,
+  partWords: ([, n]) => !n ? ": visible" : n > 1 ? `, behind ${n} faces` : "",
   partLine: ([, n, , , , , from, to]) =>
     from && to ? { points: [from, to], dashed: n > 0 } : null };

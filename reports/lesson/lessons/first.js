@@ -58,7 +58,7 @@ export const zbuffer = {
       { name: "depth tests", outcome: "farther", real: true },
       "Solid: the new face. Dashed: the face that is kept here. Which is nearer?"],
     ["What was kept is thrown away", { name: "overwrites" }],
-    ["Half of the faces are done", { name: "depth tests", at: 0.5 },
+    ["Half of the comparisons are made", { name: "depth tests", at: 0.5 },
       "Solid: the new face. Dashed: the face that is kept here. Which is nearer?"],
     ["A late face may still win", { name: "depth tests", outcome: "nearer", real: true,
       nth: -1 }, "Solid: the new face. Dashed: the face that is kept. Which is nearer?"],

@@ -14,8 +14,10 @@ const isUpperRight = (run, { window: w }) => w && w.y === 0 && w.x > 0 &&
 export const warnock = {
   idea: "Divide until it is simple",
   text: ["Look at a window. If no face is in it, or if one face covers all of it and " +
-    "is nearer than all others there, the window is shown at once. Otherwise it is " +
-    "divided into four, and each quarter is looked at in the same way. A window of " +
+    "is nearer than all others there, the window is shown at once. If one " +
+    "face is left that covers a part of it, the window shows what is behind this face, " +
+    "and then the face. Otherwise it is divided into four, and each quarter is looked at " +
+    "in the same way. A window of " +
     "a single sample shows the face that is nearest there. Large areas cost little; " +
     "the work gathers along edges.",
   "To a window, a face is one of three: disjoint, if no part of it is in the window; a " +

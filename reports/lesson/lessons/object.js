@@ -15,7 +15,8 @@ export const roberts = {
   text: ["The scene is made of convex volumes. Each edge is compared with each " +
     "volume: which part of the edge does the volume hide? It may hide all of it, " +
     "nothing, one end, or a part between two pieces that stay. Each piece that stays " +
-    "is compared with the volumes that follow. What no volume hides is drawn.",
+    "is compared with the volumes that follow. What no volume hides is visible. The " +
+    "drawing gets the hidden parts, too, as hidden ones.",
   "A volume is convex: it lies behind the plane of each of its faces. Where a solid is " +
     "concave, as in the corner of an L, it lies on both sides of the plane of some face. " +
     "It is cut along this plane, and each part again, until all parts are convex: they " +
@@ -57,7 +58,7 @@ export const roberts = {
     ["What all volumes left is drawn", { of: "interval-drawn", with: ["two", "a"],
       where: (run, e) => e.part?.[1] === 0 }],
     ["All of the fragment is beside this edge of the contour: nothing may be hidden",
-      { name: "conditions", outcome: "contour: nothing left", before: "none" }],
+      { name: "conditions", outcome: "contour: no part hidden", before: "none" }],
     ["The volume hides the whole fragment: nothing of it is left to draw",
       { of: "edge-volume", outcome: "hidden whole", pick: "largest", among: EARLY },
       VOLUME],
@@ -71,10 +72,10 @@ export const roberts = {
     ["The edge lies in the front of this volume, which cannot hide it",
       { name: "own volumes", pick: "largest", among: EARLY }],
     ["A face that looks away from the eye does not count for its edge",
-      { of: "back-edge-cull", outcome: "does not exist", pick: "largest",
+      { of: "back-edge-cull", outcome: "a back, or edge on", pick: "largest",
         among: EARLY }],
     ["A face that looks at the eye: its edge is kept",
-      { of: "back-edge-cull", outcome: "exists", pick: "largest" }],
+      { of: "back-edge-cull", outcome: "may be seen", pick: "largest" }],
     ["Outside of the picture: the edge is left out",
       { name: "clipping cull", outcome: "outside" }],
   ],
@@ -91,7 +92,7 @@ const isBeyond = (run, e) => {
 // kept: what is kept of an edge, with what is said of it.
 const crossings = (other, kept) => [
   ["A face that looks away from the eye does not count for its edge",
-    { name: "edge cull", outcome: "does not exist", pick: "largest" }],
+    { name: "edge cull", outcome: "a back, or edge on", pick: "largest" }],
   [`A face hides the vertex: ${kept.begins}`,
     { of: "initial-visibility", outcome: "hides", pick: "largest", id: "hides" },
     "Does the dashed face hide the vertex?"],
@@ -126,7 +127,7 @@ export const WORDS = { farther: "the other is farther", nearer: "the other is ne
 
 export const appel = {
   idea: "Count how many faces hide the edge",
-  text: ["Follow an edge and keep one number: how many faces hide it here. It is drawn " +
+  text: ["Follow an edge and keep one number: how many faces hide it here. It is visible " +
     "where the number is zero. The number changes only where the edge passes behind " +
     "a contour edge, one between a face that looks at the eye and one that does not.",
   "At the start of an edge the number comes from its neighbor, which ends at the same " +

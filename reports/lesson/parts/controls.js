@@ -67,6 +67,7 @@ export function controls(act, state, several) {
 
   return {
     element,
+    focus: () => play.focus({ preventScroll: true }),
     playing: (is) => {
       play.textContent = is ? "Pause" : "Play";
       play.title = is ? "Pause (space)" : "Play (space)";

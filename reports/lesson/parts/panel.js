@@ -140,11 +140,14 @@ function costTable(run) {
   const { costs, letters } = run.trace;
   if (!costs.some((c) => c.predicted !== null))
     return { element: null, show: () => {} };
-  const nameOf = ([c, weight]) => weight === 1 ? run.header.counters[c].name
-    : `${whole(weight)} × ${run.header.counters[c].name}`;
+  const termOf = ([c, weight], k) => {
+    const sign = weight < 0 ? "−" : k ? "+" : "", size = Math.abs(weight);
+    return [k ? ` ${sign} ` : sign, size === 1 ? "" : `${whole(size)} × `,
+      run.header.counters[c].name].join("");
+  };
   const cells = costs.map(() => h("td", { class: "number" }));
   const sums = costs.map(({ terms }) =>
-    terms.filter(([n]) => run.trace.counts[n]).map(nameOf).join(" + "));
+    terms.filter(([n]) => run.trace.counts[n]).map(termOf).join(""));
   const rows = costs.map((c, k) => h("tr", {}, h("th", { scope: "row" }, c.label,
     sums[k] && sums[k] !== c.label ? [h("br"), h("small", {}, sums[k])] : null),
   cells[k], h("td", { class: "number" }, count(c.predicted)),

@@ -59,6 +59,7 @@ export function player(state, changed) {
 
   function go(k) {
     question.hide();
+    tell("");
     place(k);
     show();
     if (state.quiz && now() >= leader().n && question.score().asked) {
@@ -88,10 +89,8 @@ export function player(state, changed) {
 
   function move(direction, level = state.level) {
     stop();
-    if (question.open()) {
-      question.remind();
-      return;
-    }
+    if (question.open() && !question.isChosen()) return question.remind();
+    if (question.open() && direction > 0) return question.goOn();
     const to = moved(now(), direction, level);
     if (!asks(now(), to)) go(to);
   }
@@ -251,6 +250,7 @@ export function player(state, changed) {
 
   // Once the elements are in the page.
   function open() {
+    tell("");
     state.to = bar.offer(leader(), state.to, state.face);
     bar.pace(paceWords(), state.speed);
     if (state.pixel) panels.forEach((p) => p.story(state.pixel));
@@ -268,7 +268,7 @@ export function player(state, changed) {
   const keyed = Object.fromEntries(Object.entries(act).map(([name, does]) =>
     [name, (...given) => panels.length ? does(...given) : undefined]));
 
-  return { begin, open, end, go, stop, lead, act: keyed,
+  return { begin, open, end, go, stop, lead, act: keyed, focus: () => bar.focus(),
     show: () => panels.length && show() };
 }
 

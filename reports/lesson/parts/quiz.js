@@ -6,12 +6,14 @@ import { h } from "../../page/parts/dom.js";
 // answered(question): called when the reader has chosen and wants to go on.
 export function quiz(answered) {
   const score = { right: 0, asked: 0 };
+  let goOn = null; // once the reader has chosen
   const done = new Set();
   const element = h("div", { class: "quiz", role: "group", hidden: true,
     "aria-label": "Question" });
   const scored = () => `${score.right} of ${score.asked} right so far.`;
 
   function ask(run, question) {
+    goOn = null;
     const reply = h("p", { role: "status" });
     const buttons = question.answers.map(([word, label]) => h("button",
       { type: "button", "data-answer": word, onclick: () => choose(word) }, label));
@@ -22,10 +24,11 @@ export function quiz(answered) {
       score.asked += 1;
       score.right += isRight ? 1 : 0;
       buttons.forEach((b) => { b.disabled = true; });
-      const on = h("button", { type: "button", onclick: () => {
+      goOn = () => {
         element.hidden = true;
         answered(question);
-      } }, "Go on");
+      };
+      const on = h("button", { type: "button", onclick: goOn }, "Go on");
       reply.replaceChildren(h("b", {}, isRight ? "Yes" : `No: ${label}`), ". ",
         eventWords(run, run.event(question.k - 1)), ". ", h("small", {}, scored()),
         " ", on);
@@ -39,9 +42,8 @@ export function quiz(answered) {
 
   // Somebody wants to go on without an answer.
   function remind() {
-    const reply = element.querySelector("p[role=status]");
-    if (!reply.textContent)
-      reply.textContent = "Choose an answer first; the key q goes on without questions.";
+    element.querySelector("p[role=status]").textContent =
+      "Choose an answer first; the key q goes on without questions.";
   }
 
   // At the end of a run with n questions.
@@ -52,7 +54,8 @@ export function quiz(answered) {
       ? `; this run has ${n}.` : "."));
   }
 
-  return { element, ask, remind, result, score: () => score,
+  return { element, ask, remind, result, goOn: () => goOn(),
+    isChosen: () => goOn !== null, score: () => score,
     isAnswered: ({ k }) => done.has(k),
     hide: () => { element.hidden = true; },
     open: () => !element.hidden && Boolean(element.querySelector(".buttons")) };

@@ -26,7 +26,7 @@
  * Intervals: F upper and F lower 3 each, the 6 others 1 each. */
 static const struct hand_count of_bar[] = {
     {"edge cull", 8},
-    {"edge cull", 8, "exists"},
+    {"edge cull", 8, "may be seen"},
     {"searches", 2},
     {"initial visibility", 4},
     {"initial visibility", 0, "hides"},

@@ -19,7 +19,7 @@
  * Intervals: F upper and lower 3 each, the 6 others 1 each. */
 static const struct hand_count of_bar[] = {
     {"back-edge cull", 8},
-    {"back-edge cull", 8, "exists"},
+    {"back-edge cull", 8, "may be seen"},
     {"clipping cull", 8},
     {"clipping cull", 8, "inside"},
     {"collection pairs", 4},
@@ -34,7 +34,7 @@ static const struct hand_count of_bar[] = {
     {"two pieces left", 2},
     {"fragments", 10},
     {"conditions", 10},
-    {"conditions", 8, "contour: some left"},
+    {"conditions", 8, "contour: a part may be hidden"},
     {"conditions", 2, "plane: some left"},
     {"bodies apart", 2},
     {"intervals drawn", 12},
@@ -75,8 +75,8 @@ static const struct hand_count of_beside[] = {
     {"untouched", 2},
     {"fragments", 7},
     {"conditions", 4},
-    {"conditions", 2, "contour: nothing left"},
-    {"conditions", 2, "contour: some left"},
+    {"conditions", 2, "contour: no part hidden"},
+    {"conditions", 2, "contour: a part may be hidden"},
     {"bodies apart", 2},
     {"intervals drawn", 7},
     {NULL}};
