@@ -73,16 +73,16 @@ struct hsr_shape {
   /* By edge: a number that is equal for all edges between the same two
    * points. Other edges may have it by chance. */
   const uint64_t *edge;
-  const struct hsr_screen_line *line; /* convex: those of the edges, then those
+  const struct hsr_screen_line *line;  /* convex: those of the edges, then those
                                          of `near`; a fan: three a triangle,
                                          from its first corner, then those of
                                          `near` */
   const struct hsr_screen_line *wedge; /* a fan's: two a block of triangles,
                                           through its first corner; the block
                                           is where both are positive */
-  uint32_t n_cuts;                    /* of a piece: the last so many lines, */
-  const struct hsr_shape_cut *cut;    /* which are of these planes */
-  double x0, y0, x1, y1;              /* a box that holds it, in pixels */
+  uint32_t n_cuts;                     /* of a piece: the last so many lines, */
+  const struct hsr_shape_cut *cut;     /* which are of these planes */
+  double x0, y0, x1, y1;               /* a box that holds it, in pixels */
 };
 
 /* Makes the shape of face f of the screen's world, whose id in the scene is
