@@ -54,10 +54,10 @@ static json_t *counter_json(const struct hsr_algorithm *a, int k) {
       c->outcome_keys ? words_json(c->outcome_keys, '|') : NULL;
   return json_pack(
       "{ss ss* so* ss ss ss ss so so sb}", "name", c->name, "key", c->key,
-      "outcome_keys", outcome_keys, "meaning", c->meaning, "kind", hsr_step_kind_name[c->kind], "a",
-      hsr_subject_kind_name[c->a], "b", hsr_subject_kind_name[c->b], "outcomes",
-      words_json(c->outcomes, '|'), "line",
-      line ? json_integer(line) : json_null(), "computed", c->computed);
+      "outcome_keys", outcome_keys, "meaning", c->meaning, "kind",
+      hsr_step_kind_name[c->kind], "a", hsr_subject_kind_name[c->a], "b",
+      hsr_subject_kind_name[c->b], "outcomes", words_json(c->outcomes, '|'),
+      "line", line ? json_integer(line) : json_null(), "computed", c->computed);
 }
 
 static json_t *counters_json(const struct hsr_algorithm *a) {

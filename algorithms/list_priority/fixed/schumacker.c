@@ -642,8 +642,7 @@ static const struct hsr_counter counters[] = {
                     "faces, as seen from either side, that are tested for "
                     "being back faces",
                     HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front",
-                    .key = "back-face-cull",
-                    .outcome_keys = "|front"},
+                    .key = "back-face-cull", .outcome_keys = "|front"},
     [Y_CULL] = {"Y cull",
                 "edges of listed faces, each face counting its own, on every "
                 "scan line",

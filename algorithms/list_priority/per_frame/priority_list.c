@@ -607,8 +607,7 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "
      "overlap in Y",
-     .key = "list-minimax",
-     .outcome_keys = "boxes|boxes|boxes|boxes"},
+     .key = "list-minimax", .outcome_keys = "boxes|boxes|boxes|boxes"},
     {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "

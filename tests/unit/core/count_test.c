@@ -3,11 +3,11 @@
 #include "common/base/count.h"
 #include "tests/tap.h"
 
-static const struct hsr_counter some = {
-    .name = "tests",
-    .outcomes = "in|out|neither|both",
-    .key = "box-test",
-    .outcome_keys = "boxes body||boxes-apart|body"};
+static const struct hsr_counter some = {.name = "tests",
+                                        .outcomes = "in|out|neither|both",
+                                        .key = "box-test",
+                                        .outcome_keys =
+                                            "boxes body||boxes-apart|body"};
 static const struct hsr_counter plain = {.name = "faces"};
 static const struct hsr_counter each = {.name = "pairs",
                                         .outcome_keys = "boxes"};
