@@ -44,7 +44,8 @@ static bool find_role(const struct frames *f, const struct hsr_event *event,
                       enum role *role) {
   const struct hsr_algorithm *a = f->run->setup.algorithm;
   const struct hsr_counter *c = &a->counters[event->counter];
-  if (c->kind == HSR_ACCEPT && lesson_has_counter(a, "face-sort"))
+  if (c->kind == HSR_ACCEPT && (lesson_has_counter(a, "face-sort") ||
+                                lesson_has_counter(a, "list-segment")))
     *role = ACCEPTED;
   else if (hsr_has_key(c, "list-sort"))
     *role = SORTED;
@@ -278,8 +279,20 @@ static bool sort(struct frames *f, const struct note *note,
          add_op(f, (struct op){.event = note->event, .what = BEGIN});
 }
 
+/* The last note of a role; NULL: there is none. */
+static const struct note *last_note(const struct frames *f, enum role role) {
+  const struct note *notes = f->list.notes.items;
+  size_t k = f->list.notes.n;
+  while (k && notes[k - 1].role != role)
+    k--;
+  return k ? &notes[k - 1] : NULL;
+}
+
+/* What is shown after the last piece was cut into segments is shown when all are
+ * painted. */
 static bool follow_pieces(struct frames *f) {
   const struct note *note = f->list.notes.items, *end = note + f->list.notes.n;
+  const struct note *filled = last_note(f, FILLED);
   size_t next = 0;
   bool good = true;
   for (; note < end && good; note++)
@@ -299,6 +312,10 @@ static bool follow_pieces(struct frames *f) {
       break;
     case DIVIDED:
       good = divide(f, note, end);
+      break;
+    case ACCEPTED:
+      good = !filled || note < filled ||
+             paint_up_to(f, note->event, HSR_NO_ID, false);
       break;
     default:
       break;
@@ -321,10 +338,8 @@ static bool follow_growth(struct frames *f) {
 /* All faces are sorted, and then painted one by one. */
 static bool follow_faces(struct frames *f) {
   const struct note *note = f->list.notes.items, *end = note + f->list.notes.n;
-  const struct note *sorted = NULL;
+  const struct note *sorted = last_note(f, FACE_SORTED);
   bool good = true, is_first = true;
-  for (const struct note *n = note; n < end; n++)
-    sorted = n->role == FACE_SORTED ? n : sorted;
   uint64_t begin = sorted ? sorted->event : 0;
   f->list.is_sorting = true;
   for (const struct note *n = note; n < end && good; n++)

@@ -322,9 +322,10 @@ static void fan_lines(struct hsr_shape *shape, const struct hsr_screen *screen,
 
 /* The line through the first corner of a fan and one of corners [from, to) that
  * has the others on its positive side, or on its negative one if `side` is -1;
- * then turned. If none certainly does, a line that is positive everywhere. All
- * of a triangle of such corners is on that side too, as each of its points is a
- * mean of its corners. */
+ * then turned. If none certainly does, a line of which nothing is known. All of
+ * a triangle of such corners is on that side too, as each of its points is a
+ * mean of its corners. A ray that meets a triangle behind the eye is on the
+ * other side. */
 static struct hsr_screen_line wedge_line(const struct hsr_screen *screen,
                                          const double (*corner)[3],
                                          uint32_t from, uint32_t to, int side) {
@@ -335,7 +336,7 @@ static struct hsr_screen_line wedge_line(const struct hsr_screen *screen,
   for (uint32_t k = from; k < to; k++)
     if (k != last &&
         side_of_edge(screen, corner[0], corner[last], corner[k]) != side)
-      return (struct hsr_screen_line){0, 0, 1, 0};
+      return (struct hsr_screen_line){0, 0, 0, INFINITY};
   struct hsr_screen_line line = edge_line(screen, corner[0], corner[last]);
   return side > 0 ? line : opposite(line);
 }
@@ -513,13 +514,23 @@ static enum hsr_meeting meets_triangle(const struct hsr_screen_line *line,
                                     : HSR_MEETS;
 }
 
+/* Certainly, no ray of the square meets the block's triangles, before the eye or
+ * behind it. */
+static bool misses_block(const struct hsr_screen_line *wedge,
+                         const struct hsr_square *square) {
+  double lo[2], hi[2];
+  for (int k = 0; k < 2; k++)
+    hsr_line_range(&wedge[k], square, &lo[k], &hi[k]);
+  return (lo[0] > 0 && hi[1] < 0) || (hi[0] < 0 && lo[1] > 0);
+}
+
 /* The first triangle from k on whose block may meet the square; n_corners - 2:
  * there is none. */
 static uint32_t next_triangle(const struct hsr_shape *shape,
                               const struct hsr_square *square, uint32_t k) {
   uint32_t n = shape->n_corners - 2;
   while (k < n && k % BLOCK == 0 &&
-         meets_all(shape->wedge + 2 * (k / BLOCK), 2, square) == HSR_MISSES)
+         misses_block(shape->wedge + 2 * (k / BLOCK), square))
     k += BLOCK;
   return k < n ? k : n;
 }

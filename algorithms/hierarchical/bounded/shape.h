@@ -78,8 +78,9 @@ struct hsr_shape {
                                          from its first corner, then those of
                                          `near` */
   const struct hsr_screen_line *wedge; /* a fan's: two a block of triangles,
-                                          through its first corner; the block
-                                          is where both are positive */
+                                          through its first corner. A ray
+                                          that meets the block has one sign
+                                          of both */
   uint32_t n_cuts;                     /* of a piece: the last so many lines, */
   const struct hsr_shape_cut *cut;     /* which are of these planes */
   double x0, y0, x1, y1;               /* a box that holds it, in pixels */

@@ -52,7 +52,7 @@ export const roberts = {
     ["The boxes overlap: the body is in the way, perhaps",
       { of: "minimax", outcome: "body in the way", before: "two" }],
     ["A front plane of the volume: of the edge, some lies behind it",
-      { name: "conditions", like: /some left/, before: "two" }],
+      { name: "conditions", like: /may be hidden/, before: "two" }],
     ["One of the two pieces waits as a fragment of its own",
       { name: "two pieces left", after: "two" }],
     ["What all volumes left is drawn", { of: "interval-drawn", with: ["two", "a"],

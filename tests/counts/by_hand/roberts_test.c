@@ -35,7 +35,7 @@ static const struct hand_count of_bar[] = {
     {"fragments", 10},
     {"conditions", 10},
     {"conditions", 8, "contour: a part may be hidden"},
-    {"conditions", 2, "plane: some left"},
+    {"conditions", 2, "plane: a part may be hidden"},
     {"bodies apart", 2},
     {"intervals drawn", 12},
     {NULL}};
