@@ -93,11 +93,12 @@ struct hsr_counter {
                     the counter has no events */
   const char *key; /* a stable word of a to z and -, by which programs know the
                       counter: "cube-visited". NULL: no program looks for it */
-  const char *outcome_keys; /* likewise of its outcomes, in their order, with |
-                               between them. An outcome has none, one, or several
-                               with a space between them: "boxes||boxes body". Of a
-                               counter without outcomes, those of all its steps.
-                               Several counters may have the same. NULL: none */
+  const char *outcome_keys; /* names by which programs know its outcomes, in the
+                               order of these: "boxes||boxes body". A | parts the
+                               outcomes. One outcome may have no key, or several
+                               with spaces between them. A counter without
+                               outcomes has one list, for all its steps. Several
+                               counters may have the same keys. NULL: none */
 };
 
 /* Whether programs know the counter by that key. */

@@ -320,12 +320,12 @@ static void fan_lines(struct hsr_shape *shape, const struct hsr_screen *screen,
   shape->n_lines = n;
 }
 
-/* The line through the first corner of a fan and one of corners [from, to) that
- * has the others on its positive side, or on its negative one if `side` is -1;
- * then turned. If none certainly does, a line of which nothing is known. All of
- * a triangle of such corners is on that side too, as each of its points is a
- * mean of its corners. A ray that meets a triangle behind the eye is on the
- * other side. */
+/* A side of the wedge of corners [from, to) of a fan: a line through the fan's
+ * first corner and one of these, with all of these on its positive side. There
+ * are two, which `side`, 1 or -1, tells apart. If no corner certainly gives one,
+ * the line's error is infinite. A ray that meets a triangle of these corners is
+ * on the positive side, since each point of a triangle is a mean of its corners.
+ * If it meets the triangle behind the eye, it is on the negative side. */
 static struct hsr_screen_line wedge_line(const struct hsr_screen *screen,
                                          const double (*corner)[3],
                                          uint32_t from, uint32_t to, int side) {

@@ -174,8 +174,8 @@ function priorityList(run) {
     numberOf: (c, p) => c === search ? places[p] : p };
 }
 
-// The first event after all segments in which something is shown: by then every piece is
-// painted. If there are none, the end.
+// When every piece is painted: at the first event that shows something, after the last
+// segment was put into its row. An algorithm without such segments: at the end.
 function firstShown({ counterOf, header, trace }) {
   const { counter, kept } = trace;
   const last = counter.lastIndexOf(counterOf("list-segment"));

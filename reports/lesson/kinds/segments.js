@@ -94,7 +94,7 @@ export const segments = { name: "segments", progress: PROGRESS, draw, story,
   windows: "samples",
   painting: (run) => partsPainting(run, joined), strip: edgeStrip,
   hint: "Click an edge to read its story.", verb: "drawn",
-  // Of one that is hidden it may be known only that it is: then the number is one.
+  // Some algorithms know that a part is hidden, but not by how many faces. They say one.
   doneWith: (part) => part?.[1] ? "goes into the drawing as hidden" : null,
   partWords: ([, n]) => !n ? ": visible" : n > 1 ? `, behind ${n} faces` : "",
   partLine: ([, n, , , , , from, to]) =>
