@@ -72,14 +72,14 @@ static void test_reset(struct tap *tap) {
   bool taken = true;
   for (int frame = 0; frame < 3; frame++) {
     for (size_t k = 0; k < 5; k++)
-      taken &= filled(&arena, MUCH << k, 1) != NULL;
+      taken &= filled(&arena, (size_t)MUCH << k, 1) != NULL;
     if (frame < 2)
       hsr_arena_reset(&arena);
   }
   const long blocks = (long)arena.n_blocks_taken;
   hsr_arena_reset(&arena);
   for (size_t k = 0; k < 5; k++)
-    taken &= filled(&arena, MUCH << k, 1) != NULL;
+    taken &= filled(&arena, (size_t)MUCH << k, 1) != NULL;
   ok(tap, taken && (long)arena.n_blocks_taken == blocks,
      "a frame like the one before takes no new block");
   hsr_arena_free(&arena);
