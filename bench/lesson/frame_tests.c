@@ -105,7 +105,7 @@ void frames_mark_test(struct frames *f, const struct hsr_event *event) {
     frames_mark_plane_of(
         f, event->a.id[0],
         &(struct frame_look){FRAME_INK, .06, 1.2, FRAME_SOLID});
-  else if (frames_has_outcome(f, event, "line-between"))
+  else if (frames_has_outcome(f, event, "edge-between"))
     mark_line(f, event);
 }
 

@@ -185,8 +185,15 @@ const sceneName = ({ header }) => header.scene.replace(/@.*/, "").replace(/^.*\/
 function sceneWords(run) {
   const { view, faces } = run.header;
   return `${sceneName(run)}, view ${view.number}, ${view.width} × ${view.height} ` +
-    `samples, ${faces.length} ${faces.length === 1 ? "face" : "faces"}. ${
-      run.kind.hint ?? ""}`;
+    `samples, ${facesWords(run, faces.length)}. ${run.kind.hint ?? ""}`;
+}
+
+// How many faces the scene has, and how many of them the steps name, if these are
+// fewer: the others turn their backs to the eye, or are outside of the picture.
+function facesWords(run, n) {
+  const named = run.kind.holdsFaces ? run.facesNamed() : 0;
+  return named && named < n ? `${named} of ${n} faces take part`
+    : `${n} ${n === 1 ? "face" : "faces"}`;
 }
 
 // The same view in the laboratory, if the page knows where that is.

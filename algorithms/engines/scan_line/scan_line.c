@@ -415,7 +415,7 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left"},
     {"X sort", "comparisons of an edge with the one before it", HSR_COMPARE,
      HSR_OF_EDGE, HSR_OF_EDGE, "to the right|to the left", .key = "x-sort"},
-    {"X interchanges", "interchanges of two neighbours in the list", HSR_SORT,
+    {"X interchanges", "interchanges of two neighbors in the list", HSR_SORT,
      HSR_OF_EDGE, HSR_OF_EDGE, .key = "interchange"},
     {NULL}};
 

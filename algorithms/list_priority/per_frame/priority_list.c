@@ -276,14 +276,18 @@ static const int *spans_on(struct hsr_priority_list *s, int j, int *n) {
   return row->n ? (const int *)spans->columns.items + row->first : NULL;
 }
 
+/* What test 6 finds, as the outcomes of its counter. */
+enum overlap { OVERLAP, EDGE_BETWEEN, NO_ROW_HAS_BOTH };
+
 /* Test 6: no sample is in both. It looks for an edge of whole faces that
  * separates them, and then at the spans of every row that both may reach. */
-static bool are_apart(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
+static enum overlap find_overlap(struct hsr_priority_list *s, uint32_t p,
+                                 uint32_t q) {
   const struct hsr_piece *a = &piece_at(s, p)->part, *b = &piece_at(s, q)->part;
   uint32_t f = a->face, g = b->face;
   if (s->screen->whole[f] && s->screen->whole[g] &&
       (edge_separates(s, f, g) || edge_separates(s, g, f)))
-    return true;
+    return EDGE_BETWEEN;
   int y0 = a->bounds.y0 > b->bounds.y0 ? a->bounds.y0 : b->bounds.y0;
   int y1 = a->bounds.y1 < b->bounds.y1 ? a->bounds.y1 : b->bounds.y1;
   struct hsr_face_rows rows;
@@ -300,9 +304,9 @@ static bool are_apart(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
     HSR_STEP(s->tally, HSR_LIST_OVERLAP_ROWS, subject(s, p), subject(s, q),
              HSR_ON(s->window->x0, s->window->x1, j), meet);
     if (meet)
-      return false;
+      return OVERLAP;
   }
-  return true;
+  return NO_ROW_HAS_BOTH;
 }
 
 static bool minimax(int a0, int a1, int b0, int b1) {
@@ -328,23 +332,37 @@ static enum hsr_special test_minimax(const struct hsr_priority_list *s,
   return y ? HSR_P_MAY_OBSCURE : HSR_APART_IN_Y;
 }
 
-/* Tests 4 to 6. */
-static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
-                                    uint32_t q) {
+/* Tests 4 and 5, in order. *is_certain: whether both planes told. */
+static enum hsr_special test_sides(const struct hsr_priority_list *s,
+                                   uint32_t p, uint32_t q, bool *is_certain) {
   const struct hsr_list_piece *P = piece_at(s, p), *Q = piece_at(s, q);
   enum hsr_certainty deeper = is_deeper(s, P, Q);
   if (deeper == HSR_YES)
     return HSR_P_BEYOND_Q;
   enum hsr_certainty closer = is_closer(s, Q, P);
-  if (closer == HSR_YES)
-    return HSR_Q_BEFORE_P;
-  bool apart = are_apart(s, p, q);
+  *is_certain = deeper == HSR_NO && closer == HSR_NO;
+  return closer == HSR_YES ? HSR_Q_BEFORE_P : HSR_P_MAY_OBSCURE;
+}
+
+/* Tests 4 to 6. */
+static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
+                                    uint32_t q) {
+  bool is_certain = true;
+  enum hsr_special sides = test_sides(s, p, q, &is_certain);
+  HSR_STEP(s->tally, HSR_LIST_PLANES, subject(s, p), subject(s, q), *s->window,
+           sides == HSR_P_BEYOND_Q   ? 0
+           : sides == HSR_Q_BEFORE_P ? 1
+           : is_certain              ? 2
+                                     : 3);
+  if (sides != HSR_P_MAY_OBSCURE)
+    return sides;
+  enum overlap overlap = find_overlap(s, p, q);
   HSR_STEP(s->tally, HSR_LIST_OVERLAPS, subject(s, p), subject(s, q),
-           *s->window, apart);
-  if (apart)
+           *s->window, overlap);
+  if (overlap != OVERLAP)
     return HSR_NO_OVERLAP;
-  return deeper == HSR_NO && closer == HSR_NO && !P->forced ? HSR_P_MAY_OBSCURE
-                                                            : HSR_TO_SAMPLES;
+  return is_certain && !piece_at(s, p)->forced ? HSR_P_MAY_OBSCURE
+                                               : HSR_TO_SAMPLES;
 }
 
 /* The six tests, in order: may P obscure Q? */
@@ -356,11 +374,6 @@ bool hsr_list_may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
     decided = test_planes(s, p, q);
     if (s->keeper && (decided == HSR_P_BEYOND_Q || decided == HSR_Q_BEFORE_P))
       hsr_kept_note(s, p, q);
-    HSR_STEP(s->tally, HSR_LIST_PLANES, subject(s, p), subject(s, q),
-             *s->window,
-             decided == HSR_P_MAY_OBSCURE ? 0
-             : decided == HSR_TO_SAMPLES  ? 2
-                                          : 1);
   }
   HSR_STEP(s->tally, HSR_LIST_SPECIAL, subject(s, p), subject(s, q), *s->window,
            decided);
@@ -600,7 +613,7 @@ static const struct hsr_counter counters[] = {
      "overlap|each sample decides|P may obscure Q|known from the last frame",
      .key = "list-test",
      .outcome_keys =
-         "end-of-q|extents|boxes|boxes|plane-of-q|plane-of-p|line-between||"
+         "end-of-q|extents|boxes|boxes|plane-of-q|plane-of-p|no-overlap||"
          "may-obscure"},
     {"minimax tests",
      "tests 2 and 3: pairs whose boxes were compared in X, or in Y",
@@ -610,12 +623,16 @@ static const struct hsr_counter counters[] = {
      .key = "list-minimax", .outcome_keys = "boxes|boxes|boxes|boxes"},
     {"plane tests", "tests 4 to 6: pairs that the minimax tests left",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-     "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "
-     "6: each sample decides"},
+     "test 4: P beyond Q's plane|test 5: Q before P's plane|tests 4 and 5: "
+     "neither|tests 4 and 5: not certain",
+     .key = "list-planes", .outcome_keys = "plane-of-q|plane-of-p||"},
     {"overlap tests", "test 6: pairs tested for overlap on the screen",
-     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "test 6: overlap|test 6: apart"},
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+     "test 6: overlap|test 6: an edge is between them|test 6: no row has "
+     "samples of both",
+     .key = "list-overlap", .outcome_keys = "|edge-between|"},
     {"overlap rows", "test 6: rows on which the samples of both are compared",
-     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "apart|meet"},
+     HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "apart|meet", .key = "list-row"},
     {"interchanges", "pieces moved to the far end of the list", HSR_SORT,
      HSR_OF_PIECE, HSR_OF_PIECE, .key = "list-move"},
     {"divisions", "pieces divided by the plane of another", HSR_SPLIT,

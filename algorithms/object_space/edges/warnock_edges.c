@@ -457,10 +457,10 @@ static const struct hsr_counter counters[] = {
     [X_MERGE] = {"X merge", "comparisons to merge entering edges into the list",
                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "goes right|goes left"},
     [BUBBLE_SORT] = {"bubble sort",
-                     "comparisons of neighbours to sort the list again",
+                     "comparisons of neighbors to sort the list again",
                      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
                      "in order|out of order"},
-    [INTERCHANGES] = {"interchanges", "exchanges of neighbours in the list",
+    [INTERCHANGES] = {"interchanges", "exchanges of neighbors in the list",
                       HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE, .key = "interchange"},
     [UNCERTAIN] = {"uncertain order",
                    "pairs of edges that cover places in "
@@ -480,7 +480,7 @@ static const struct hsr_counter counters[] = {
 static const struct hsr_line outline[] = {
     {"sort edges by their northmost Y into buckets", HSR_RAISES(BUCKET_SORT)},
     {"for each Y where edges enter or leave"},
-    {"  bubble sort: compare neighbours of the active edge list in X",
+    {"  bubble sort: compare neighbors of the active edge list in X",
      HSR_RAISES(BUBBLE_SORT)},
     {"    interchange them, which notes a crossing", HSR_RAISES(INTERCHANGES)},
     {"  merge entering edges into the list", HSR_RAISES(X_MERGE)},

@@ -995,18 +995,18 @@ static const struct hsr_line outline[] = {
      "boxes, and "
      "find those near an edge",
      HSR_RAISES(BOX_SORT, BOX_SEARCH)},
-    {"for each object that is no closed solid before the eye: take it face by "
+    {"for each body that is no closed solid before the eye: take it face by "
      "face",
      HSR_RAISES(TAKEN_APART)},
-    {"for each object: which objects may be before it, by a minimax test?",
+    {"for each body: which bodies may be before it, by a minimax test?",
      HSR_RAISES(PAIRS)},
     {"for each of its edges"},
     {"  back-edge cull: does a front face have it?", HSR_RAISES(BACK_CULL)},
     {"  clipping cull: is it in the picture?", HSR_RAISES(CLIP_CULL)},
-    {"  for each volume of these objects"},
-    {"    minimax test: may the volume, or its whole object, be before it?",
+    {"  for each volume of these bodies"},
+    {"    minimax test: may the volume, or its whole body, be before it?",
      HSR_RAISES(MINIMAX)},
-    {"      no: leave the object out", HSR_RAISES(COLLECTIONS)},
+    {"      no: leave the body out", HSR_RAISES(COLLECTIONS)},
     {"      no: leave the volume out", HSR_RAISES(VOLUMES)},
     {"    is the edge in a front plane of the volume?", HSR_RAISES(OWN)},
     {"  for the edge, and for each fragment that is split off",

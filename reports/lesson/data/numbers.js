@@ -178,7 +178,7 @@ function farthest(run, e) {
 // Tests 4 and 5: how far the corners of the one lie on their side of the plane of the
 // other. Of a piece that was cut, the corners are not known.
 function cornersAndPlane(run, e) {
-  const whose = e.counter.key === "list-test" ? planeAsked(e) : null;
+  const whose = planeAsked(e);
   if (!whose) return null;
   const other = whose === e.a ? e.b : e.a;
   const [f, g] = [other.ids[0], whose.ids[0]];
@@ -196,11 +196,25 @@ function cornersAndPlane(run, e) {
 
 // Test 6: the line between the two images.
 function lineBetween(run, e) {
-  if (!hasOutcome(e, "line-between")) return null;
-  const line = separating(run, e);
-  return { less: null, words: line
-    ? `the dotted line, along an edge of ${line.of}, is between them`
-    : "on no row do their samples meet" };
+  const line = hasOutcome(e, "edge-between") ? separating(run, e) : null;
+  return line && { words: `the dotted line, along an edge of ${line.of}`, less: null };
+}
+
+// Test 6 on one row: from where to where each image is on it.
+function placesOfImages(run, e) {
+  if (e.counter.key !== "list-row") return null;
+  const [p, q] = [e.a, e.b].map((s) => stretchesOn(imageOf(run, e, s), e.window.y + 0.5));
+  return p.length && q.length
+    ? { words: `columns ${p.join(", ")} against ${q.join(", ")}`, less: null } : null;
+}
+
+const imageOf = (run, e, { ids: [f, p] }) => run.outline(e.k, p, f) ??
+  run.header.faces[f][4];
+
+function stretchesOn(outline, y) {
+  const at = outline.map((p, k) => onRow([p, outline[(k + 1) % outline.length]], y, true))
+    .filter((x) => x !== null).sort((a, b) => a - b);
+  return at.slice(1).flatMap((x, k) => k % 2 ? [] : [reach(at[k], x)]);
 }
 
 // --- Edges ---
@@ -212,9 +226,10 @@ const ends = (run, { ids }) => {
     ? see(run.trace.points[v]) : null);
 };
 
-// Where an edge crosses a row.
-function onRow([from, to], y) {
+// Where an edge crosses a row. isWithin: only between its ends.
+function onRow([from, to], y, isWithin = false) {
   if (!from || !to || from[1] === to[1]) return null;
+  if (isWithin && (from[1] > y) === (to[1] > y)) return null;
   return from[0] + (to[0] - from[0]) * (y - from[1]) / (to[1] - from[1]);
 }
 
@@ -338,5 +353,5 @@ function cellDepth(run, e) {
   return { words: `the entry is ${told(most)[0]} deep`, less: null };
 }
 
-const FINDERS = [farthest, cornersAndPlane, lineBetween, hiddenPart, cellDepth, depthsOfStretches, depthsInWindow,
-  depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];
+const FINDERS = [farthest, cornersAndPlane, lineBetween, placesOfImages, hiddenPart, cellDepth,
+  depthsOfStretches, depthsInWindow, depthsInSquare, placesOnRow, crossing, vertexAndFace, eyeAndPlane, boxes];

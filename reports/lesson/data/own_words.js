@@ -44,7 +44,18 @@ const tiling = {
   "pieces hidden": (a) => `${a} is left out: all of its box is covered`,
 };
 
+const inSpan = {
+  "span cull": (a, b) => /^sample/.test(b) ? `The segment of ${a} and the span’s left end, ${b}`
+    : `The segment of ${a} begins in what may be the span, ${b}`,
+  "depth divisions": (a, b) => `The segment of ${a} is divided at its midpoint, to compare ` +
+    `it with that of ${b}`,
+};
+
 const OWN = {
+  watkins: inSpan,
+  bouknight: {
+    "span divisions": (a, b) => `The span is divided where ${a} and ${b} penetrate`,
+  },
   "warnock-edges": {
     "bucket sort": (a) => `${a} is put into a bucket`,
     "crossings noted": (a, b) => `${a} and ${b} may cross: they will be tested`,

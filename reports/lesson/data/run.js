@@ -87,6 +87,18 @@ export function runOf(trace) {
       return place >= 0 ? units[place] : 0;
     },
 
+    // How many faces, or faces of pieces, the steps name.
+    facesNamed: () => {
+      const isOf = subjects.map((kind) => /^(face|piece)$/.test(kind));
+      const named = new Set();
+      for (let k = 0; k < kept; k++) {
+        if (isOf[aKind[k]]) named.add(a0[k]);
+        if (isOf[bKind[k]]) named.add(b0[k]);
+      }
+      named.delete(NONE);
+      return named.size;
+    },
+
     faceName: (f) => f === NONE ? "the background"
       : `face ${f}${objects[faces[f]?.[1]] ? ` (${objects[faces[f][1]]})` : ""}`,
   };

@@ -19,5 +19,5 @@ function story(run, place) {
 }
 
 export const ids = { name: "ids", progress: PROGRESS, windows: "samples", holdsFaces: true,
-  hint: "Click a sample to read its story.", painting, story,
+  hint: "Click a sample for its story.", painting, story,
   draw: (easel, faces) => drawSamples(easel, faces, (f) => easel.colours[f]) };

@@ -11,6 +11,11 @@ const tells = (run, e) => {
   return Boolean(found) && Math.abs(found.a - found.b) > 0.01;
 };
 
+const isTie = (run, e) => {
+  const found = numbersOf(run, e);
+  return Boolean(found) && found.a === found.b;
+};
+
 export const painter = {
   idea: "Paint from back to front",
   text: ["Sort the faces by their farthest corners. Paint them in that order, the " +
@@ -21,9 +26,10 @@ export const painter = {
   source: "The survey, chapter III, list priority",
   moments: [
     ["Two faces are compared by their farthest corners",
-      { of: "face-sort", pick: "largest", where: tells,
-        or: { of: "face-sort", pick: "largest" } },
+      { of: "face-sort", pick: "largest", where: tells },
       "Which of the two is painted first, by its farthest corner?"],
+    ["A tie: the farthest corners of both are equally deep, and nothing tells the order",
+      { of: "face-sort", pick: "largest", where: isTie }],
     ["The farthest face is painted", { name: "samples" }],
     ["A nearer face is painted over it", { name: "samples", covers: true }],
     ["Here the order is wrong: this face is painted over a nearer one",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two algorithms of list priority. all.js says what a lesson is.
-import { separating } from "../looks/tests.js";
 import { countOf, mostOutcomes, times } from "../telling/figures.js";
 
 const SIDES = { "in front": "in front", behind: "behind" };
@@ -77,9 +76,12 @@ function areApart(run, { k, a, b }) {
     : run.header.faces[f]?.[3]);
   return Boolean(p && q) && !p.some((v) => q.includes(v));
 }
-const hasLine = (run, e) => areApart(run, e) && Boolean(separating(run, e));
 
 const TEST = "P is solid, Q is dashed. Which test shows that P does not obscure Q?";
+const OVERLAP = { "test 6: overlap": "yes", "test 6: an edge is between them": "no, there is " +
+  "a line between them", "test 6: no row has samples of both": "no, on no row" };
+// Of the first pair that no test clears: the steps before its last one.
+const ofFirst = (of, nth = -1) => ({ of, before: "first", nth, with: ["first", "a"] });
 
 export const newell = {
   idea: "The painter’s list, made safe",
@@ -112,33 +114,40 @@ export const newell = {
       { name: "circle search", before: "cut" }],
     ["Again no test says no. But this Q was moved before: it has a marker",
       { of: "list-test", like: /may obscure/, before: "cut", id: "again" }],
-    ["Q is moved before P in the list, to be painted first; it has a marker now",
-      { of: "list-move", before: "again", id: "moved" }],
-    ["The first Q that is moved. From now on it bears a marker, the flag",
+    ["", { of: "list-test", like: /may obscure/, id: "first" }],
+    ["P, solid, is the first of the list, Q, dashed, comes after it. Q is not all nearer " +
+      "(test 1). Are they apart in X (test 2)?", ofFirst("list-minimax", -2)],
+    ["Test 3: are they apart in Y?", ofFirst("list-minimax")],
+    ["Test 4: is P beyond the plane of Q? Test 5: is Q before the plane of P?",
+      ofFirst("list-planes")],
+    ["Test 6: do the images of P and Q overlap?", ofFirst("list-overlap"),
+      "P is solid, Q is dashed. Do their images overlap?", OVERLAP],
+    ["No test has said no: P may obscure Q",
+      { of: "list-test", like: /may obscure/ }],
+    ["Q is moved before P. It is the new P, and bears a marker, the flag",
       { of: "list-move" }],
-    ["P is solid, Q is dashed. No test says no: P may obscure Q",
-      { of: "list-test", like: /may obscure/, before: "moved" }, TEST],
     ["A half finds its place in the list", { of: "list-insertion", after: "cut" }],
     ["The Z sort puts pieces in order by their farthest points", { of: "list-sort" }],
-    ["Test 1: all of Q is nearer than all of P", { of: "list-test",
+    ["Cleared by test 1: all of Q is nearer than all of P", { of: "list-test",
       outcome: "test 1: apart in Z", pick: "largest" }, TEST],
-    ["Test 2: P and Q are apart in X",
+    ["Cleared by test 2: P and Q are apart in X",
       { of: "list-test", outcome: "test 2: apart in X", pick: "apart" }, TEST],
-    ["Test 3: P and Q are apart in Y",
+    ["Cleared by test 3: P and Q are apart in Y",
       { of: "list-test", outcome: "test 3: apart in Y", pick: "apart" }, TEST],
-    ["Test 4: P is wholly beyond the plane of Q, the dashed sheet",
+    ["Cleared by test 4: P is wholly beyond the plane of Q, the dashed sheet",
       { of: "list-test", like: /^test 4/, pick: "largest", where: areApart,
         or: { of: "list-test", like: /^test 4/, pick: "largest" } }, TEST],
-    ["Test 5: Q is wholly before the plane of P, the pale sheet",
+    ["Cleared by test 5: Q is wholly before the plane of P, the pale sheet",
       { of: "list-test", like: /^test 5/, pick: "largest", where: areApart,
         or: { of: "list-test", like: /^test 5/, pick: "largest" } }, TEST],
-    ["Test 6: boxes overlap, images do not: a line passes between",
-      { of: "list-test", like: /^test 6/, pick: "largest", where: hasLine,
-        or: { of: "list-test", like: /^test 6/, pick: "largest" } }, TEST],
-    ["Another circle, another division", { of: "list-division", after: "cut" }],
+    ["Cleared by test 6: boxes overlap, images do not",
+      { of: "list-overlap", like: /between/, pick: "largest", where: areApart,
+        or: { of: "list-overlap", like: /no row/, pick: "largest" } },
+      "P is solid, Q is dashed. Do their images overlap?", OVERLAP],
     ["P is in order: its rows are generated", { of: "list-segment", pick: "widest",
       id: "rows" }],
-    ["P, dashed, overwrites what it covers on this row: here, all that the other face shows",
+    ["What is painted, dashed, overwrites what it covers on this row: here, all that the " +
+      "other face shows",
       { name: "X merge", outcome: "covered", after: "rows", pick: "widest",
         or: { name: "X merge", outcome: "covered" } }],
     ["The rows are shown", { of: "span-written", real: true, pick: "largest" }],

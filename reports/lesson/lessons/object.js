@@ -75,7 +75,7 @@ export const roberts = {
       { of: "back-edge-cull", outcome: "a back, or edge on", pick: "largest",
         among: EARLY }],
     ["A face that looks at the eye: its edge is kept",
-      { of: "back-edge-cull", outcome: "may be seen", pick: "largest" }],
+      { of: "back-edge-cull", outcome: "may be seen", pick: "largest", among: EARLY }],
     ["Outside of the picture: the edge is left out",
       { name: "clipping cull", outcome: "outside" }],
   ],

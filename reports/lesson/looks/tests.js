@@ -4,13 +4,15 @@
 import { hasOutcome } from "../data/run.js";
 import { planeLook } from "./solids.js";
 
+const TESTS = new Set(["list-test", "list-planes", "list-overlap"]);
+
 // Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line.
 export function testLook(run, e) {
-  if (e.counter.key !== "list-test") return [];
+  if (!TESTS.has(e.counter.key)) return [];
   const whose = planeAsked(e);
   if (whose) return planeLook(run, { face: whose.ids[0] }).map((shape) =>
     ({ ...shape, role: "ink", width: 1.2, dashed: whose === e.b, fill: 0.06 }));
-  const line = hasOutcome(e, "line-between") ? separating(run, e) : null;
+  const line = hasOutcome(e, "edge-between") ? separating(run, e) : null;
   return line ? [{ points: line.points, width: 2.5, dotted: true, role: "ink" }] : [];
 }
 
@@ -65,12 +67,15 @@ export function markerLooks(run, e) {
 
 const FLAG = 0.045; // of the picture's width
 
-// At the middle of what is seen of the outline.
-function flagAt(run, outline) {
+// The middle of what is seen of an outline, by the mean of its corners.
+export function middleSeen(run, outline) {
   const inside = (x, most) => Math.min(most, Math.max(0, x));
   const points = outline.map(([x, y]) => [inside(x, run.width), inside(y, run.height)]);
-  const [x, y] = [0, 1].map((c) => points.reduce((sum, p) => sum + p[c], 0) /
-    (points.length || 1));
+  return [0, 1].map((c) => points.reduce((sum, p) => sum + p[c], 0) / (points.length || 1));
+}
+
+function flagAt(run, outline) {
+  const [x, y] = middleSeen(run, outline);
   const s = FLAG * run.width;
   return { points: [[x, y], [x, y - 1.6 * s], [x + s, y - 1.2 * s], [x + 0.15 * s, y - 0.8 * s],
     [x + 0.15 * s, y]], closed: true, fill: 1, width: 1, role: "ink" };

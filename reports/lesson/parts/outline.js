@@ -38,10 +38,18 @@ export function outlineOf(run) {
     reveal();
   };
 
-  // Keeps the marked line in the list’s own view.
+  // Keeps the marked line in the list’s own view, which shows whole lines only.
   const reveal = () => {
+    list.style.clipPath = "";
     if (!current || list.scrollHeight <= list.clientHeight) return;
-    list.scrollTop = current.offsetTop - list.clientHeight / 2;
+    const shown = lines.filter((line) => line.offsetHeight);
+    const from = current.offsetTop - list.clientHeight / 2;
+    list.scrollTop = shown.find((line) => line.offsetTop >= from)?.offsetTop ?? from;
+    const end = list.scrollTop + list.clientHeight;
+    const first = shown.find((line) => line.offsetTop >= list.scrollTop - 1);
+    const last = shown.findLast((line) => line.offsetTop + line.offsetHeight <= end + 1);
+    if (first && last) list.style.clipPath = `inset(${first.offsetTop - list.scrollTop}px 0 ${
+      end - last.offsetTop - last.offsetHeight}px 0)`;
   };
 
   const show = (k, e) => {

@@ -4,7 +4,7 @@
 import { colourOf, kindColour, packed } from "../data/kinds.js";
 import { keepsRows } from "../data/lists.js";
 import { looksOf } from "../looks/all.js";
-import { markerLooks } from "../looks/tests.js";
+import { markerLooks, middleSeen } from "../looks/tests.js";
 import { wrongSamples } from "../telling/wrong.js";
 
 const DASH = [6, 4];
@@ -93,6 +93,24 @@ export function picture(canvas, run) {
     const colour = kindColour(e.kind);
     const { a, b, where } = looksOf(run, e);
     for (const shape of [...b, ...a, ...where, ...markerLooks(run, e)]) drawShape(shape, colour);
+    nameSubject(e.b, b);
+    nameSubject(e.a, a);
+  };
+
+  // The number of a face or piece, as the sentence says it, in what is seen of it.
+  const nameSubject = ({ kind, ids }, [shape]) => {
+    if (!/^(face|piece)$/.test(kind) || ids[0] < 0 || !shape?.closed) return;
+    const [x, y] = middleSeen(run, shape.points);
+    const text = String(kind === "piece" ? ids[1] : ids[0]);
+    context.font = `600 ${line(15)}px system-ui, sans-serif`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = line(4);
+    context.strokeStyle = colourOf("--paper");
+    context.strokeText(text, x, y);
+    context.fillStyle = colourOf("--ink");
+    context.fillText(text, x, y);
   };
 
   const markPixel = ({ i, j }) => {

@@ -47,6 +47,9 @@ export const GLOSSARY = [
   ["intersecter", "a face that covers a part of the window", /intersecter/],
   ["interval", "a part of an edge that is hidden by the same number of faces",
     /\bintervals?\b/],
+  ["invisibility correction", "where two edges meet in a corner, faces at the corner may hide " +
+    "one of them and not the other: the number at its end is corrected for these",
+    /invisibility correction/],
   ["leaf", "a node of a tree that is not divided", /\blea(f|ves)\b/],
   ["linear programme", "the search for a place that meets several conditions at once, " +
     "each on one side of a plane", /linear programme/],
@@ -94,6 +97,8 @@ export const GLOSSARY = [
   ["surround test", "is a point inside of the outline of a face?", /surround test/],
   ["surrounder", "a face that covers all of the window", /surrounder/],
   ["texel", "an element of a texture", /\btexels?\b/],
+  ["vorticity", "the sense in which a side turns about a point: if it is the same for all " +
+    "sides of a triangle, the point is inside", /vorticit/],
   ["visible bit", "a bit of each face: is the place between its two edges? It is set " +
     "for hidden faces, too",
     /visible bit/],
@@ -102,6 +107,10 @@ export const GLOSSARY = [
     /(?<!bounding )\bvolumes?\b/],
   ["voxel", "a small cube of space, an element of a volume", /\bvoxels?\b/],
   ["window", "a rectangle of the picture", /\bwindows?\b/],
+  ["Warnock special", "the survey’s name for the tests of a face against a window",
+    /Warnock special/],
+  ["X occupied table, Y occupied table", "the faces that are at this column of the line; the " +
+    "faces that this line crosses", /occupied table/],
   ["X sort, Y sort, Z sort", "a sort by column, by row, by depth", /\b[XYZ] sort\b/],
 ];
 

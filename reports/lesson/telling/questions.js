@@ -36,7 +36,7 @@ function questionAt(run, { k, ask, words }) {
 }
 
 // What the six tests ask.
-const OF_TESTS = ["extents", "boxes", "plane-of-q", "plane-of-p", "line-between"];
+const OF_TESTS = ["extents", "boxes", "plane-of-q", "plane-of-p", "no-overlap"];
 
 // Of a counter of several questions, the outcomes of the one that is asked ("test 2:
 // apart", but not "test 3: apart").
