@@ -47,8 +47,7 @@ const tiling = {
 const inSpan = {
   "span cull": (a, b) => /^sample/.test(b) ? `The segment of ${a} and the span’s left end, ${b}`
     : `The segment of ${a} begins in what may be the span, ${b}`,
-  "depth divisions": (a, b) => `The segment of ${a} is divided at its midpoint, to compare ` +
-    `it with that of ${b}`,
+  "depth divisions": (a, b) => `The segment of ${a} is divided, against that of ${b}`,
 };
 
 const OWN = {

@@ -52,6 +52,8 @@ export function outlineOf(run) {
       end - last.offsetTop - last.offsetHeight}px 0)`;
   };
 
+  new ResizeObserver(reveal).observe(list);
+
   const show = (k, e) => {
     legend.replaceChildren(...explained(e && k < run.n ? legendOf(run, e) : []));
     mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);

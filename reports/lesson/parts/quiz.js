@@ -3,6 +3,10 @@
 import { eventWords } from "../data/words.js";
 import { h } from "../../page/parts/dom.js";
 
+// Whether step k is about what is asked about: then its sentence would tell the answer.
+const isAsked = ({ trace }, k, asked) => k >= 0 && ["aKind", "a0", "a1", "bKind", "b0", "b1"]
+  .every((f) => trace[f][k] === trace[f][asked]);
+
 // answered(question): called when the reader has chosen and wants to go on.
 export function quiz(answered) {
   const score = { right: 0, asked: 0 };
@@ -35,6 +39,7 @@ export function quiz(answered) {
       on.focus({ preventScroll: true });
     };
     element.hidden = false;
+    element.classList.toggle("alone", isAsked(run, question.k - 2, question.k - 1));
     element.replaceChildren(h("p", { tabindex: -1 }, h("b", {}, question.text)),
       h("div", { class: "buttons" }, buttons), reply);
     element.firstChild.focus({ preventScroll: true });

@@ -36,7 +36,7 @@ function questionAt(run, { k, ask, words }) {
 }
 
 // What the six tests ask.
-const OF_TESTS = ["extents", "boxes", "plane-of-q", "plane-of-p", "no-overlap"];
+const OF_TESTS = ["extents", "boxes", "plane-of-q", "plane-of-p"];
 
 // Of a counter of several questions, the outcomes of the one that is asked ("test 2:
 // apart", but not "test 3: apart").
@@ -47,7 +47,7 @@ function answersTo(run, e) {
   const of = (word) => word.includes(":") ? word.split(":")[0] : null;
   // Of the six tests: these, and what else comes in this run.
   const own = counter.key === "list-test" ? all.filter((w) => !has(w, "end-of-q") &&
-    (OF_TESTS.some((key) => has(w, key)) || has(w, "may-obscure") ||
+    (OF_TESTS.some((key) => has(w, key)) || has(w, "may-obscure") || has(w, "no-overlap") ||
       withOutcome(run, counter.key, w)))
     : all.filter((w) => of(w) === of(outcome));
   return own.filter((w) => has(w, "body") === hasOutcome(e, "body"));
