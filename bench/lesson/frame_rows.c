@@ -5,6 +5,7 @@
 #include "bench/lesson/frames.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 struct cells {
   uint32_t low[3], high[3];
@@ -50,19 +51,18 @@ bool frames_note_rows(struct frames *f, const struct hsr_event *event) {
   return true;
 }
 
+static int compare_rows(const void *a, const void *b) {
+  const struct row *r = a, *s = b;
+  return (r->event > s->event) - (r->event < s->event);
+}
+
 /* The row that a step begins; NULL: it begins none. */
 static const struct row *row_of(const struct frames *f,
                                 const struct hsr_event *event) {
-  const struct row *row = rows_of(f);
-  size_t low = 0, high = f->rows.n;
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (row[middle].event < event->number)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low < f->rows.n && row[low].event == event->number ? &row[low] : NULL;
+  const struct row wanted = {.event = event->number};
+  return f->rows.n ? bsearch(&wanted, f->rows.items, f->rows.n, sizeof wanted,
+                             compare_rows)
+                   : NULL;
 }
 
 /* The axis along which the first cells of the rows change least often; -1: none

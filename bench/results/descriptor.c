@@ -53,11 +53,13 @@ static json_t *subjects_json(const struct hsr_algorithm *a) {
 
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
-  for (const struct hsr_counter *c = a->counters; c && c->name; c++)
-    hsr_json_append(&counters,
-                    json_pack("{ss ss* ss* ss}", "name", c->name, "key", c->key,
-                              "outcome_keys", c->outcome_keys, "meaning",
-                              c->meaning));
+  for (const struct hsr_counter *c = a->counters; c && c->name; c++) {
+    json_t *outcome_keys =
+        c->outcome_keys ? hsr_json_words(c->outcome_keys, '|') : NULL;
+    hsr_json_append(&counters, json_pack("{ss ss* so* ss}", "name", c->name,
+                                         "key", c->key, "outcome_keys",
+                                         outcome_keys, "meaning", c->meaning));
+  }
   return counters;
 }
 

@@ -27,17 +27,6 @@ static json_t *subjects_json(void) {
   return subjects;
 }
 
-/* An array of the words that `mark` separates; null if the text is NULL. */
-static json_t *words_json(const char *text, char mark) {
-  if (!text)
-    return json_null();
-  json_t *words = json_array();
-  for (const char *end; (end = strchr(text, mark)); text = end + 1)
-    hsr_json_append(&words, json_stringn(text, (size_t)(end - text)));
-  hsr_json_append(&words, json_string(text));
-  return words;
-}
-
 /* --- The algorithm -------------------------------------------------------- */
 
 int trace_n_counters(const struct hsr_algorithm *a) {
@@ -51,12 +40,12 @@ static json_t *counter_json(const struct hsr_algorithm *a, int k) {
   const struct hsr_counter *c = &a->counters[k];
   int line = hsr_line_of(a, k);
   json_t *outcome_keys =
-      c->outcome_keys ? words_json(c->outcome_keys, '|') : NULL;
+      c->outcome_keys ? hsr_json_words(c->outcome_keys, '|') : NULL;
   return json_pack(
       "{ss ss* so* ss ss ss ss so so sb}", "name", c->name, "key", c->key,
       "outcome_keys", outcome_keys, "meaning", c->meaning, "kind",
       hsr_step_kind_name[c->kind], "a", hsr_subject_kind_name[c->a], "b",
-      hsr_subject_kind_name[c->b], "outcomes", words_json(c->outcomes, '|'),
+      hsr_subject_kind_name[c->b], "outcomes", hsr_json_words(c->outcomes, '|'),
       "line", line ? json_integer(line) : json_null(), "computed", c->computed);
 }
 
@@ -283,10 +272,11 @@ static json_t *filter_json(const struct trace_filter *filter,
 static json_t *places_json(void) {
   return json_pack(
       "{so so so so}", "event",
-      words_json("number counter a b window outcome part", ' '), "segment",
-      words_json("edge invisibility t0 t1 from to image_from image_to", ' '),
-      "face", words_json("id object colour corners polygon", ' '), "window",
-      words_json("x0 y0 x1 y1", ' '));
+      hsr_json_words("number counter a b window outcome part", ' '), "segment",
+      hsr_json_words("edge invisibility t0 t1 from to image_from image_to",
+                     ' '),
+      "face", hsr_json_words("id object colour corners polygon", ' '), "window",
+      hsr_json_words("x0 y0 x1 y1", ' '));
 }
 
 json_t *trace_header_json(const struct trace_header *h) {

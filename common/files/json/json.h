@@ -15,6 +15,10 @@ extern "C" {
  * and check *array once, at the end. */
 void hsr_json_append(json_t **array, json_t *value);
 
+/* A new array of the words of a text that `mark` separates; of an empty text, one
+ * empty word. null if the text is NULL; NULL: out of memory. */
+json_t *hsr_json_words(const char *text, char mark);
+
 #ifdef __cplusplus
 }
 #endif
