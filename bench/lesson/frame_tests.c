@@ -97,15 +97,17 @@ static void mark_line(struct frames *f, const struct hsr_event *event) {
 
 /* Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line. */
 void frames_mark_test(struct frames *f, const struct hsr_event *event) {
-  if (frames_has_outcome(f, event, "plane-of-q"))
+  const bool both = frames_has_outcome(f, event, "both-planes");
+  if (both || frames_has_outcome(f, event, "plane-of-q") ||
+      frames_has_outcome(f, event, "plane-of-divider"))
     frames_mark_plane_of(
         f, event->b.id[0],
         &(struct frame_look){FRAME_INK, .036, 1.2, FRAME_DASHED});
-  else if (frames_has_outcome(f, event, "plane-of-p"))
+  if (both || frames_has_outcome(f, event, "plane-of-p"))
     frames_mark_plane_of(
         f, event->a.id[0],
         &(struct frame_look){FRAME_INK, .06, 1.2, FRAME_SOLID});
-  else if (frames_has_outcome(f, event, "edge-between"))
+  if (frames_has_outcome(f, event, "edge-between"))
     mark_line(f, event);
 }
 

@@ -625,11 +625,12 @@ static const struct hsr_counter counters[] = {
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
      "test 4: P beyond Q's plane|test 5: Q before P's plane|tests 4 and 5: "
      "neither|tests 4 and 5: not certain",
-     .key = "list-planes", .outcome_keys = "plane-of-q|plane-of-p||"},
+     .key = "list-planes",
+     .outcome_keys = "plane-of-q|plane-of-p|both-planes|"},
     {"overlap tests", "test 6: pairs tested for overlap on the screen",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-     "test 6: overlap|test 6: an edge is between them|test 6: no row has "
-     "samples of both",
+     "test 6: overlap|test 6: an edge is between them|test 6: on no row do "
+     "their samples meet",
      .key = "list-overlap", .outcome_keys = "|edge-between|"},
     {"overlap rows", "test 6: rows on which the samples of both are compared",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE, "apart|meet", .key = "list-row"},
@@ -641,7 +642,8 @@ static const struct hsr_counter counters[] = {
      HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE, .key = "list-insertion"},
     {"circle search", "planes of other pieces tried to divide a piece",
      HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
-     "does not pass through|passes through"},
+     "does not pass through|passes through",
+     .outcome_keys = "plane-of-divider|plane-of-divider"},
     {NULL}};
 
 static double predict_z_sort(const struct hsr_table1 *t) {

@@ -18,7 +18,8 @@ export function rowFromAbove(run) {
   const near = closeness(run);
   const rows = new Map();
   const of = (j) => {
-    if (!rows.has(j)) rows.set(j, segmentsOn(run, j, near));
+    if (!rows.has(j)) rows.set(j, segmentsOn(run, j, near).filter(({ x0, x1 }) =>
+      x1 > 0 && x0 < run.width));
     return rows.get(j);
   };
 

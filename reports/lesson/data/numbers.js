@@ -204,8 +204,9 @@ function lineBetween(run, e) {
 function placesOfImages(run, e) {
   if (e.counter.key !== "list-row") return null;
   const [p, q] = [e.a, e.b].map((s) => stretchesOn(imageOf(run, e, s), e.window.y + 0.5));
-  return p.length && q.length
-    ? { words: `columns ${p.join(", ")} against ${q.join(", ")}`, less: null } : null;
+  const words = [p, q].every((of) => of.length)
+    ? `columns ${p.join(", ")} against ${q.join(", ")}` : "one of them is not on this row";
+  return { words, less: null };
 }
 
 const imageOf = (run, e, { ids: [f, p] }) => run.outline(e.k, p, f) ??

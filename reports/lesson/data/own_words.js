@@ -52,6 +52,7 @@ const inSpan = {
 
 const OWN = {
   watkins: inSpan,
+  warnock: { "minimax culls": (a, b) => `The box of ${a} against ${b}` },
   bouknight: {
     "span divisions": (a, b) => `The span is divided where ${a} and ${b} penetrate`,
   },

@@ -105,6 +105,14 @@ function timesWords(run, e) {
     : `, the ${nth(times)} time`;
 }
 
+// The subjects alone, while a question about the step is open.
+export function askedWords(run, e) {
+  const [a, b] = [e.a, e.b].map((s) => subjectWords(run, s, e.window, e));
+  const where = whereWords(run, e.window);
+  return capital(`${[a, b].filter(Boolean).join(" and ")}${
+    where && where !== a && where !== b ? ` (${where})` : ""}.`);
+}
+
 // The subjects and what becomes of them: "face 12 (chimney) against face 3
 // (ground): farther".
 export function eventWords(run, e) {

@@ -62,7 +62,6 @@ export const warnock = {
     ["One intersecter is left: what is behind it is shown in all of the window, then itself",
       { name: "one in front", pick: "largest" }],
     ["Along an edge, windows become single samples", { of: "sample", real: true }],
-    ["Half of the windows are done", { name: "windows", at: 0.5 }],
   ],
   find: ["What share of the picture is shown in windows larger than a sample?",
     (run) => {
@@ -180,7 +179,6 @@ export const bouknight = {
     ["A different face is nearest at each end: they penetrate, and the span is divided",
       { of: "span-division", pick: "largest", id: "cut" }],
     ["The first part of the divided span is shown", { of: "span", after: "cut" }],
-    ["Half of the lines are done", { of: "span", at: 0.5 }],
   ],
   find: ["How many spans and depth comparisons are there for each line?", (run) =>
     `${perEach(run, "span", run.height, "line")} ${perEach(run, "depth-search",
@@ -291,8 +289,9 @@ export const watkins = {
     ["The ends of what was kept tell at last", { of: "depth-search", real: true,
       where: isPaid, like: /nearer|farther/, pick: "largest" }, NEARER],
     ["The ends of these two tell at once", { of: "depth-search", real: true,
-      where: isAtOnce, after: "over", pick: "largest", like: /nearer|farther/ }, NEARER],
-    ["Half of the lines are done", { of: "span", at: 0.5 }],
+      where: isAtOnce, before: "over", pick: "largest", like: /nearer|farther/,
+      or: { of: "depth-search", real: true, where: isAtOnce, pick: "largest",
+        like: /nearer|farther/ } }, NEARER],
   ],
   find: ["How many comparisons of segments end without a division?", (run) => {
     const all = countOf(run, "depth-search");

@@ -50,7 +50,7 @@ function fragmentLook(run, e, p, q) {
     return ends.length < 2 ? [] : [{ points: ends.slice(0, 2), ...look }];
   };
   const broad = { width: 4.5 };
-  if (!at.hidden) return [...part(0, 1, { width: 1 }), ...part(at.from, at.to, broad)];
+  if (!at.hidden || e.isAsked) return [...part(0, 1, { width: 1 }), ...part(at.from, at.to, broad)];
   return [...part(0, 1, { width: 1 }), ...part(at.from, at.hidden[0], broad),
     ...part(at.hidden[1], at.to, broad), ...part(...at.hidden, { width: 3, dotted: true,
       role: "ink" })];

@@ -6,9 +6,10 @@ import { planeLook } from "./solids.js";
 
 // Test 4 asks about the plane of Q, test 5 about that of P, test 6 about a line.
 export function testLook(run, e) {
-  const whose = planeAsked(e);
-  if (whose) return planeLook(run, { face: whose.ids[0] }).map((shape) =>
-    ({ ...shape, role: "ink", width: 1.2, dashed: whose === e.b, fill: 0.06 }));
+  const whose = hasOutcome(e, "both-planes") ? [e.a, e.b]
+    : hasOutcome(e, "plane-of-divider") ? [e.b] : [planeAsked(e)].filter(Boolean);
+  if (whose.length) return whose.flatMap((s) => planeLook(run, { face: s.ids[0] })
+    .map((shape) => ({ ...shape, role: "ink", width: 1.2, dashed: s === e.b, fill: 0.06 })));
   const line = hasOutcome(e, "edge-between") ? separating(run, e) : null;
   return line ? [{ points: line.points, width: 2.5, dotted: true, role: "ink" }] : [];
 }

@@ -37,8 +37,8 @@ function courseTable(known) {
       h("small", {}, [a.authors, a.year].filter(Boolean).join(", "))),
     h("td", {}, LESSONS[a.name].idea),
     h("td", {}, a.sort_order ?? "–"),
-    h("td", {}, h("ol", { class: "sorts" }, a.sorts.map((s) => h("li", {},
-      h("b", {}, s.what), `, ${s.key}: ${s.method}, ${s.often}`)))),
+    h("td", {}, a.sorts.length ? h("ol", { class: "sorts" }, a.sorts.map((s) => h("li", {},
+      h("b", {}, s.what), `, ${s.key}: ${s.method}, ${s.often}`))) : "none"),
     h("td", {}, a.coherence ?? "–"));
   return h("div", { class: "table" }, h("div", { class: "scroll", tabindex: 0,
     role: "region", "aria-label": "The algorithms and their sorts" },

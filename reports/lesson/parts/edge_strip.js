@@ -16,15 +16,16 @@ export function edgeStrip(run) {
   const element = h("div", { class: "edge" }, title, bar);
 
   const show = (k, e) => {
-    const edge = e && [e.a, e.b].find((s) => /edge/.test(s.kind) &&
-      of.has(keyOf(s.kind, s.ids)));
+    const edges = e ? [e.a, e.b].filter((s) => /edge/.test(s.kind)) : [];
+    const edge = edges.find((s) => of.has(keyOf(s.kind, s.ids))) ?? edges[0];
     const key = edge && keyOf(edge.kind, edge.ids);
     const drawn = run.accepted(k);
     const parts = (of.get(key) ?? []).filter((p) => p < drawn)
       .map((p) => run.trace.parts[p]).sort((a, b) => a[2] - b[2]);
     title.textContent = !key ? "No edge is asked about now."
       : `Edge ${key.replace(",", "–")}: ${parts.length
-        ? "how many faces hide it, from end to end; white: not drawn" : "not drawn yet"}`;
+        ? "0 is visible, other numbers say how much hides it; white: not drawn"
+        : of.has(key) ? "not drawn yet" : "nothing of it comes into the drawing"}`;
     bar.replaceChildren(...pieces(parts));
     bar.setAttribute("aria-label", inWords(parts));
   };

@@ -54,9 +54,11 @@ export function outlineOf(run) {
 
   new ResizeObserver(reveal).observe(list);
 
-  const show = (k, e) => {
+  // isAsked: the step is asked about, so that the line it takes is not told.
+  const show = (k, e, isAsked = false) => {
     legend.replaceChildren(...explained(e && k < run.n ? legendOf(run, e) : []));
-    mark(e ? branchOf(run, e.k) : null, e?.counter.line ?? null);
+    const line = e?.counter.line ?? null;
+    mark(e && !isAsked ? branchOf(run, e.k) : line, line);
   };
   return { element: h("div", { class: "outline-box" }, list, gloss,
     legend, idle ? all : null), show };

@@ -34,11 +34,11 @@ export function panel(run, act) {
     view.draw(k, options);
     line.draw(k);
     const e = k > 0 && k <= run.trace.kept ? run.event(k - 1) : null;
+    const asked = Number.isInteger(options.asked) ? run.event(options.asked) : null;
     said.show(k, e);
-    outline.show(k, e);
+    outline.show(k, asked ?? e, Boolean(asked));
     strip?.show(k, e);
-    around.show(k, options.asked === null || options.asked === undefined ? e
-      : run.event(options.asked));
+    around.show(k, asked ?? e);
     counters.show(k, e?.number);
     costs.show(k);
     story.show(k);

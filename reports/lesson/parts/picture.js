@@ -154,7 +154,7 @@ export function picture(canvas, run) {
       context.globalAlpha = 1;
     }
     // At the end, nothing lies over the picture.
-    if (asked !== null) markEvent({ ...run.event(asked), kind: "compare" });
+    if (asked !== null) markEvent({ ...run.event(asked), kind: "compare", isAsked: true });
     else if (event && k > 0 && k <= run.trace.kept && k < run.n)
       markEvent(run.event(k - 1));
     if (k >= run.n) markWrong();

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Before a key moment, a question; the step answers it, and says why.
-import { eventWords } from "../data/words.js";
+import { askedWords, eventWords } from "../data/words.js";
 import { h } from "../../page/parts/dom.js";
-
-// Whether step k is about what is asked about: then its sentence would tell the answer.
-const isAsked = ({ trace }, k, asked) => k >= 0 && ["aKind", "a0", "a1", "bKind", "b0", "b1"]
-  .every((f) => trace[f][k] === trace[f][asked]);
 
 // answered(question): called when the reader has chosen and wants to go on.
 export function quiz(answered) {
@@ -27,20 +23,25 @@ export function quiz(answered) {
       done.add(question.k);
       score.asked += 1;
       score.right += isRight ? 1 : 0;
-      buttons.forEach((b) => { b.disabled = true; });
+      buttons.forEach((b) => {
+        b.disabled = true;
+        const of = b.dataset.answer;
+        b.classList.toggle("is-right", of === question.right);
+        b.classList.toggle("is-wrong", of === word && !isRight);
+      });
       goOn = () => {
         element.hidden = true;
         answered(question);
       };
       const on = h("button", { type: "button", onclick: goOn }, "Go on");
-      reply.replaceChildren(h("b", {}, isRight ? "Yes" : `No: ${label}`), ". ",
+      reply.replaceChildren(h("b", {}, isRight ? "Right" : `Not so. The answer: ${label}`), ". ",
         eventWords(run, run.event(question.k - 1)), ". ", h("small", {}, scored()),
         " ", on);
       on.focus({ preventScroll: true });
     };
     element.hidden = false;
-    element.classList.toggle("alone", isAsked(run, question.k - 2, question.k - 1));
-    element.replaceChildren(h("p", { tabindex: -1 }, h("b", {}, question.text)),
+    element.replaceChildren(h("p", { tabindex: -1 }, h("b", {}, question.text), " ",
+      h("small", {}, askedWords(run, run.event(question.k - 1)))),
       h("div", { class: "buttons" }, buttons), reply);
     element.firstChild.focus({ preventScroll: true });
   }

@@ -39,10 +39,11 @@ export function perEach(run, name, other, what) {
     b ? (a / b).toFixed(2) : "none"} for each.`;
 }
 
-// How often each outcome of a counter came, the most frequent first.
-export function mostOutcomes(run, name) {
+// How often each outcome of a counter came, of those like a pattern, the most frequent
+// first.
+export function mostOutcomes(run, name, like = /./) {
   const words = run.header.counters[counterNamed(run, name)]?.outcomes ?? [];
   return `${words.map((word) => [withOutcome(run, name, word), word])
-    .filter(([n]) => n).sort(([n], [m]) => m - n)
+    .filter(([n, word]) => n && like.test(word)).sort(([n], [m]) => m - n)
     .map(([n, word]) => `${word}: ${times(n)}`).join("; ")}.`;
 }
