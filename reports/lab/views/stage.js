@@ -3,6 +3,7 @@
 // counters.
 import { seconds } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
+import { FIRST_WORDS } from "../state/asked.js";
 import { algorithmSelect, optionFields, plainName } from "./algorithms.js";
 import { countTable } from "./counts.js";
 import { painter } from "./paint.js";
@@ -38,8 +39,17 @@ export function stage(algorithms, text, act, held) {
         algorithm.sortOrder ? `; sorts ${algorithm.sortOrder}` : "")),
       table.element));
 
+  // A picture that is seen until there is an answer.
+  let first = null;
+  const begin = (picture) => {
+    first = picture;
+    canvas.after(first);
+    facts.textContent = FIRST_WORDS;
+  };
+
   // The answer; isWhole: not one of those while it moves.
   const show = (answer, camera, isWhole) => {
+    first?.remove();
     refusal.hidden = Boolean(answer.rgba || answer.segments);
     refusal.textContent = `Answers of the kind “${answer.kind}” are seen in Step.`;
     element.classList.remove("late");
@@ -56,10 +66,12 @@ export function stage(algorithms, text, act, held) {
     if (answer.counts) table.show(answer.counts);
   };
   const wait = () => {
+    if (first?.isConnected) return;
     element.classList.add("late");
     facts.textContent = "It is drawing …";
   };
   const refuse = (error) => {
+    first?.remove();
     element.classList.remove("late");
     brush.show(null, null);
     refusal.hidden = false;
@@ -67,7 +79,7 @@ export function stage(algorithms, text, act, held) {
     facts.textContent = "";
     table.clear();
   };
-  return { element, canvas, algorithm, text, show, refuse, wait,
+  return { element, canvas, algorithm, text, begin, show, refuse, wait,
     over: brush.over,
     paint: brush.paint, predict: table.predict,
     tell: (words) => words && facts.append(`; ${words}`),
