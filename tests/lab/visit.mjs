@@ -166,6 +166,28 @@ await test("counts are held, and those of another picture stand beside them", as
   assert.deepEqual(await all(), [now]);
 });
 
+await test("a link has the counts that are held, or holds the first ones", async () => {
+  const subdivisions = () => page.locator(
+    ".counters tr:visible", { hasText: "subdivisions" }).locator("td").allTextContents();
+  await go("#/?s=house&a=warnock&size=128x96&held=1");
+  const [first, held, ratio] = await subdivisions();
+  assert.deepEqual([held, ratio], [first, "1.00"]);
+  await set({ size: [256, 192] });
+  const [now, ...then] = await subdivisions();
+  assert.equal(then[0], first);
+  assert.ok(Number(then[1]) > 1.5, `${now} of ${then}`);
+  await page.waitForFunction(() => /held=warnock\.\d/.test(location.hash) &&
+    location.hash.includes("256x192"));
+  await page.reload();
+  await settled();
+  assert.deepEqual(await subdivisions(), [now, ...then]);
+  const box = await page.evaluate(() => ["table.counters", ".easel"].map((name) =>
+    document.querySelector(name).getBoundingClientRect().right));
+  assert.ok(box[0] <= box[1], "the ratio is in sight");
+  await go("#/?s=house&a=warnock&held=warnock.1,x");
+  assert.match(await page.textContent(".said"), /cannot be read: held counts/);
+});
+
 // --- the first pictures ---
 
 await test("pictures of hsr lab are those that the core draws", async () => {

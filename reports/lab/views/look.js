@@ -22,7 +22,6 @@ export function look(lab, core, source, over) {
   const verdict = verdictLine(lab, core, source, () => shown());
   let stages = []; // as of stage(), with { pace, answer, drawn, heat }
   let stamp = 0; // of what is wanted; a stage has it as `drawn` when it is there
-  const held = new Map(); // counts, as of countTable
   let camera = null, isMoving = false, isOpen = false, still = () => {};
 
   // --- The stages ---
@@ -34,8 +33,8 @@ export function look(lab, core, source, over) {
 
   function build() {
     const open = stages.map((s) => s.areOptionsOpen() && plainName(s.text));
-    stages = state.a.map((text, p) => Object.assign(stage(core.algorithms, text,
-      { choose: choose(p), remove: remove(p) }, held), { pace: pacer(), answer: null,
+    stages = state.a.map((text, p) => Object.assign(stage(lab, core.algorithms, text,
+      { choose: choose(p), remove: remove(p) }), { pace: pacer(), answer: null,
       drawn: -1 }));
     const first = firstPictures.splice(0);
     stages.forEach((s, p) => {

@@ -8,8 +8,8 @@ import { algorithmSelect, optionFields, plainName } from "./algorithms.js";
 import { countTable } from "./counts.js";
 import { painter } from "./paint.js";
 
-// act: { choose(text), remove: a function or null }; held: as of countTable
-export function stage(algorithms, text, act, held) {
+// act: { choose(text), remove: a function or null }
+export function stage(lab, algorithms, text, act) {
   const algorithm = algorithms.find((a) => a.name === plainName(text)) ??
     algorithms[0];
   const canvas = h("canvas", { class: "view", tabindex: 0, role: "application",
@@ -17,7 +17,7 @@ export function stage(algorithms, text, act, held) {
   const brush = painter(canvas);
   const facts = h("p", { class: "facts-of" });
   const refusal = h("p", { class: "refusal", role: "status", hidden: true });
-  const table = countTable(algorithm, held);
+  const table = countTable(algorithm, lab);
   const label = h("p", { class: "blink-name", hidden: true });
   const fields = optionFields(algorithm, text, act.choose);
   const options = fields.length ? h("details", { class: "options" },
@@ -63,7 +63,7 @@ export function stage(algorithms, text, act, held) {
       ? `, made ready in ${seconds(answer.seconds.prepare)}` : "",
     answer.adapted ? `; adapted: ${answer.adapted}` : "",
     answer.ids || !answer.summary ? "" : `; ${answer.summary}`);
-    if (answer.counts) table.show(answer.counts);
+    if (answer.counts) table.show(answer.counts, isWhole);
   };
   const wait = () => {
     if (first?.isConnected) return;
