@@ -122,7 +122,6 @@ lesson_sources = \
 lab_sources = \
   %D%/lab/main.js \
   %D%/lab/core/connect.js \
-  %D%/lab/core/early.js \
   %D%/lab/core/seats.js \
   %D%/lab/editing/edits_by_hand.js \
   %D%/lab/editing/hand.js \
@@ -246,16 +245,14 @@ CLEANFILES += %D%/page/lesson.js
 # The page of the laboratory, of which the core is a part. `make lab` makes both; `make`
 # makes the page if the core is there, as of `make web`.
 %D%/page/lab.js: $(lab_sources) $(lesson_sources) $(report_sources) %D%/build.mjs \
-  %D%/npm/installed
+  $(srcdir)/bench/web/client.js %D%/npm/installed
 	@$(MKDIR_P) %D%/page
 	$(NODE) $(srcdir)/%D%/build.mjs $(srcdir)/%D%/lab $(report_modules) $@
 
 %D%/page/lab.html: $(lab_page) %D%/page/lab.js %D%/page/style.css \
-  $(srcdir)/%D%/lesson/lesson.css web/hsr.js web/core.js web/worker.js \
-  web/client.js
+  $(srcdir)/%D%/lesson/lesson.css web/hsr.js web/core.js web/worker.js
 	$(NODE) $(srcdir)/%D%/lab/assemble.mjs $(report_modules) \
-	  $(srcdir)/%D%/lab/lab.html $(srcdir)/%D%/lab/core/early.js \
-	  %D%/page/lab.js web \
+	  $(srcdir)/%D%/lab/lab.html %D%/page/lab.js web \
 	  $(srcdir)/%D%/page/style.css $(srcdir)/%D%/lesson/lesson.css \
 	  $(srcdir)/%D%/lab/lab.css $@
 

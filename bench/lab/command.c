@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ALGORITHMS = 3 };
-
 struct options {
   struct option_base base;
   struct scene_options scene;
@@ -26,9 +24,9 @@ struct options {
 static error_t add_algorithm(struct options *o, const char *name) {
   struct hsr_error err;
   struct hsr_variant variant;
-  if (json_array_size(o->algorithms) == MOST_ALGORITHMS)
+  if (json_array_size(o->algorithms) == LAB_MOST_ALGORITHMS)
     return option_fail(&o->base, "lab: at most %d algorithms",
-                       (int)MOST_ALGORITHMS);
+                       (int)LAB_MOST_ALGORITHMS);
   if (hsr_variant_parse(name, &variant, &err))
     return option_fail(&o->base, "%s", err.text);
   return json_array_append_new(o->algorithms, json_string(name)) ? ENOMEM : 0;
@@ -85,22 +83,44 @@ static const struct argp argp = {
 
 /* --- The page ------------------------------------------------------------- */
 
-static enum hsr_status put_asked(const void *asked, FILE *out,
-                                 struct hsr_error *err) {
-  return put_page_json("asked", json_incref((json_t *)asked), out, err);
+struct put {
+  const struct options *options;
+  json_t *asked;
+};
+
+static enum hsr_status put_first_and_asked(const void *context, FILE *out,
+                                           struct hsr_error *err) {
+  const struct put *put = context;
+  const struct options *o = put->options;
+  lab_put_first(&o->scene, &o->view, o->algorithms, out);
+  return put_page_json("asked", json_incref(put->asked), out, err);
+}
+
+/* Those of reports/lab/state/lab.js. */
+static enum hsr_status choose_algorithms(json_t *algorithms,
+                                         struct hsr_error *err) {
+  if (json_array_size(algorithms))
+    return HSR_OK;
+  return json_array_append_new(algorithms, json_string("watkins")) ||
+                 json_array_append_new(algorithms, json_string("zbuffer"))
+             ? hsr_fail_nomem(err)
+             : HSR_OK;
 }
 
 static enum hsr_status make_page(struct options *o, const char *built,
                                  struct hsr_error *err) {
   const char *name = o->scene.name; /* without the words of a camera */
-  json_t *asked = NULL;
+  struct put put = {.options = o};
   enum hsr_status status = aim_scene(&o->scene, &o->view, err);
   if (!status)
-    status = lab_asked(name, &o->scene, &o->view, o->algorithms, &asked, err);
+    status = choose_algorithms(o->algorithms, err);
   if (!status)
-    status = write_built_page(o->output, built, "<!--asked-->", put_asked,
-                              asked, err);
-  json_decref(asked);
+    status =
+        lab_asked(name, &o->scene, &o->view, o->algorithms, &put.asked, err);
+  if (!status)
+    status = write_built_page(o->output, built, "<!--asked-->",
+                              put_first_and_asked, &put, err);
+  json_decref(put.asked);
   return status;
 }
 

@@ -3,6 +3,7 @@
  * under reports/lab; its state/asked.js reads what is written here.
  *
  * asked.c    what the page opens with, as JSON
+ * first.c    the pictures that it shows while its core starts
  * command.c  the options, and the file */
 #ifndef HSR_BENCH_LAB_H
 #define HSR_BENCH_LAB_H
@@ -11,8 +12,14 @@
 
 #include <jansson.h>
 
-/* The most faces of a scene that goes into the page. */
-enum { LAB_MOST_FACES = 100000 };
+/* The most faces of a scene that goes into the page, and the most algorithms;
+ * samples a row, and rows, of the first pictures. */
+enum {
+  LAB_MOST_FACES = 100000,
+  LAB_MOST_ALGORITHMS = 3,
+  LAB_FIRST_M = 480,
+  LAB_FIRST_N = 360
+};
 
 /* What the page opens with:
  *
@@ -28,5 +35,12 @@ enum { LAB_MOST_FACES = 100000 };
 enum hsr_status lab_asked(const char *name, const struct scene_options *scene,
                           const struct view_options *view, json_t *algorithms,
                           json_t **asked, struct hsr_error *err);
+
+/* Writes the first pictures as HTML: what each algorithm draws of the scene, as
+ * .png. Nothing, if one of them draws lines, refuses the scene, or takes
+ * long. */
+void lab_put_first(const struct scene_options *scene,
+                   const struct view_options *view, const json_t *algorithms,
+                   FILE *out);
 
 #endif

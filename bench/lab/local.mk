@@ -2,4 +2,5 @@
 libbench_a_SOURCES += \
   %D%/asked.c \
   %D%/command.c \
+  %D%/first.c \
   %D%/lab.h

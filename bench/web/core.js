@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The core of hsr: scenes, algorithms, answers, the judge. Every call is done when it
-// returns. docs/web.md describes the calls; bench/web/*.c has their other half.
+// returns. docs/web.md describes the calls; bench/web/calls/ has their other half.
 //
 // Arguments   a scene is what open() gives, or its id; a drawer is its number.
 // Results     arrays are copies.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `make web`: the core as WebAssembly, into web/ of the build. docs/web.md.
 EXTRA_DIST += \
+  %D%/calls/exports \
   %D%/client.js \
   %D%/core.js \
-  %D%/exports \
   %D%/libraries \
   %D%/stand_in/CGAL/FPU.h \
   %D%/stand_in/argp.h \
@@ -13,23 +13,23 @@ EXTRA_DIST += \
   %D%/worker.js
 EXTRA_DIST += $(web_files)
 web_files = \
+  %D%/calls/drawing.c \
+  %D%/calls/judging.c \
+  %D%/calls/lists.c \
+  %D%/calls/scenes.c \
+  %D%/calls/steps.c \
+  %D%/calls/survey.c \
+  %D%/calls/why.c \
   %D%/check.cc \
   %D%/check.h \
-  %D%/drawing.c \
   %D%/hash.c \
   %D%/hash.h \
-  %D%/judging.c \
   %D%/left_out.c \
-  %D%/lists.c \
   %D%/over.cc \
   %D%/over.h \
   %D%/reply.c \
   %D%/request.c \
-  %D%/scenes.c \
-  %D%/steps.c \
-  %D%/survey.c \
-  %D%/web.h \
-  %D%/why.c
+  %D%/web.h
 
 web:
 	$(AM_V_at)$(MKDIR_P) web && $(MAKE) --no-print-directory \

@@ -2,15 +2,18 @@
 /* The core in a page: what the files of this folder share. bench/web/core.js
  * calls these functions; docs/web.md says how.
  *
- * reply.c      what a call gives back
- * lists.c      what there is: scenes, kinds, algorithms
- * scenes.c     opening scenes; their geometry
+ * calls/       what a page calls:
+ *   lists.c      what there is: scenes, kinds, algorithms
+ *   scenes.c     opening scenes; their geometry
+ *   drawing.c    drawing, and an answer as JSON
+ *   judging.c    the judge
+ *   survey.c     Table I, and the predictions of Table III
+ *   steps.c      the steps of a run, as the stepping page reads them
+ *   why.c        the faces that lie over a sample
+ *   exports      the names of all calls
  * request.c    a request, from JSON
- * drawing.c    drawing, and an answer as JSON
- * judging.c    the judge
- * survey.c     Table I, and the predictions of Table III
- * steps.c      the steps of a run, as the stepping page reads them
- * why.c, over.cc   the faces that lie over a sample
+ * reply.c      what a call gives back
+ * over.cc      the faces over a sample, for why.c
  * check.cc     whether arithmetic is what it should be
  * hash.c       a number that tells answers apart; also for native programs
  * left_out.c   in place of what a page cannot have

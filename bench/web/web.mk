@@ -57,7 +57,7 @@ CGAL = -DCGAL_ALWAYS_ROUND_TO_NEAREST -DCGAL_DISABLE_ROUNDING_MATH_CHECK \
 EXACT = -ffp-contract=off
 C_FLAGS = -O2 -std=gnu11 $(EXACT) -fno-math-errno -fno-trapping-math $(WARNINGS) $(COMMON)
 CXX_FLAGS = -Os -std=gnu++17 $(EXACT) $(WARNINGS) $(COMMON) $(CGAL)
-EXPORTS = $(srcdir)/bench/web/exports
+EXPORTS = $(srcdir)/bench/web/calls/exports
 LINK_FLAGS = -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 \
   -sEXPORT_NAME=createHsr -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 \
   -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB \

@@ -4,6 +4,7 @@
 import { whenLooksChange } from "../lesson/parts/redraw.js";
 import { keys } from "../lesson/parts/controls.js";
 import { h } from "../page/parts/dom.js";
+import { openCore } from "./core/connect.js";
 import { hand } from "./editing/hand.js";
 import { measure } from "./experiments/measure.js";
 import { decide } from "./judge/decide.js";
@@ -26,9 +27,10 @@ const { state } = lab;
 const history = makeHistory(lab);
 
 async function begin() {
+  const opening = openCore();
   const asked = await readAddress();
   Object.assign(state, asked.state);
-  const core = await globalThis.openedCore; // core/early.js
+  const core = await opening;
   core.makeReady(state.a.length);
   document.getElementById("version").textContent = core.version;
   tellUnread(build(core), asked.unread);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node visit.mjs MODULES BROWSER PAGE EDITS SEED
+// node visit.mjs MODULES BROWSER PAGE FIRST EDITS SEED
+// FIRST is a page of hsr lab, by newell:special=groups and painter.
 // Opens the laboratory from disk as a reader would, and prints TAP.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { addressOf, begin, blemishes } from "../browser.mjs";
 import { editsAreRight } from "./edits.mjs";
 
-const [modules, executablePath, file, edits, seed] = process.argv.slice(2);
+const [modules, executablePath, file, first, edits, seed] = process.argv.slice(2);
 const { test, open: openWindow, serious, end } =
   await begin(modules, executablePath);
 
@@ -162,6 +164,72 @@ await test("counts are held, and those of another picture stand beside them", as
   assert.equal(ratio, (number(now) / number(held)).toFixed(2));
   await page.click(".hold");
   assert.deepEqual(await all(), [now]);
+});
+
+await test("a link has the counts that are held, or holds the first ones", async () => {
+  const subdivisions = () => page.locator(
+    ".counters tr:visible", { hasText: "subdivisions" }).locator("td").allTextContents();
+  await go("#/?s=house&a=warnock&size=128x96&held=1");
+  const [first, held, ratio] = await subdivisions();
+  assert.deepEqual([held, ratio], [first, "1.00"]);
+  await set({ size: [256, 192] });
+  const [now, ...then] = await subdivisions();
+  assert.equal(then[0], first);
+  assert.ok(Number(then[1]) > 1.5, `${now} of ${then}`);
+  await page.waitForFunction(() => /held=warnock\.\d/.test(location.hash) &&
+    location.hash.includes("256x192"));
+  await page.reload();
+  await settled();
+  assert.deepEqual(await subdivisions(), [now, ...then]);
+  const box = await page.evaluate(() => ["table.counters", ".easel"].map((name) =>
+    document.querySelector(name).getBoundingClientRect().right));
+  assert.ok(box[0] <= box[1], "the ratio is in sight");
+  await go("#/?s=house&a=warnock&held=warnock.1,x");
+  assert.match(await page.textContent(".said"), /cannot be read: held counts/);
+});
+
+// --- the first pictures ---
+
+await test("pictures of hsr lab are those that the core draws", async () => {
+  const written = readFileSync(first, "utf8");
+  const pictures = [...written.matchAll(
+    /<img class="view" width="(\d+)" height="(\d+)"[^>]* src="(data:[^"]*)"/g)]
+    .map(([, m, n, src]) => ({ m: Number(m), n: Number(n), src }));
+  assert.equal(pictures.length, 2);
+  await page.goto("about:blank");
+  await page.goto(addressOf(first));
+  await settled();
+  assert.equal(await page.locator("img").count(), 0, "they are shown no more");
+  const found = await page.evaluate((all) => Promise.all(all.map(async (one, p) => {
+    const { lab } = globalThis, { subject } = await lab.source.current();
+    const { rgba } = await lab.core.seats[p].must(subject, (client, id) =>
+      client.draw(id, { algorithm: lab.state.a[p], m: one.m, n: one.n,
+        camera: lab.state.camera }));
+    const image = Object.assign(new Image(), { src: one.src });
+    await image.decode();
+    const context = new OffscreenCanvas(one.m, one.n).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, one.m, one.n);
+    return { name: lab.state.a[p], samples: rgba.length,
+      differ: data.reduce((sum, x, k) => sum + (x === rgba[k] ? 0 : 1), 0) };
+  })), pictures);
+  assert.deepEqual(found, ["newell:special=groups", "painter"].map((name) =>
+    ({ name, samples: 4 * 480 * 360, differ: 0 })));
+});
+
+await test("they are seen until the core has drawn, but not of another link", async () => {
+  for (const [hash, n] of [["", 2], ["#/?s=house&a=watkins", 0]]) {
+    const own = await open();
+    await own.page.addInitScript(() => {
+      WebAssembly.compileStreaming = () => new Promise(() => {});
+    });
+    await own.page.goto(addressOf(first) + hash);
+    await own.page.waitForFunction(() => document.readyState === "complete");
+    assert.equal(await own.page.locator(".frame img:visible").count(), n);
+    assert.equal(await own.page.locator("text=Drawn by hsr when").count(), n ? 1 : 0);
+    if (n) assert.deepEqual(await serious(own.page), []);
+    await own.close();
+  }
 });
 
 // --- links ---

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The core, which lies in this page: packed WebAssembly, and the worker's script.
-import { connect } from "hsr-client";
+import { connect } from "../../../bench/web/client.js";
 import { bytesOf, inflating } from "../state/pack.js";
 import { seat } from "./seats.js";
 
-const textOf = (name) =>
-  [...document.querySelectorAll(`script.${name}`)].map((e) => e.textContent).join("");
-
 // A packed file of this page, while it is unpacked.
 const unpacking = (name, type) => new Response(
-  inflating(bytesOf(textOf(name)), "gzip"), { headers: { "content-type": type } });
+  inflating(bytesOf(document.getElementById(name).textContent), "gzip"),
+  { headers: { "content-type": type } });
 
 // The core is compiled while it is unpacked, and its worker starts meanwhile.
 const packedCore = () => ({

@@ -12,9 +12,9 @@ const TRIES = [
     note: "Two triangles penetrate. Press › for the next division. Which plane " +
       "divides which piece?" }],
   ["Double Warnock’s work", { s: "house", a: "warnock", overlay: "work",
-    note: "Warnock divides each window that is not simple yet. Press “Hold these " +
-      "counts”. Then edit the house, add to it, come nearer, or choose another size, " +
-      "until it subdivides twice as often: now / held is 2." }],
+    held: 1, note: "Warnock divides each window that is not simple yet. Its first " +
+      "counts are held. Edit the house, add to it, come nearer, or choose another " +
+      "size, until it subdivides twice as often: a ratio of 2." }],
   ["Watkins against Bouknight", { s: "harbor:800", a: "watkins,bouknight",
     mode: "measure", mwhat: "counter:spans", note: "Press Measure all. Which of " +
       "the two shows fewer spans? Then count all comparisons: which makes fewer? In " +
@@ -46,7 +46,7 @@ export function welcome(lab) {
   show();
   return h("div", { class: "welcome" },
     h("p", {}, h("b", {}, "Sixty hidden-surface algorithms at work, live."),
-      " Drag the picture, or try:"),
+      " Drag the picture, or:"),
     h("ul", { class: "plain" }, TRIES.map(([words, params]) => h("li", {}, h("a", {
       href: `#/?${new URLSearchParams(params)}` }, words)))),
     h("button", { type: "button", class: "quiet", onclick: () => edit(field.hidden),

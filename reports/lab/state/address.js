@@ -38,6 +38,8 @@ export async function readAddress() {
   if (Object.hasOwn(MODES, get("mode"))) own.mode = get("mode");
   if (/^(work|differ)$/.test(get("overlay"))) own.overlay = get("overlay");
   own.blink = get("blink") === "1";
+  own.holds = get("held") === "1";
+  own.held = own.holds ? own.held : await part("held", "held counts", heldOf, own.held);
   if (sizeOf(get("steps"))) own.steps = get("steps");
   own.window = await part("w", "part of the picture", windowOf, null);
   readPlayer(own.play, get);
@@ -53,6 +55,17 @@ function editsOf(value) {
   return Array.isArray(value) && value.every((edit) => Array.isArray(edit) &&
     edit.every(isGood)) ? value : null;
 }
+
+// "warnock.12.3,newell.4.5": counts of algorithms.
+function heldOf(text) {
+  const all = text.split(",").map((one) => one.split("."));
+  return all.every(([name, ...counts]) => name && counts.length &&
+    counts.every((x) => /^\d{1,15}$/.test(x)))
+    ? new Map(all.map(([name, ...counts]) => [name, counts.map(Number)])) : null;
+}
+const heldText = ({ held, holds }) => held.size
+  ? [...held].map(([name, counts]) => [name, ...counts].join(".")).join(",")
+  : holds ? 1 : null;
 
 const whole = (text) => /^\d{1,9}$/.test(text) ? Number(text) : 0;
 const windowOf = (text) => {
@@ -111,7 +124,7 @@ export async function addressOf(state) {
     c: state.camera ? cameraText(state.camera) : null,
     v: state.camera ? null : state.view || null, size: sizeText(state.size) || null,
     mode: unlike(state.mode, "look"), overlay: state.overlay || null,
-    blink: state.blink ? 1 : null, ...steps, ...measured, ...decided };
+    blink: state.blink ? 1 : null, held: heldText(state), ...steps, ...measured, ...decided };
   return { note, hash: href("", "", Object.fromEntries(Object.entries(all)
     .filter(([, value]) => value !== null && value !== undefined))) };
 }

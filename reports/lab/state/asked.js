@@ -14,5 +14,10 @@ const own = put?.file ? ownOf(name, new TextEncoder().encode(put.file)) : null;
 export const asked = put ? { scene: name, own, camera: put.camera,
   ...put.algorithms.length ? { a: put.algorithms } : {} } : {};
 
+// Pictures that hsr drew when it wrote the page, one for each algorithm, if the page opens
+// with what they show. They are seen until the core has drawn.
+export const firstPictures = [...document.querySelectorAll(".first-look img")];
+export const FIRST_WORDS = document.querySelector(".first-look p")?.textContent;
+
 // The page's own file, of that name; else null.
 export const fileOfPage = (scene) => own && scene === name ? own : null;

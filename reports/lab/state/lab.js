@@ -20,6 +20,8 @@ export const standard = () => ({
   chosen: null, // the target of edits
   overlay: "", // "": nothing, "work" or "differ"
   blink: false,
+  held: new Map(), // counts by the names of algorithms, to see how others compare
+  holds: false, // whether the first counts of each algorithm are held
   play: playerState(),
   steps: "96x72", // size of the picture that is stepped through
   window: null, // of that, [x0, y0, x1, y1]

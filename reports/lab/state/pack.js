@@ -18,7 +18,9 @@ export async function pack(bytes) {
 }
 
 export function bytesOf(base64) {
-  const text = atob(base64.replace(/-/g, "+").replace(/_/g, "/"));
+  const plain = base64.replace(/-/g, "+").replace(/_/g, "/");
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(plain); // much faster
+  const text = atob(plain);
   const bytes = new Uint8Array(text.length);
   for (let k = 0; k < bytes.length; k++) bytes[k] = text.charCodeAt(k);
   return bytes;

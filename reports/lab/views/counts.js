@@ -5,9 +5,8 @@ import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
 import { formula } from "../../page/parts/symbols.js";
 
-// held: Map from the name of an algorithm to counts that the reader holds, to see how
-// those of other pictures compare with them.
-export function countTable({ name, counters }, held) {
+// lab.state.held has the counts that the reader holds.
+export function countTable({ name, counters }, lab) {
   const cells = counters.map(rowOfCells), all = rowOfCells();
   const rows = counters.map((c, k) => {
     const { sign, hue } = kindLook(c.step);
@@ -15,7 +14,7 @@ export function countTable({ name, counters }, held) {
       h("span", { class: "sign", "aria-hidden": "true",
         style: `color: var(--hue-${hue})` }, sign), c.name), cells[k]);
   });
-  const head = h("thead", {}, h("tr", {}, ["", "now", "held", "now / held"].map((text) =>
+  const head = h("thead", {}, h("tr", {}, ["", "now", "held", "ratio"].map((text) =>
     h("th", { scope: "col", class: "number" }, text))));
   const predicted = h("div", { class: "predicted" });
   const table = h("table", { class: "counters", hidden: true,
@@ -23,16 +22,23 @@ export function countTable({ name, counters }, held) {
   h("tbody", {}, rows),
   h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, "all comparisons"), all)));
   const holder = h("button", { type: "button", class: "quiet hold", hidden: true,
-    onclick: () => {
-      if (held.has(name)) held.delete(name);
-      else held.set(name, now);
-      show(now);
-    } });
+    onclick: () => hold(!lab.state.held.has(name)) });
   let now = null;
 
-  const show = (counts) => {
-    const old = held.get(name);
+  const hold = (is) => {
+    const { held } = lab.state;
+    if (is) held.set(name, now);
+    else held.delete(name);
+    lab.set({ held, holds: is && lab.state.holds });
+    show(now);
+  };
+
+  // isWhole: not of a picture that moves, or comes before another.
+  const show = (counts, isWhole) => {
     now = counts;
+    if (isWhole && lab.state.holds && !lab.state.held.has(name)) return hold(true);
+    const kept = lab.state.held.get(name);
+    const old = kept?.length === counts.length ? kept : undefined;
     table.hidden = holder.hidden = false;
     head.hidden = !old;
     holder.textContent = old ? "Hold them no more" : "Hold these counts";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pictures that turn: up to three algorithms side by side, or blinking.
 import { h } from "../../page/parts/dom.js";
+import { firstPictures } from "../state/asked.js";
 import { MOST } from "../state/lab.js";
 import { another, plainName } from "./algorithms.js";
 import { blinking } from "./blink.js";
@@ -21,7 +22,6 @@ export function look(lab, core, source, over) {
   const verdict = verdictLine(lab, core, source, () => shown());
   let stages = []; // as of stage(), with { pace, answer, drawn, heat }
   let stamp = 0; // of what is wanted; a stage has it as `drawn` when it is there
-  const held = new Map(); // counts, as of countTable
   let camera = null, isMoving = false, isOpen = false, still = () => {};
 
   // --- The stages ---
@@ -33,10 +33,12 @@ export function look(lab, core, source, over) {
 
   function build() {
     const open = stages.map((s) => s.areOptionsOpen() && plainName(s.text));
-    stages = state.a.map((text, p) => Object.assign(stage(core.algorithms, text,
-      { choose: choose(p), remove: remove(p) }, held), { pace: pacer(), answer: null,
+    stages = state.a.map((text, p) => Object.assign(stage(lab, core.algorithms, text,
+      { choose: choose(p), remove: remove(p) }), { pace: pacer(), answer: null,
       drawn: -1 }));
+    const first = firstPictures.splice(0);
     stages.forEach((s, p) => {
+      if (first[p]) s.begin(first[p]);
       if (open[p] === plainName(s.text)) s.openOptions();
       over.attach(s.canvas);
       s.canvas.after(under(s.canvas, source, core.judge, () =>

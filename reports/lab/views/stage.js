@@ -3,12 +3,13 @@
 // counters.
 import { seconds } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
+import { FIRST_WORDS } from "../state/asked.js";
 import { algorithmSelect, optionFields, plainName } from "./algorithms.js";
 import { countTable } from "./counts.js";
 import { painter } from "./paint.js";
 
-// act: { choose(text), remove: a function or null }; held: as of countTable
-export function stage(algorithms, text, act, held) {
+// act: { choose(text), remove: a function or null }
+export function stage(lab, algorithms, text, act) {
   const algorithm = algorithms.find((a) => a.name === plainName(text)) ??
     algorithms[0];
   const canvas = h("canvas", { class: "view", tabindex: 0, role: "application",
@@ -16,7 +17,7 @@ export function stage(algorithms, text, act, held) {
   const brush = painter(canvas);
   const facts = h("p", { class: "facts-of" });
   const refusal = h("p", { class: "refusal", role: "status", hidden: true });
-  const table = countTable(algorithm, held);
+  const table = countTable(algorithm, lab);
   const label = h("p", { class: "blink-name", hidden: true });
   const fields = optionFields(algorithm, text, act.choose);
   const options = fields.length ? h("details", { class: "options" },
@@ -38,8 +39,17 @@ export function stage(algorithms, text, act, held) {
         algorithm.sortOrder ? `; sorts ${algorithm.sortOrder}` : "")),
       table.element));
 
+  // A picture that is seen until there is an answer.
+  let first = null;
+  const begin = (picture) => {
+    first = picture;
+    canvas.after(first);
+    facts.textContent = FIRST_WORDS;
+  };
+
   // The answer; isWhole: not one of those while it moves.
   const show = (answer, camera, isWhole) => {
+    first?.remove();
     refusal.hidden = Boolean(answer.rgba || answer.segments);
     refusal.textContent = `Answers of the kind “${answer.kind}” are seen in Step.`;
     element.classList.remove("late");
@@ -53,13 +63,15 @@ export function stage(algorithms, text, act, held) {
       ? `, made ready in ${seconds(answer.seconds.prepare)}` : "",
     answer.adapted ? `; adapted: ${answer.adapted}` : "",
     answer.ids || !answer.summary ? "" : `; ${answer.summary}`);
-    if (answer.counts) table.show(answer.counts);
+    if (answer.counts) table.show(answer.counts, isWhole);
   };
   const wait = () => {
+    if (first?.isConnected) return;
     element.classList.add("late");
     facts.textContent = "It is drawing …";
   };
   const refuse = (error) => {
+    first?.remove();
     element.classList.remove("late");
     brush.show(null, null);
     refusal.hidden = false;
@@ -67,7 +79,7 @@ export function stage(algorithms, text, act, held) {
     facts.textContent = "";
     table.clear();
   };
-  return { element, canvas, algorithm, text, show, refuse, wait,
+  return { element, canvas, algorithm, text, begin, show, refuse, wait,
     over: brush.over,
     paint: brush.paint, predict: table.predict,
     tell: (words) => words && facts.append(`; ${words}`),
