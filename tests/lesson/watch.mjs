@@ -492,7 +492,7 @@ async function asAReader(file, names) {
         : page.locator(`.quiz .buttons button[data-answer="${right}"]`);
       await answer.click();
       assert.match(await page.textContent(".quiz [role=status]"),
-        n === 1 ? /^No: / : /^Yes\. \S+/);
+        n === 1 ? /^Not so\. / : /^Right\. \S+/);
       await page.click("text=Go on");
       assert.equal(await step(page), k);
     }

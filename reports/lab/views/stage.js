@@ -58,7 +58,7 @@ export function stage(lab, algorithms, text, act) {
     canvas.setAttribute("aria-label", `The picture that ${algorithm.name} draws, ${
       m} by ${n}. Arrow keys turn the camera. ${answer.summary ?? ""}`);
     facts.replaceChildren(`${m} × ${n}`, answer.seconds
-      ? ` in ${seconds(answer.seconds.draw)}` : "",
+      ? ` in ${seconds(answer.seconds.draw)} with counting` : "",
     answer.seconds?.prepare > 1e-4 && isWhole
       ? `, made ready in ${seconds(answer.seconds.prepare)}` : "",
     answer.adapted ? `; adapted: ${answer.adapted}` : "",
