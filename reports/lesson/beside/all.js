@@ -4,12 +4,12 @@
 import { h } from "../../page/parts/dom.js";
 import { listStrip } from "./list.js";
 import { pyramidCells } from "./pyramid.js";
-import { isByRows, rowFromAbove } from "./row.js";
+import { isFromAbove, rowFromAbove } from "./row.js";
 import { planeTree } from "./tree.js";
 
 // What this run has of these; show(k, e) draws them all.
 export function beside(run) {
-  const all = [isByRows(run) && rowFromAbove(run), run.list && listStrip(run),
+  const all = [isFromAbove(run) && rowFromAbove(run), run.list && listStrip(run),
     run.tree && planeTree(run), run.pyramid && pyramidCells(run)].filter(Boolean);
   return { element: all.length ? h("div", { class: "beside-scene" },
     all.map(({ element }) => element)) : null,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scan line at hand, from above: the segments of its faces, the eye below; what the
-// step compares, and its span.
+// The scan line at hand, or the one through the middle of the window, from above: the
+// segments of its faces, the eye below; what the step compares, and its span.
 import { colourOf, kindColour } from "../data/kinds.js";
 import { closeness, segmentsOn } from "../data/projection.js";
 import { searchAt } from "../data/stretches.js";
@@ -8,8 +8,11 @@ import { board } from "./board.js";
 
 const HIGH = 190; // of the canvas
 
-// Algorithms that go along rows, and compare depths or edges there.
-export const isByRows = (run) => /^(YXZ|ZYX|YZX)$/.test(run.trace.order ?? "") &&
+const areWindows = (run) => run.counterOf("subdivision") >= 0;
+
+// Algorithms that go along rows or from window to window, and compare depths there.
+export const isFromAbove = (run) => (areWindows(run) ||
+  /^(YXZ|ZYX|YZX)$/.test(run.trace.order ?? "")) &&
   run.kind.holdsFaces && run.header.faces.every((f) => f[3].length);
 
 export function rowFromAbove(run) {
@@ -25,12 +28,13 @@ export function rowFromAbove(run) {
 
   const show = (k, e) => {
     const w = e?.window;
-    const isRow = w && w.height === 1;
-    element.hidden = !isRow;
-    if (!isRow) return;
-    const own = of(w.y);
-    say(own.length ? `Row ${w.y}: ${own.length} ${own.length === 1 ? "segment"
-      : "segments"}` : `Row ${w.y} meets no face.`);
+    const isShown = w && (w.height === 1 || areWindows(run));
+    element.hidden = !isShown;
+    if (!isShown) return;
+    const j = w.y + (w.height >> 1), own = of(j);
+    const middle = w.height > 1 ? ", through the middle of the window" : "";
+    say(own.length ? `Row ${j}${middle}: ${own.length} ${own.length === 1 ? "segment"
+      : "segments"}` : `Row ${j}${middle} meets no face.`);
     draw(HIGH, (context, width) => drawRow(context, run, own, { width, e }));
   };
   return { element, show };
