@@ -184,6 +184,8 @@ EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/peers/then-and-now %D%/peers/then-and-now.md \
   %D%/peers/drawings %D%/peers/drawings.md %D%/peers/strokes \
   %D%/1974/README.md %D%/1974/coherence %D%/1974/coherence.txt \
+  %D%/1974/exponents %D%/1974/exponents.txt %D%/1974/map/map.txt \
+  %D%/1974/walks %D%/1974/walks.txt \
   %D%/1974/counts.ndjson %D%/1974/map/make %D%/1974/tables.txt \
   %D%/1974/prices/attribute %D%/1974/prices/comparisons \
   %D%/1974/prices/make %D%/1974/prices/measured.json \

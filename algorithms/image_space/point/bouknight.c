@@ -46,9 +46,11 @@
  *             Coherence", bouknight_list.c).
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h: Table III has one column for Watkins and
- *             Bouknight, though the latter's spans are up to 2 S_l a line. A
- *             face that is compared at both limits costs 30 twice; the formula
- *             charges it once a span */
+ *             Bouknight, though the latter's spans are up to 2 S_l a line. The
+ *             formula tests a segment once a line; here its bit is turned on
+ *             and off, so that it counts twice in the span cull. A face that is
+ *             compared at both limits costs 30 twice; the formula charges it
+ *             once a span */
 #include "algorithms/image_space/point/bouknight.h"
 #include "common/answers/kinds/shadowed.h"
 #include "common/answers/kinds/transparent.h"

@@ -38,7 +38,9 @@
  *             found, the span is divided where the visible face changes.
  * Ties        columns: intercepts of one column have no sample between them, in
  *             any order; depth: one plane, lower id; all else by hsr_nearer
- * Departures  one Y bucket a row where the paper sorts in two passes; an
+ * Departures  one bucket sort by Y, which puts a face into one bucket; the
+ *             survey counts two ("actually, two bucket sorts", appendix B) and
+ *             does not say by what, so the Y sort here costs half; an
  *             intercept is found from its line anew on every row instead of by
  *             adding increments, whose roundings add up; X is kept as the
  *             column of the first sample to the right; a face that is cut gives
