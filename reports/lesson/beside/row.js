@@ -4,14 +4,13 @@
 import { colourOf, kindColour } from "../data/kinds.js";
 import { closeness, segmentsOn } from "../data/projection.js";
 import { searchAt } from "../data/stretches.js";
+import { isByWindows } from "../looks/windows.js";
 import { board } from "./board.js";
 
 const HIGH = 190; // of the canvas
 
-const areWindows = (run) => run.counterOf("subdivision") >= 0;
-
 // Algorithms that go along rows or from window to window, and compare depths there.
-export const isFromAbove = (run) => (areWindows(run) ||
+export const isFromAbove = (run) => (isByWindows(run) ||
   /^(YXZ|ZYX|YZX)$/.test(run.trace.order ?? "")) &&
   run.kind.holdsFaces && run.header.faces.every((f) => f[3].length);
 
@@ -28,7 +27,7 @@ export function rowFromAbove(run) {
 
   const show = (k, e) => {
     const w = e?.window;
-    const isShown = w && (w.height === 1 || areWindows(run));
+    const isShown = w && (w.height === 1 || isByWindows(run));
     element.hidden = !isShown;
     if (!isShown) return;
     const j = w.y + (w.height >> 1), own = of(j);

@@ -6,8 +6,8 @@ import { searchAt } from "../data/stretches.js";
 const rectangle = (x, y, width, height) =>
   [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
 
-// Whether the algorithm goes from scan line to scan line, and not from window to window.
-const isByLines = (run) => run.counterOf("subdivision") < 0;
+// Whether the algorithm goes from window to window, and not from scan line to scan line.
+export const isByWindows = (run) => run.counterOf("subdivision") >= 0;
 
 // The window of a step, unless that is the whole picture and nothing is asked of it.
 export function windowLook(run, e) {
@@ -16,7 +16,7 @@ export function windowLook(run, e) {
   const isWhole = w.width >= run.width && w.height >= run.height;
   if (isWhole && e.a.kind !== "window" && e.b.kind !== "window") return [];
   const shapes = [];
-  if (w.height === 1 && w.width < run.width && isByLines(run)) // the row that it is on
+  if (w.height === 1 && w.width < run.width && !isByWindows(run)) // its row
     shapes.push({ points: rectangle(0, w.y, run.width, 1), closed: true, width: 0,
       fill: 0.13 });
   const box = { points: rectangle(w.x, w.y, w.width, w.height), closed: true,

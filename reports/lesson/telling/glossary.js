@@ -97,18 +97,18 @@ export const GLOSSARY = [
   ["surround test", "is a point inside of the outline of a face?", /surround test/],
   ["surrounder", "a face that covers all of the window", /surrounder/],
   ["texel", "an element of a texture", /\btexels?\b/],
-  ["vorticity", "the sense in which a side turns about a point: if it is the same for all " +
-    "sides of a triangle, the point is inside", /vorticit/],
   ["visible bit", "a bit of each face: is the place between its two edges? It is set " +
     "for hidden faces, too",
     /visible bit/],
   ["vertex", "a corner of a face", /\bvert(ex|ices)\b/],
   ["volume", "a convex solid: all that is inside of its planes",
     /(?<!bounding )\bvolumes?\b/],
+  ["vorticity", "the sense in which a side turns about a point: if it is the same for all " +
+    "sides of a triangle, the point is inside", /vorticit/],
   ["voxel", "a small cube of space, an element of a volume", /\bvoxels?\b/],
-  ["window", "a rectangle of the picture", /\bwindows?\b/],
   ["Warnock special", "the survey’s name for the tests of a face against a window",
     /Warnock special/],
+  ["window", "a rectangle of the picture", /\bwindows?\b/],
   ["X occupied table, Y occupied table", "the faces that are at this column of the line; the " +
     "faces that this line crosses", /occupied table/],
   ["X sort, Y sort, Z sort", "a sort by column, by row, by depth", /\b[XYZ] sort\b/],
